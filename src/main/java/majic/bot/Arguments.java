@@ -1,0 +1,66 @@
+package majic.bot;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
+import org.jspecify.annotations.Nullable;
+
+/** Checks what is handed to {@code set} and to a robot's own commands, before anything is sent. */
+final class Arguments {
+    private Arguments() {}
+
+    static BiFunction<List<Value>, Motion, @Nullable Value> writer(ParameterTable.Entry entry) {
+        BiConsumer<List<Value>, Motion> writer = entry.writer();
+        String name = entry.parameter().name();
+        if (writer == null) {
+            throw new ParameterException(name, name + ": can be read but not set");
+        }
+        return (values, motion) -> {
+            writer.accept(values, motion);
+            return null;
+        };
+    }
+
+    static List<Value> forSet(Parameter parameter, List<Value> given) {
+        if (given.isEmpty()) {
+            throw new ParameterException(parameter.name(), parameter.name() + ": a value is missing");
+        }
+        List<Parameter> wanted = new ArrayList<>(parameter.extras());
+        wanted.add(0, parameter);
+        if (given.size() > wanted.size()) {
+            throw new ParameterException(
+                    parameter.name(), parameter.name() + ": takes " + wanted.size() + " value(s), not " + given.size());
+        }
+        return fit(wanted, given);
+    }
+
+    static BotCommand command(MajicBot bot, String name) {
+        return bot.commands().stream()
+                .filter(command -> command.name().equalsIgnoreCase(name))
+                .findFirst()
+                .orElseThrow(() -> new BotException(name + ": " + bot.name() + " has no such command"
+                        + Suggestion.didYouMean(
+                                name,
+                                bot.commands().stream().map(BotCommand::name).toList())));
+    }
+
+    static List<Value> forCommand(BotCommand command, List<Value> given) {
+        if (given.size() != command.arguments().size()) {
+            String names = String.join(
+                    " ", command.arguments().stream().map(Parameter::name).toList());
+            throw new BotException(command.name() + ": takes "
+                    + (names.isEmpty() ? "nothing behind it" : names.toUpperCase(Locale.ROOT)));
+        }
+        return fit(command.arguments(), given);
+    }
+
+    private static List<Value> fit(List<Parameter> wanted, List<Value> given) {
+        List<Value> fitted = new ArrayList<>();
+        for (int index = 0; index < given.size(); index++) {
+            fitted.add(wanted.get(index).fit(given.get(index)));
+        }
+        return List.copyOf(fitted);
+    }
+}

@@ -1,0 +1,36 @@
+package majic.bot;
+
+import java.util.Locale;
+
+/**
+ * Where a robot is, as users type it: {@code aibo://192.168.1.20}, {@code hemisson:COM3}, {@code sim:pioneer}.
+ * Immutable.
+ *
+ * @param scheme the word before the first colon, in lower case: a type of robot, or {@code sim}
+ * @param rest all behind that colon
+ */
+public record BotAddress(String scheme, String rest) {
+    /** The scheme of a robot in the simulated lab. */
+    public static final String SIMULATED = "sim";
+
+    /**
+     * Takes an address apart.
+     *
+     * @param text as typed
+     * @return the address
+     * @throws BotException if there is no scheme in it; the message shows what an address looks like
+     */
+    public static BotAddress parse(String text) {
+        int colon = text.indexOf(':');
+        if (colon <= 0 || colon == text.length() - 1) {
+            throw new BotException(
+                    text + ": not a robot's address; it looks like pioneer://10.0.0.5:8101, hemisson:COM3 or sim:aibo");
+        }
+        return new BotAddress(text.substring(0, colon).toLowerCase(Locale.ROOT), text.substring(colon + 1));
+    }
+
+    @Override
+    public String toString() {
+        return scheme + ":" + rest;
+    }
+}

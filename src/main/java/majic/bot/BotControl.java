@@ -1,0 +1,133 @@
+package majic.bot;
+
+import java.util.List;
+
+/**
+ * What anyone may do with a robot. Distances are millimetres, ahead positive; angles degrees, counterclockwise positive.
+ * Thread-safe; all methods but {@link #drive} and {@link #stop} may wait for the robot, none of them without end.
+ *
+ * <p>What is thrown is always a {@link BotException}: {@link MotionStopped} when a stop came between, {@link LinkLost}
+ * when the connection is gone, {@link MotionFailed} when the robot gave up, {@link ParameterException} when a name or
+ * value is wrong and nothing was sent.
+ */
+public interface BotControl {
+    /**
+     * Drives straight and returns when the robot stands again.
+     *
+     * @param mm how far, ahead positive; at most the parameter {@code maxMove} either way
+     * @param until ends the motion early
+     * @return how far it went
+     */
+    MotionReport move(double mm, Guard until);
+
+    /**
+     * Turns on the spot and returns when the robot stands again.
+     *
+     * @param degrees how far, counterclockwise positive; more than a full turn goes all the way round
+     * @param until ends the motion early
+     * @return how far it turned
+     */
+    MotionReport turn(double degrees, Guard until);
+
+    /**
+     * Drives a curve for a time and returns when the robot stands again.
+     *
+     * @param mmPerSec speed, ahead positive
+     * @param degPerSec turn rate, counterclockwise positive
+     * @param seconds for how long; at most 60
+     * @param until ends the motion early
+     * @return how long it drove
+     */
+    MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until);
+
+    /**
+     * Drives a curve from now on and returns at once. Unless it is called again within 600 ms the robot is told to
+     * stand.
+     *
+     * @param mmPerSec speed, ahead positive
+     * @param degPerSec turn rate, counterclockwise positive
+     */
+    void drive(double mmPerSec, double degPerSec);
+
+    /** Stops the robot, overtaking everything, from any thread; a motion under way throws {@link MotionStopped}. */
+    void stop();
+
+    /**
+     * Reads a parameter, waiting for the robot if it must be asked.
+     *
+     * @param parameter its name, whatever the case
+     * @return its value; may be {@link Value.Unknown} where the robot cannot tell now
+     */
+    Value get(String parameter);
+
+    /**
+     * Sets a parameter and returns when the robot has it, and when a motion that this is has ended.
+     *
+     * @param parameter its name, whatever the case
+     * @param values its value, then any extras it takes
+     */
+    void set(String parameter, List<Value> values);
+
+    /**
+     * Runs one of the commands that only this type of robot has.
+     *
+     * @param command its name, whatever the case
+     * @param arguments what it takes
+     * @return its answer
+     */
+    String run(String command, List<Value> arguments);
+
+    /**
+     * What can be read and set.
+     *
+     * @return the shared parameters and the robot's own
+     */
+    List<Parameter> parameters();
+
+    /**
+     * What only this type of robot can do.
+     *
+     * @return its further commands
+     */
+    List<BotCommand> commands();
+
+    /**
+     * Drives straight all the way.
+     *
+     * @param mm as {@link #move(double, Guard)}
+     * @return how far it went
+     */
+    default MotionReport move(double mm) {
+        return move(mm, Guard.NEVER);
+    }
+
+    /**
+     * Turns all the way.
+     *
+     * @param degrees as {@link #turn(double, Guard)}
+     * @return how far it turned
+     */
+    default MotionReport turn(double degrees) {
+        return turn(degrees, Guard.NEVER);
+    }
+
+    /**
+     * Sets a parameter to a number in its own unit.
+     *
+     * @param parameter its name
+     * @param number the value
+     */
+    default void set(String parameter, double number) {
+        set(parameter, List.of(Value.of(number, Unit.NONE)));
+    }
+
+    /**
+     * Sets a parameter to a word, {@code on} and {@code off} included.
+     *
+     * @param parameter its name
+     * @param word the value
+     */
+    default void set(String parameter, String word) {
+        set(parameter, List.of(Value.text(word)));
+    }
+}

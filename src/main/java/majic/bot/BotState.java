@@ -1,0 +1,15 @@
+package majic.bot;
+
+/**
+ * What a robot last said of itself, as far as every robot can. Immutable.
+ *
+ * @param pose where it is, from where it was added
+ * @param speedMmPerSec ahead positive
+ * @param turnRateDegPerSec counterclockwise positive
+ * @param moving whether it moves or is told to
+ * @param atNanos when the robot said so, on its {@link TimeSource}
+ */
+public record BotState(Pose pose, double speedMmPerSec, double turnRateDegPerSec, boolean moving, long atNanos) {
+    /** Before the first word of a robot. */
+    public static final BotState UNKNOWN = new BotState(Pose.START, 0, 0, false, 0);
+}

@@ -1,0 +1,71 @@
+package majic.bot;
+
+import java.util.List;
+
+/**
+ * A make of robot: how it is called, how it is reached, how its driver is made. Implementations are named in
+ * {@code META-INF/services/majic.bot.BotType} of this jar or of one in the user's plug-ins folder, have a public
+ * constructor without arguments, and start nothing in it.
+ */
+public interface BotType {
+    /** How a robot of a type can be reached; the Add dialog asks accordingly. */
+    enum Reach {
+        /** By host and TCP port. */
+        TCP,
+        /** By a serial port of this machine. */
+        SERIAL
+    }
+
+    /**
+     * The word for this type in addresses and in MAJIC Script.
+     *
+     * @return lower-case letters: {@code pioneer}
+     */
+    String name();
+
+    /**
+     * The short name people use.
+     *
+     * @return for instance {@code Pioneer}
+     */
+    String label();
+
+    /**
+     * Maker and model.
+     *
+     * @return for instance {@code MobileRobots Pioneer}
+     */
+    String make();
+
+    /**
+     * How it can be reached, the usual way first.
+     *
+     * @return one or both
+     */
+    List<Reach> reaches();
+
+    /**
+     * The TCP port to offer.
+     *
+     * @return 1 to 65535; 0 if there is no usual one
+     */
+    int defaultPort();
+
+    /**
+     * Makes the driver for a robot at an address, without touching the robot.
+     *
+     * @param address what follows the colon behind the type's name: {@code //host:8101}, {@code COM3},
+     *     {@code tcp://host:4001}
+     * @param environment the clock and settings to use
+     * @return the driver, not connected
+     * @throws BotException if the address is none; the message says what one looks like
+     */
+    MajicBot create(String address, BotEnvironment environment);
+
+    /**
+     * What to try when nothing answers, for people who stand beside the robot.
+     *
+     * @return one or two sentences
+     */
+    String advice();
+}

@@ -1,0 +1,132 @@
+package majic.bot;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The one thread of a robot that does things when their time has come: watchdog pulses, the end of a drive that was not
+ * renewed. Each robot has its own, so that a stuck link delays nobody else's.
+ */
+final class Keeper {
+    private static final Logger LOG = System.getLogger(Keeper.class.getName());
+
+    private final TimeSource time;
+    private final Signal changed;
+    private final Map<String, Duty> duties = new HashMap<>();
+    private boolean closed;
+
+    private record Duty(long dueNanos, long periodNanos, Runnable task) {
+        Duty again(long nowNanos) {
+            return new Duty(Math.max(dueNanos + periodNanos, nowNanos), periodNanos, task);
+        }
+    }
+
+    Keeper(TimeSource time) {
+        this.time = time;
+        this.changed = time.signal();
+    }
+
+    void start(String name) {
+        time.thread(name + " keeper", this::run).start();
+    }
+
+    /** Replaces any duty of the same name. */
+    void every(String name, double seconds, Runnable task) {
+        put(name, new Duty(time.nanos() + nanos(seconds), nanos(seconds), task));
+    }
+
+    /** Replaces any duty of the same name. */
+    void once(String name, double seconds, Runnable task) {
+        put(name, new Duty(time.nanos() + nanos(seconds), 0, task));
+    }
+
+    void close() {
+        synchronized (duties) {
+            closed = true;
+            duties.clear();
+        }
+        changed.raise();
+    }
+
+    private void put(String name, Duty duty) {
+        boolean sooner;
+        synchronized (duties) {
+            sooner = duty.dueNanos < nextDue();
+            duties.put(name, duty);
+        }
+        if (sooner) {
+            changed.raise();
+        }
+    }
+
+    private void run() {
+        try {
+            while (!isClosed()) {
+                long due = dueNanos();
+                changed.await(() -> isClosed() || dueNanos() < due, waitSeconds(due));
+                runDue();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void runDue() {
+        for (Runnable task : takeDue(time.nanos())) {
+            try {
+                task.run();
+            } catch (RuntimeException e) {
+                LOG.log(Level.DEBUG, "a robot's duty failed", e);
+            }
+        }
+    }
+
+    private List<Runnable> takeDue(long now) {
+        synchronized (duties) {
+            List<Runnable> due = new ArrayList<>();
+            Map<String, Duty> again = new HashMap<>();
+            for (Iterator<Map.Entry<String, Duty>> all = duties.entrySet().iterator(); all.hasNext(); ) {
+                Map.Entry<String, Duty> entry = all.next();
+                Duty duty = entry.getValue();
+                if (duty.dueNanos <= now) {
+                    due.add(duty.task);
+                    all.remove();
+                    if (duty.periodNanos > 0) {
+                        again.put(entry.getKey(), duty.again(now));
+                    }
+                }
+            }
+            duties.putAll(again);
+            return due;
+        }
+    }
+
+    private boolean isClosed() {
+        synchronized (duties) {
+            return closed;
+        }
+    }
+
+    private long dueNanos() {
+        synchronized (duties) {
+            return nextDue();
+        }
+    }
+
+    private long nextDue() {
+        return duties.values().stream().mapToLong(Duty::dueNanos).min().orElse(Long.MAX_VALUE);
+    }
+
+    private double waitSeconds(long due) {
+        return due == Long.MAX_VALUE ? Signal.FOR_EVER : (due - time.nanos()) / 1e9;
+    }
+
+    private static long nanos(double seconds) {
+        return (long) (seconds * 1e9);
+    }
+}

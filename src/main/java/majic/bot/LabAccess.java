@@ -1,0 +1,54 @@
+package majic.bot;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** What the rest of MAJIC may know of a simulated lab. Thread-safe. */
+public interface LabAccess {
+    /**
+     * A wall or the side of a box, in the room's frame.
+     *
+     * @param x1 one end, mm
+     * @param y1 one end, mm
+     * @param x2 the other end, mm
+     * @param y2 the other end, mm
+     */
+    record Wall(double x1, double y1, double x2, double y2) {}
+
+    /**
+     * The robots in the lab.
+     *
+     * @return the names of their types, in the order they are to be numbered
+     */
+    List<String> robots();
+
+    /**
+     * Where the lab's robot of a type listens.
+     *
+     * @param type the type's name
+     * @return its address as a user could type it, or empty if the lab has none
+     */
+    Optional<BotAddress> address(String type);
+
+    /**
+     * The clock of the lab, for drivers of its robots.
+     *
+     * @return the same object at every call
+     */
+    TimeSource time();
+
+    /**
+     * Where the robots really are, in the room's frame.
+     *
+     * @return by name of the type, in the lab's order
+     */
+    Map<String, Pose> truePoses();
+
+    /**
+     * The room.
+     *
+     * @return all walls and sides of boxes
+     */
+    List<Wall> walls();
+}

@@ -1,0 +1,699 @@
+package majic.bot;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot under control. Can be used alone: make it, {@link #connect()}, command it, {@link #close()}.
+ *
+ * <p>Conventions, as in {@link BotControl}: mm, degrees counterclockwise positive, x ahead and y left of where it was
+ * connected. Connecting neither moves the robot nor switches its motors on; the first motion does, and says so to the
+ * listeners. All public methods are safe from any thread. Motions of several callers follow one another; {@link #stop()}
+ * overtakes them.
+ *
+ * <p>Subclasses fill in the protected hooks. Checks of arguments, the order of callers, the stop, the end of a
+ * {@code drive} that is not renewed, listeners and the shared parameters are done here, once.
+ */
+public abstract class MajicBot implements BotControl, AutoCloseable {
+    private static final Logger LOG = System.getLogger(MajicBot.class.getName());
+
+    /** How long a {@code drive} holds without being renewed, seconds. */
+    private static final double DRIVE_LEASE_S = 0.6;
+
+    /** How often a timed drive renews itself, seconds. */
+    private static final double DRIVE_RENEWAL_S = 0.3;
+
+    private final BotType type;
+    private final BotEnvironment environment;
+    private final ParameterTable parameters = new ParameterTable();
+    private final List<BotCommand> commands = new CopyOnWriteArrayList<>();
+    private final List<BotListener> listeners = new CopyOnWriteArrayList<>();
+    private final Signal changes;
+    private final Keeper keeper;
+    private final Permits permits = new Permits();
+    private final Object commandLock = new Object();
+    private final AtomicBoolean motionUnderWay = new AtomicBoolean();
+    private final AtomicLong readings = new AtomicLong();
+
+    private volatile BotProfile profile;
+    private volatile Pace pace;
+    private volatile String name;
+    private volatile Connection connection = Connection.NEW;
+    private volatile @Nullable LinkLost lostBecause;
+    private volatile BotState state = BotState.UNKNOWN;
+    private volatile boolean driving;
+
+    /** How a robot's connection stands. */
+    public enum Connection {
+        /** Not yet connected. */
+        NEW,
+        /** Being connected. */
+        CONNECTING,
+        /** Connected and answering. */
+        CONNECTED,
+        /** Broken, refused or given up; {@link MajicBot#connect()} may try again. */
+        LOST,
+        /** Closed for good. */
+        CLOSED
+    }
+
+    /**
+     * Makes a driver; touches no robot and starts no thread.
+     *
+     * @param type what it is a driver for
+     * @param profile its size and pace
+     * @param environment its clock and settings
+     */
+    protected MajicBot(BotType type, BotProfile profile, BotEnvironment environment) {
+        this.type = type;
+        this.profile = profile;
+        this.pace = new Pace(profile);
+        this.environment = environment;
+        this.changes = environment.time().signal();
+        this.keeper = new Keeper(environment.time());
+        this.name = "the " + type.label();
+        SharedParameters.describe(parameters, this);
+        pace.describe(parameters, profile);
+    }
+
+    /**
+     * Connects, without moving the robot or switching its motors on. May be called again after the connection was lost.
+     *
+     * @throws BotException if the robot is not there, refuses, or does not answer in the driver's time; the message says
+     *     what to try, and the robot is in state {@link Connection#LOST}
+     */
+    public final void connect() {
+        synchronized (this) {
+            if (connection != Connection.NEW && connection != Connection.LOST) {
+                throw new BotException(name + " is " + connection.name().toLowerCase(Locale.ROOT));
+            }
+            if (connection == Connection.NEW) {
+                keeper.start(type.name());
+            }
+            lostBecause = null;
+            become(Connection.CONNECTING);
+        }
+        try {
+            open();
+        } catch (BotException e) {
+            become(Connection.LOST);
+            throw e;
+        }
+        synchronized (this) {
+            if (connection == Connection.CONNECTING) {
+                become(Connection.CONNECTED);
+            }
+        }
+        requireConnected();
+    }
+
+    @Override
+    public final MotionReport move(double mm, Guard until) {
+        return move(mm, until, permit());
+    }
+
+    final MotionReport move(double mm, Guard until, Permit permit) {
+        pace.checkMove(mm);
+        return perform(until, permit, motion -> moveBy(mm, motion));
+    }
+
+    @Override
+    public final MotionReport turn(double degrees, Guard until) {
+        return turn(degrees, until, permit());
+    }
+
+    final MotionReport turn(double degrees, Guard until, Permit permit) {
+        pace.checkTurn(degrees);
+        return perform(until, permit, motion -> turnBy(degrees, motion));
+    }
+
+    @Override
+    public final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until) {
+        return drive(mmPerSec, degPerSec, seconds, until, permit());
+    }
+
+    final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
+        Pace.checkDrive(profile, mmPerSec, degPerSec);
+        Pace.checkDriveTime(seconds);
+        return perform(until, permit, motion -> {
+            while (motion.seconds() < seconds && !motion.guardReached()) {
+                motion.send(() -> driveAt(mmPerSec, degPerSec));
+                motion.pause(Math.min(DRIVE_RENEWAL_S, seconds - motion.seconds()));
+            }
+            motion.send(this::halt);
+            return null;
+        });
+    }
+
+    @Override
+    public final void drive(double mmPerSec, double degPerSec) {
+        drive(mmPerSec, degPerSec, permit());
+    }
+
+    final void drive(double mmPerSec, double degPerSec, Permit permit) {
+        Pace.checkDrive(profile, mmPerSec, degPerSec);
+        if (motionUnderWay.get()) {
+            throw new BotException(name + " is in a motion; stop it before driving");
+        }
+        underPermit(permit, () -> {
+            driving = true;
+            keeper.once("drive lapse", DRIVE_LEASE_S, this::endDrive);
+            driveAt(mmPerSec, degPerSec);
+        });
+    }
+
+    @Override
+    public final void stop() {
+        permits.revokeAll(() -> new MotionStopped("stopped"));
+        changes.raise();
+        if (connection == Connection.CONNECTED) {
+            synchronized (commandLock) {
+                driving = false;
+                halt();
+            }
+            confirmHalt();
+        }
+    }
+
+    @Override
+    public final Value get(String parameter) {
+        ParameterTable.Entry entry = entry(parameter);
+        if (entry.reader() == null) {
+            throw new ParameterException(parameter, entry.parameter().name() + ": can be set but not read");
+        }
+        return entry.reader().get();
+    }
+
+    @Override
+    public final void set(String parameter, List<Value> values) {
+        set(parameter, values, permit());
+    }
+
+    final void set(String parameter, List<Value> values, Permit permit) {
+        ParameterTable.Entry entry = entry(parameter);
+        BiFunction<List<Value>, Motion, @Nullable Value> writer = Arguments.writer(entry);
+        List<Value> fitted = Arguments.forSet(entry.parameter(), values);
+        if (entry.parameter().moves()) {
+            perform(Guard.NEVER, permit, motion -> writer.apply(fitted, motion));
+        } else {
+            requireConnected();
+            writer.apply(fitted, new Motion(this, Guard.NEVER, permit));
+        }
+    }
+
+    @Override
+    public final String run(String command, List<Value> arguments) {
+        return run(command, arguments, permit());
+    }
+
+    final String run(String command, List<Value> arguments, Permit permit) {
+        BotCommand known = Arguments.command(this, command);
+        List<Value> fitted = Arguments.forCommand(known, arguments);
+        if (!known.moves()) {
+            requireConnected();
+            return known.action().run(fitted, new Motion(this, Guard.NEVER, permit));
+        }
+        MotionReport report =
+                perform(Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
+        return String.valueOf(report.amount());
+    }
+
+    @Override
+    public final List<Parameter> parameters() {
+        return parameters.all();
+    }
+
+    @Override
+    public final List<BotCommand> commands() {
+        return List.copyOf(commands);
+    }
+
+    /**
+     * Checks values for a parameter without setting it, as a script does before anything drives off.
+     *
+     * @param parameter its name
+     * @param values as for {@link #set(String, List)}
+     * @return the parameter
+     * @throws ParameterException what setting it would throw for these values
+     */
+    public final Parameter checkSet(String parameter, List<Value> values) {
+        ParameterTable.Entry entry = entry(parameter);
+        Arguments.writer(entry);
+        Arguments.forSet(entry.parameter(), values);
+        return entry.parameter();
+    }
+
+    /**
+     * Looks a parameter up.
+     *
+     * @param parameter its name, whatever the case
+     * @return its description
+     * @throws ParameterException if this robot has none of that name; the message suggests one
+     */
+    public final Parameter parameter(String parameter) {
+        return entry(parameter).parameter();
+    }
+
+    /**
+     * Stops the robot and closes the connection for good. Takes at most about a second, also when the link is stuck;
+     * does nothing when it is closed already.
+     */
+    @Override
+    public final void close() {
+        Connection before;
+        synchronized (this) {
+            before = connection;
+            if (before == Connection.CLOSED) {
+                return;
+            }
+            permits.latch(() -> new BotException(name + " is closed"));
+            become(Connection.CLOSED);
+        }
+        keeper.close();
+        changes.raise();
+        if (before != Connection.NEW) {
+            shut();
+        }
+    }
+
+    /**
+     * What draws this robot in the window.
+     *
+     * @return its panel, made on the event dispatch thread; null for "no display available"
+     */
+    public @Nullable JComponent display() {
+        return null;
+    }
+
+    /**
+     * Which make of robot this is.
+     *
+     * @return its type
+     */
+    public final BotType type() {
+        return type;
+    }
+
+    /**
+     * How messages call it.
+     *
+     * @return for instance {@code robot 1 (Aibo)}; before it is in a team, {@code the Aibo}
+     */
+    public final String name() {
+        return name;
+    }
+
+    final void name(String newName) {
+        name = newName;
+    }
+
+    /**
+     * Its size and pace.
+     *
+     * @return as known now; connecting may change it
+     */
+    public final BotProfile profile() {
+        return profile;
+    }
+
+    /**
+     * How its connection stands.
+     *
+     * @return the state now
+     */
+    public final Connection connection() {
+        return connection;
+    }
+
+    /**
+     * Whether it can be commanded.
+     *
+     * @return true while connected
+     */
+    public final boolean isConnected() {
+        return connection == Connection.CONNECTED;
+    }
+
+    /**
+     * What it last said of itself.
+     *
+     * @return the newest state; {@link BotState#UNKNOWN} before the first word
+     */
+    public final BotState state() {
+        return state;
+    }
+
+    /**
+     * Begins to tell somebody of this robot.
+     *
+     * @param listener called on the driver's threads
+     */
+    public final void addListener(BotListener listener) {
+        listeners.add(listener);
+    }
+
+    /**
+     * Ends telling somebody.
+     *
+     * @param listener who was added
+     */
+    public final void removeListener(BotListener listener) {
+        listeners.remove(listener);
+    }
+
+    /**
+     * Opens the link and goes through the protocol's handshake. Called once for each {@link #connect()}, on its thread,
+     * in state {@link Connection#CONNECTING}. Must not move the robot nor switch motors on, must end within the
+     * driver's time-out, and must leave nothing open when it throws.
+     *
+     * @throws BotException with what went wrong and what to try
+     */
+    protected abstract void open();
+
+    /**
+     * Halts the robot if it may move, says good-bye as the protocol has it, and closes the link, whatever state it is
+     * in. Bounded by about a second; throws nothing.
+     */
+    protected abstract void shut();
+
+    /**
+     * Drives straight until done. Everything that moves is sent through the motion; when it throws, just let it pass.
+     * Motors are switched on here when they are off, with a {@link #notice}.
+     *
+     * @param mm finite, within {@code maxMove}, ahead positive
+     * @param motion for sending and waiting
+     * @return how far it went, mm
+     */
+    protected abstract Value moveBy(double mm, Motion motion);
+
+    /**
+     * Turns on the spot until done; otherwise as {@link #moveBy}.
+     *
+     * @param degrees finite, counterclockwise positive, perhaps several turns
+     * @param motion for sending and waiting
+     * @return how far it turned, degrees
+     */
+    protected abstract Value turnBy(double degrees, Motion motion);
+
+    /**
+     * Sends the command to drive a curve from now on, and does not wait for anything. Called again and again while
+     * somebody drives, with no stop between; after the last call {@link #halt()} follows.
+     *
+     * @param mmPerSec within the profile's speeds, ahead positive
+     * @param degPerSec within the profile's rates, counterclockwise positive
+     */
+    protected abstract void driveAt(double mmPerSec, double degPerSec);
+
+    /**
+     * Sends the command to stand, at once, and does not wait for an answer. Called on any thread, with no other command
+     * being sent meanwhile.
+     */
+    protected abstract void halt();
+
+    /**
+     * Waits until the robot has confirmed the stop that {@link #halt()} sent, sending it again where that helps. Called
+     * without any lock, on the thread that stops.
+     *
+     * @throws BotException if it is not confirmed in the driver's time
+     */
+    protected void confirmHalt() {}
+
+    /**
+     * Where to describe the robot's own parameters.
+     *
+     * @return the table, with the shared ones in it
+     */
+    protected final ParameterTable table() {
+        return parameters;
+    }
+
+    /**
+     * Adds a command that only this type has.
+     *
+     * @param command its description and what it does
+     */
+    protected final void add(BotCommand command) {
+        commands.add(command);
+    }
+
+    /**
+     * Takes over a size and pace learned from the robot itself.
+     *
+     * @param better the new profile; cruise and near start from it
+     */
+    protected final void profile(BotProfile better) {
+        profile = better;
+        pace = new Pace(better);
+        pace.describe(parameters, better);
+    }
+
+    /**
+     * How fast {@code move} is to go.
+     *
+     * @return mm/s, positive
+     */
+    protected final double cruiseMmPerSec() {
+        return pace.cruiseMmPerSec();
+    }
+
+    /**
+     * How fast {@code turn} is to go.
+     *
+     * @return deg/s, positive
+     */
+    protected final double cruiseTurnDegPerSec() {
+        return pace.cruiseTurnDegPerSec();
+    }
+
+    /**
+     * The clock of this robot.
+     *
+     * @return the only way its driver may wait and measure
+     */
+    protected final TimeSource time() {
+        return environment.time();
+    }
+
+    /**
+     * What the user wants remembered.
+     *
+     * @return the settings
+     */
+    protected final Settings settings() {
+        return environment.settings();
+    }
+
+    /**
+     * Where everybody waits who waits for this robot. Drivers raise it after anything that somebody may wait for.
+     *
+     * @return the signal
+     */
+    protected final Signal changes() {
+        return changes;
+    }
+
+    /**
+     * Does something again and again, on the robot's own keeper thread, from now until it is closed.
+     *
+     * @param what names the duty; one of the same name is replaced
+     * @param seconds the period
+     * @param task quick; failures are logged
+     */
+    protected final void every(String what, double seconds, Runnable task) {
+        keeper.every(what, seconds, task);
+    }
+
+    /**
+     * Publishes new readings and wakes whoever waits for some.
+     *
+     * @param newState what was read
+     */
+    protected final void publish(BotState newState) {
+        state = newState;
+        readings.incrementAndGet();
+        changes.raise();
+        tell(listener -> listener.stateChanged(this, newState));
+    }
+
+    /**
+     * Says something to the person.
+     *
+     * @param message one sentence or half of one
+     */
+    protected final void notice(String message) {
+        tell(listener -> listener.notice(this, message));
+    }
+
+    /**
+     * Tells that the link broke; everybody who waits wakes with the cause. Only the first call after a connect counts.
+     *
+     * @param cause how it was lost
+     */
+    protected final void lost(LinkLost cause) {
+        synchronized (this) {
+            if (connection != Connection.CONNECTED && connection != Connection.CONNECTING) {
+                return;
+            }
+            lostBecause = cause;
+            driving = false;
+            become(Connection.LOST);
+        }
+        permits.revokeAll(() -> new LinkLost(cause.getMessage(), cause));
+        changes.raise();
+    }
+
+    /**
+     * Whether somebody drives this robot with {@link #drive(double, double)} just now.
+     *
+     * @return true from a drive until its lease ends
+     */
+    protected final boolean isDriving() {
+        return driving;
+    }
+
+    /**
+     * Whether a motion or a drive is under way.
+     *
+     * @return true while the driver may have told the robot to move
+     */
+    public final boolean isBusy() {
+        return driving || motionUnderWay.get();
+    }
+
+    final Permit permit() {
+        return permits.current();
+    }
+
+    /** Refuses all motion until {@link #unlatch()}. */
+    final void latch() {
+        permits.latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
+    }
+
+    final void unlatch() {
+        permits.unlatch();
+    }
+
+    final long readings() {
+        return readings.get();
+    }
+
+    final void requireConnected() {
+        LinkLost cause = lostBecause;
+        if (cause != null) {
+            throw new LinkLost(cause.getMessage(), cause);
+        }
+        if (connection != Connection.CONNECTED) {
+            throw new BotException(name + " is not connected");
+        }
+    }
+
+    final void underPermit(Permit permit, Runnable write) {
+        synchronized (commandLock) {
+            permit.check();
+            requireConnected();
+            write.run();
+        }
+    }
+
+    private void endDrive() {
+        synchronized (commandLock) {
+            if (driving) {
+                driving = false;
+                halt();
+            }
+        }
+    }
+
+    /** What a motion does between its beginning and its end. */
+    @FunctionalInterface
+    private interface Maneuver {
+        @Nullable
+        Value run(Motion motion);
+    }
+
+    private MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
+        requireConnected();
+        begin(permit);
+        BotListener relay = new ReadingsRelay(changes, readings);
+        until.alsoWatches().forEach(other -> other.addListener(relay));
+        try {
+            Motion motion = new Motion(this, until, permit);
+            motion.check();
+            Value amount = maneuver.run(motion);
+            return new MotionReport(amount, motion.seconds());
+        } catch (MotionStopped | LinkLost e) {
+            if (!permit.isRevoked()) {
+                haltQuietly();
+            }
+            throw e;
+        } catch (RuntimeException e) {
+            haltQuietly();
+            throw e;
+        } finally {
+            until.alsoWatches().forEach(other -> other.removeListener(relay));
+            motionUnderWay.set(false);
+            changes.raise();
+        }
+    }
+
+    /** Waits for the motion under way to end; a drive just ends for a motion. */
+    private void begin(Permit permit) {
+        try {
+            while (!motionUnderWay.compareAndSet(false, true)) {
+                changes.await(() -> !motionUnderWay.get() || permit.isRevoked(), Signal.FOR_EVER);
+                permit.check();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new MotionStopped("interrupted");
+        }
+        driving = false;
+    }
+
+    private void haltQuietly() {
+        try {
+            synchronized (commandLock) {
+                if (isConnected()) {
+                    halt();
+                }
+            }
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, "could not halt " + name, e);
+        }
+    }
+
+    private ParameterTable.Entry entry(String parameter) {
+        ParameterTable.Entry entry = parameters.find(parameter);
+        if (entry == null) {
+            List<String> names = parameters().stream().map(Parameter::name).toList();
+            throw new ParameterException(
+                    parameter,
+                    parameter + ": " + name + " has no such parameter" + Suggestion.didYouMean(parameter, names));
+        }
+        return entry;
+    }
+
+    private void become(Connection now) {
+        connection = now;
+        tell(listener -> listener.connectionChanged(this, now));
+    }
+
+    private void tell(Consumer<BotListener> news) {
+        for (BotListener listener : listeners) {
+            try {
+                news.accept(listener);
+            } catch (RuntimeException e) {
+                LOG.log(Level.WARNING, "a listener of " + name + " failed", e);
+            }
+        }
+    }
+}

@@ -1,0 +1,147 @@
+package majic.bot;
+
+import java.util.function.BooleanSupplier;
+
+/**
+ * One motion in progress, as its driver sees it. Everything that moves the robot is sent through it and every wait is
+ * done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread.
+ */
+public final class Motion {
+    private final MajicBot bot;
+    private final Guard guard;
+    private final Permit permit;
+    private final long startedNanos;
+    private long readingsSeen = -1;
+    private boolean guardReached;
+
+    Motion(MajicBot bot, Guard guard, Permit permit) {
+        this.bot = bot;
+        this.guard = guard;
+        this.permit = permit;
+        this.startedNanos = bot.time().nanos();
+    }
+
+    /**
+     * Sends something that moves the robot. No stop can come between the look at the permit and the sending.
+     *
+     * @param write does the sending; at most one message, bounded by the link's deadline
+     * @throws MotionStopped if the motion was stopped; nothing was sent
+     * @throws LinkLost if the connection is gone
+     */
+    public void send(Runnable write) {
+        bot.underPermit(permit, write);
+    }
+
+    /**
+     * Waits until something is so, or the guard comes true, or the time is over.
+     *
+     * @param done what to wait for; looked at whenever the driver raises {@link MajicBot#changes()}
+     * @param seconds how long at most
+     * @return whether it came to be so; if not, {@link #guardReached()} tells why
+     * @throws MotionStopped if the motion was stopped meanwhile
+     * @throws LinkLost if the connection broke meanwhile
+     * @throws MotionFailed if the guard cannot be told
+     */
+    public boolean await(BooleanSupplier done, double seconds) {
+        double deadline = seconds() + seconds;
+        while (true) {
+            check();
+            if (done.getAsBoolean()) {
+                return true;
+            }
+            if (lookAtGuard() || seconds() >= deadline) {
+                return false;
+            }
+            pause(done, deadline - seconds());
+        }
+    }
+
+    /**
+     * Waits for the next reading the driver publishes.
+     *
+     * @param seconds how long at most
+     * @return whether one came; false also when the guard came true
+     * @throws MotionStopped if the motion was stopped meanwhile
+     * @throws LinkLost if the connection broke meanwhile
+     * @throws MotionFailed if the guard cannot be told
+     */
+    public boolean nextReading(double seconds) {
+        long seen = bot.readings();
+        return await(() -> bot.readings() != seen, seconds) && !lookAtGuard();
+    }
+
+    /**
+     * Lets time pass.
+     *
+     * @param seconds how long
+     * @return whether the time passed; false when the guard came true before
+     * @throws MotionStopped if the motion was stopped meanwhile
+     * @throws LinkLost if the connection broke meanwhile
+     * @throws MotionFailed if the guard cannot be told
+     */
+    public boolean pause(double seconds) {
+        await(() -> false, seconds);
+        return !guardReached;
+    }
+
+    /**
+     * Whether the guard ended the motion.
+     *
+     * @return true from the moment it was seen to be reached
+     */
+    public boolean guardReached() {
+        return guardReached;
+    }
+
+    /**
+     * How long the motion has lasted.
+     *
+     * @return seconds on the robot's clock
+     */
+    public double seconds() {
+        return bot.time().secondsSince(startedNanos);
+    }
+
+    /**
+     * Goes on only while nothing has ended the motion.
+     *
+     * @throws MotionStopped if it was stopped
+     * @throws LinkLost if the connection broke
+     */
+    public void check() {
+        permit.check();
+        bot.requireConnected();
+    }
+
+    /** Looks at the guard, if there is something new to look at. */
+    private boolean lookAtGuard() {
+        long readings = bot.readings();
+        if (!guardReached && readings != readingsSeen) {
+            readingsSeen = readings;
+            try {
+                guardReached = guard.reached();
+            } catch (MotionStopped | LinkLost e) {
+                throw e;
+            } catch (BotException e) {
+                throw new MotionFailed(e.getMessage());
+            }
+        }
+        return guardReached;
+    }
+
+    private void pause(BooleanSupplier done, double seconds) {
+        long seen = readingsSeen;
+        try {
+            bot.changes()
+                    .await(
+                            () -> done.getAsBoolean()
+                                    || permit.isRevoked()
+                                    || !bot.isConnected()
+                                    || bot.readings() != seen,
+                            seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new MotionStopped("interrupted");
+        }
+    }
+}

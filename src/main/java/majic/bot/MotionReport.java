@@ -1,0 +1,18 @@
+package majic.bot;
+
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What became of a motion that ended well. Immutable; {@code toString()} is how answers show it.
+ *
+ * @param amount how far it went, mm or degrees, by odometry or as an estimate; null where nobody counts it
+ * @param seconds how long it took
+ */
+public record MotionReport(@Nullable Value amount, double seconds) {
+    @Override
+    public String toString() {
+        String time = String.format(Locale.ROOT, "%.1f s", seconds);
+        return amount == null ? time : amount + ", " + time;
+    }
+}

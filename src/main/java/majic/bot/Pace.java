@@ -1,0 +1,86 @@
+package majic.bot;
+
+/** The settable limits of one robot's motions. Thread-safe. */
+final class Pace {
+    private static final double MAX_MOVE_MM = 5000;
+    private static final double MAX_DRIVE_SECONDS = 60;
+
+    private volatile double cruiseMmPerSec;
+    private volatile double cruiseTurnDegPerSec;
+    private volatile double nearMm;
+    private volatile double maxMoveMm = MAX_MOVE_MM;
+
+    Pace(BotProfile profile) {
+        cruiseMmPerSec = profile.cruiseMmPerSec();
+        cruiseTurnDegPerSec = profile.cruiseTurnDegPerSec();
+        nearMm = profile.nearMm();
+    }
+
+    double cruiseMmPerSec() {
+        return cruiseMmPerSec;
+    }
+
+    double cruiseTurnDegPerSec() {
+        return cruiseTurnDegPerSec;
+    }
+
+    void describe(ParameterTable table, BotProfile profile) {
+        table.add(
+                        Parameter.number("cruise", Unit.MM_PER_S, "how fast move goes")
+                                .within(1, profile.speed().max()),
+                        () -> Value.of(cruiseMmPerSec, Unit.MM_PER_S))
+                .writes(values -> cruiseMmPerSec = values.get(0).number());
+        table.add(
+                        Parameter.number("cruiseTurn", Unit.DEG_PER_S, "how fast turn goes")
+                                .within(1, profile.turn().max()),
+                        () -> Value.of(cruiseTurnDegPerSec, Unit.DEG_PER_S))
+                .writes(values -> cruiseTurnDegPerSec = values.get(0).number());
+        table.add(
+                        Parameter.number("maxMove", Unit.MM, "the longest single move that is accepted")
+                                .within(1, 1_000_000),
+                        () -> Value.of(maxMoveMm, Unit.MM))
+                .writes(values -> maxMoveMm = values.get(0).number());
+        table.add(
+                        Parameter.number("near", Unit.MM, "what counts as close for this robot")
+                                .within(0, 10_000),
+                        () -> Value.of(nearMm, Unit.MM))
+                .writes(values -> nearMm = values.get(0).number());
+    }
+
+    void checkMove(double mm) {
+        if (!Double.isFinite(mm)) {
+            throw new ParameterException("move", "move " + mm + ": not a distance");
+        }
+        if (Math.abs(mm) > maxMoveMm) {
+            throw new ParameterException(
+                    "move",
+                    "move " + Value.plain(mm) + ": longer than maxMove, " + Value.plain(maxMoveMm)
+                            + " mm; set maxMove higher to allow it");
+        }
+    }
+
+    void checkTurn(double degrees) {
+        if (!Double.isFinite(degrees) || Math.abs(degrees) > 36_000) {
+            throw new ParameterException("turn", "turn " + degrees + ": not an angle of at most 36000 deg");
+        }
+    }
+
+    static void checkDrive(BotProfile profile, double mmPerSec, double degPerSec) {
+        if (!profile.speed().contains(mmPerSec)) {
+            throw new ParameterException(
+                    "drive", "drive " + Value.plain(mmPerSec) + ": outside " + profile.speed() + " mm/s");
+        }
+        if (!profile.turn().contains(degPerSec)) {
+            throw new ParameterException(
+                    "drive", "drive … " + Value.plain(degPerSec) + ": outside " + profile.turn() + " deg/s");
+        }
+    }
+
+    static void checkDriveTime(double seconds) {
+        if (!(seconds > 0 && seconds <= MAX_DRIVE_SECONDS)) {
+            throw new ParameterException(
+                    "drive",
+                    "drive … for " + Value.plain(seconds) + " s: outside 0 … " + Value.plain(MAX_DRIVE_SECONDS) + " s");
+        }
+    }
+}

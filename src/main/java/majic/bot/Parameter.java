@@ -1,0 +1,225 @@
+package majic.bot;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One thing that can be asked of a robot or set on it, or one argument of a robot's own command. Immutable.
+ *
+ * @param name letters and digits; compared without regard to case
+ * @param kind what values it takes
+ * @param unit what its numbers count; a number typed without unit is in it
+ * @param range the numbers it may have; what lies outside is refused
+ * @param choices the words it may have, for {@link Kind#CHOICE}
+ * @param readable whether {@code get} is allowed
+ * @param writable whether {@code set} is allowed
+ * @param moves whether setting it moves the robot, and so needs the robot to be free
+ * @param extras further values that {@code set} takes, each of them optional: the time in {@code set headPan 30 500ms}
+ * @param help one line for people
+ */
+public record Parameter(
+        String name,
+        Kind kind,
+        Unit unit,
+        Range range,
+        List<String> choices,
+        boolean readable,
+        boolean writable,
+        boolean moves,
+        List<Parameter> extras,
+        String help) {
+
+    /** What values a parameter takes. */
+    public enum Kind {
+        /** A number in its unit. */
+        NUMBER,
+        /** Yes or no. */
+        YES_NO,
+        /** On or off. */
+        ON_OFF,
+        /** One of a few words. */
+        CHOICE,
+        /** Any text. */
+        TEXT,
+        /** Several values that are read together. */
+        LIST
+    }
+
+    /** Keeps copies of the lists. */
+    public Parameter {
+        choices = List.copyOf(choices);
+        extras = List.copyOf(extras);
+    }
+
+    /**
+     * A readable number of any size.
+     *
+     * @param name its name
+     * @param unit its unit
+     * @param help one line
+     * @return the description
+     */
+    public static Parameter number(String name, Unit unit, String help) {
+        return of(name, Kind.NUMBER, unit, List.of(), help);
+    }
+
+    /**
+     * A readable yes or no.
+     *
+     * @param name its name
+     * @param help one line
+     * @return the description
+     */
+    public static Parameter yesNo(String name, String help) {
+        return of(name, Kind.YES_NO, Unit.NONE, List.of(), help);
+    }
+
+    /**
+     * A readable on or off.
+     *
+     * @param name its name
+     * @param help one line
+     * @return the description
+     */
+    public static Parameter onOff(String name, String help) {
+        return of(name, Kind.ON_OFF, Unit.NONE, List.of(), help);
+    }
+
+    /**
+     * A readable word out of a few.
+     *
+     * @param name its name
+     * @param choices the words
+     * @param help one line
+     * @return the description
+     */
+    public static Parameter choice(String name, List<String> choices, String help) {
+        return of(name, Kind.CHOICE, Unit.NONE, choices, help);
+    }
+
+    /**
+     * A readable text.
+     *
+     * @param name its name
+     * @param help one line
+     * @return the description
+     */
+    public static Parameter text(String name, String help) {
+        return of(name, Kind.TEXT, Unit.NONE, List.of(), help);
+    }
+
+    /**
+     * Several readable values at once.
+     *
+     * @param name its name
+     * @param unit the unit of each
+     * @param help one line
+     * @return the description
+     */
+    public static Parameter list(String name, Unit unit, String help) {
+        return of(name, Kind.LIST, unit, List.of(), help);
+    }
+
+    private static Parameter of(String name, Kind kind, Unit unit, List<String> choices, String help) {
+        return new Parameter(name, kind, unit, Range.ANY, choices, true, false, false, List.of(), help);
+    }
+
+    /**
+     * The same with bounds.
+     *
+     * @param min lowest value, in its unit
+     * @param max highest value, in its unit
+     * @return a new description
+     */
+    public Parameter within(double min, double max) {
+        return new Parameter(name, kind, unit, new Range(min, max), choices, readable, writable, moves, extras, help);
+    }
+
+    /**
+     * The same with a further optional value for {@code set}.
+     *
+     * @param extra its description
+     * @return a new description
+     */
+    public Parameter with(Parameter extra) {
+        List<Parameter> more = new ArrayList<>(extras);
+        more.add(extra);
+        return new Parameter(name, kind, unit, range, choices, readable, writable, moves, more, help);
+    }
+
+    Parameter access(boolean read, boolean write, boolean moving) {
+        return new Parameter(name, kind, unit, range, choices, read, write, moving, extras, help);
+    }
+
+    /**
+     * Brings a given value into the form this parameter holds: a bare number gets its unit, a word becomes the flag or
+     * choice it means.
+     *
+     * @param given a value as typed or as handed in by a program
+     * @return the value, of this parameter's kind and in its unit
+     * @throws ParameterException if the value is of another kind or unit, or outside of the range; the message says
+     *     what would be right
+     */
+    public Value fit(Value given) {
+        return switch (kind) {
+            case NUMBER -> fitNumber(given);
+            case YES_NO -> Value.yesNo(fitFlag(given));
+            case ON_OFF -> Value.onOff(fitFlag(given));
+            case CHOICE -> Value.text(fitChoice(given));
+            case TEXT -> Value.text(given.toString());
+            case LIST -> throw wrong(given, "it cannot be set");
+        };
+    }
+
+    private Value fitNumber(Value given) {
+        if (!(given instanceof Value.Number number)) {
+            throw wrong(given, "not a number" + inUnit());
+        }
+        double amount = convert(number);
+        if (!range.contains(amount)) {
+            throw wrong(given, "outside " + range + (unit == Unit.NONE ? "" : " " + unit.symbol()));
+        }
+        return Value.of(amount, unit);
+    }
+
+    private double convert(Value.Number number) {
+        if (number.unit() == unit || number.unit() == Unit.NONE) {
+            return number.amount();
+        }
+        if (number.unit() == Unit.S && unit == Unit.MS) {
+            return number.amount() * 1000;
+        }
+        if (number.unit() == Unit.MS && unit == Unit.S) {
+            return number.amount() / 1000;
+        }
+        throw wrong(number, unit == Unit.NONE ? "it is a plain number, without unit" : "not in " + unit.symbol());
+    }
+
+    private boolean fitFlag(Value given) {
+        if (given instanceof Value.Flag flag) {
+            return flag.yes();
+        }
+        return switch (given.toString().toLowerCase(Locale.ROOT)) {
+            case "on", "yes", "true", "1" -> true;
+            case "off", "no", "false", "0" -> false;
+            default -> throw wrong(given, kind == Kind.ON_OFF ? "it is on or off" : "it is yes or no");
+        };
+    }
+
+    private String fitChoice(Value given) {
+        return choices.stream()
+                .filter(choice -> choice.equalsIgnoreCase(given.toString()))
+                .findFirst()
+                .orElseThrow(() -> wrong(given, "it is one of " + String.join(", ", choices)));
+    }
+
+    private String inUnit() {
+        return unit == Unit.NONE ? "" : " in " + unit.symbol();
+    }
+
+    private ParameterException wrong(@Nullable Value given, String why) {
+        return new ParameterException(name, name + " " + given + ": " + why);
+    }
+}

@@ -1,0 +1,116 @@
+package majic.bot;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The parameters of one robot, each with how it is read and how it is set. A driver fills it in its constructor, and
+ * may add to it while it connects, when it learns what the robot has. Thread-safe.
+ */
+public final class ParameterTable {
+    private final Map<String, Entry> entries = Collections.synchronizedMap(new LinkedHashMap<>());
+
+    /** Made by {@link MajicBot}, one for each robot. */
+    ParameterTable() {}
+
+    /** A parameter and what stands behind it. */
+    public static final class Entry {
+        private volatile Parameter parameter;
+        private final @Nullable Supplier<Value> reader;
+        private volatile @Nullable BiConsumer<List<Value>, Motion> writer;
+
+        private Entry(Parameter parameter, @Nullable Supplier<Value> reader) {
+            this.parameter = parameter.access(reader != null, false, false);
+            this.reader = reader;
+        }
+
+        /**
+         * Makes the parameter settable. The writer runs on the thread of whoever sets it.
+         *
+         * @param newWriter takes the checked values, the parameter's own first, then the given extras in order
+         * @return this entry
+         */
+        public Entry writes(Consumer<List<Value>> newWriter) {
+            writer = (values, motion) -> newWriter.accept(values);
+            parameter = parameter.access(parameter.readable(), true, false);
+            return this;
+        }
+
+        /**
+         * Makes the parameter settable by a motion: it is refused while the robot is not free, and a stop ends it.
+         *
+         * @param newWriter takes the checked values and the motion through which everything is to be sent
+         * @return this entry
+         */
+        public Entry moves(BiConsumer<List<Value>, Motion> newWriter) {
+            writer = newWriter;
+            parameter = parameter.access(parameter.readable(), true, true);
+            return this;
+        }
+
+        Parameter parameter() {
+            return parameter;
+        }
+
+        @Nullable
+        Supplier<Value> reader() {
+            return reader;
+        }
+
+        @Nullable
+        BiConsumer<List<Value>, Motion> writer() {
+            return writer;
+        }
+    }
+
+    /**
+     * Adds a parameter that can be read, or replaces the one of the same name.
+     *
+     * @param parameter its description
+     * @param reader gives the present value, waiting for the robot if it must, but never without end; on any thread
+     * @return the entry, to make it settable
+     */
+    public Entry add(Parameter parameter, Supplier<Value> reader) {
+        return put(new Entry(parameter, reader));
+    }
+
+    /**
+     * Adds a parameter that can only be set.
+     *
+     * @param parameter its description
+     * @return the entry, to make it settable
+     */
+    public Entry addWriteOnly(Parameter parameter) {
+        return put(new Entry(parameter, null));
+    }
+
+    private Entry put(Entry entry) {
+        entries.put(key(entry.parameter().name()), entry);
+        return entry;
+    }
+
+    @Nullable
+    Entry find(String name) {
+        return entries.get(key(name));
+    }
+
+    List<Parameter> all() {
+        synchronized (entries) {
+            List<Parameter> parameters = new ArrayList<>();
+            entries.values().forEach(entry -> parameters.add(entry.parameter()));
+            return Collections.unmodifiableList(parameters);
+        }
+    }
+
+    private static String key(String name) {
+        return name.toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,36 @@
+package majic.bot;
+
+import java.util.function.Supplier;
+
+/** The permit in force for one robot. Thread-safe. */
+final class Permits {
+    private Permit current = new Permit();
+    private boolean latched;
+
+    synchronized Permit current() {
+        return current;
+    }
+
+    /** Ends all motions begun under the present permit; later ones get a new one, unless latched. */
+    synchronized void revokeAll(Supplier<? extends BotException> reason) {
+        current.revoke(reason);
+        if (!latched) {
+            current = new Permit();
+        }
+    }
+
+    /** Ends all motions and gives out only revoked permits from now on. */
+    synchronized void latch(Supplier<? extends BotException> reason) {
+        current.revoke(() -> new MotionStopped("stopped"));
+        current = new Permit();
+        current.revoke(reason);
+        latched = true;
+    }
+
+    synchronized void unlatch() {
+        if (latched) {
+            latched = false;
+            current = new Permit();
+        }
+    }
+}

@@ -1,0 +1,59 @@
+package majic.bot;
+
+/**
+ * Where a robot believes it is: x ahead of its start, y to the left of it. Immutable.
+ *
+ * @param xMm ahead of where it started, mm
+ * @param yMm to the left of where it started, mm
+ * @param headingDeg counterclockwise positive, −180 (excluded) to 180
+ */
+public record Pose(double xMm, double yMm, double headingDeg) {
+    /** Where every robot starts. */
+    public static final Pose START = new Pose(0, 0, 0);
+
+    /** Refuses what is not finite and brings the heading into its range. */
+    public Pose {
+        if (!Double.isFinite(xMm) || !Double.isFinite(yMm) || !Double.isFinite(headingDeg)) {
+            throw new IllegalArgumentException("a pose is finite: " + xMm + ", " + yMm + ", " + headingDeg);
+        }
+        headingDeg = normalised(headingDeg);
+    }
+
+    /**
+     * An angle brought to one turn.
+     *
+     * @param degrees finite
+     * @return the same direction, −180 (excluded) to 180
+     */
+    public static double normalised(double degrees) {
+        double rest = degrees % 360;
+        if (rest > 180) {
+            return rest - 360;
+        }
+        return rest <= -180 ? rest + 360 : rest;
+    }
+
+    /**
+     * The pose after a small motion along a circular arc.
+     *
+     * @param forwardMm the way along the arc, mm, ahead positive
+     * @param turnDeg the turn on that way, counterclockwise positive
+     * @return the new pose
+     */
+    public Pose after(double forwardMm, double turnDeg) {
+        double middle = Math.toRadians(headingDeg + turnDeg / 2);
+        double half = Math.toRadians(turnDeg / 2);
+        double chord = Math.abs(half) < 1e-9 ? forwardMm : forwardMm * Math.sin(half) / half;
+        return new Pose(xMm + chord * Math.cos(middle), yMm + chord * Math.sin(middle), headingDeg + turnDeg);
+    }
+
+    /**
+     * The straight distance to another pose.
+     *
+     * @param other in the same frame
+     * @return mm
+     */
+    public double distanceMm(Pose other) {
+        return Math.hypot(other.xMm - xMm, other.yMm - yMm);
+    }
+}

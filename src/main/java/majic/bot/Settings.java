@@ -1,0 +1,45 @@
+package majic.bot;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+
+/** What a user wants remembered from one start to the next, such as a dog's calibration. Thread-safe. */
+public interface Settings {
+    /**
+     * Looks a setting up.
+     *
+     * @param key its name, for instance {@code aibo.192.168.1.20.forward}
+     * @return what was kept last
+     */
+    Optional<String> get(String key);
+
+    /**
+     * Keeps a setting.
+     *
+     * @param key its name
+     * @param value what to keep
+     * @throws BotException if it could not be written; it then holds until the program ends
+     */
+    void put(String key, String value);
+
+    /**
+     * Settings that are forgotten when the program ends.
+     *
+     * @return new and empty ones
+     */
+    static Settings inMemory() {
+        Map<String, String> kept = new ConcurrentHashMap<>();
+        return new Settings() {
+            @Override
+            public Optional<String> get(String key) {
+                return Optional.ofNullable(kept.get(key));
+            }
+
+            @Override
+            public void put(String key, String value) {
+                kept.put(key, value);
+            }
+        };
+    }
+}

@@ -1,0 +1,23 @@
+package majic.bot;
+
+import java.util.function.BooleanSupplier;
+
+/** A place where threads wait for something to become true, woken by whoever may have made it so. Thread-safe. */
+public interface Signal {
+    /** A time that never comes. */
+    double FOR_EVER = Double.POSITIVE_INFINITY;
+
+    /**
+     * Waits until a condition holds. The condition is looked at on the calling thread, at once and after every
+     * {@link #raise}, without any lock held.
+     *
+     * @param condition what to wait for; quick, and without side effects
+     * @param seconds how long at most, on the clock that made this signal; {@link #FOR_EVER} is allowed
+     * @return whether the condition held when this returned
+     * @throws InterruptedException if the thread is interrupted meanwhile
+     */
+    boolean await(BooleanSupplier condition, double seconds) throws InterruptedException;
+
+    /** Makes everybody who waits here look again. To be called after the change, never blocks. */
+    void raise();
+}

@@ -1,0 +1,77 @@
+package majic.bot;
+
+/**
+ * The clock that drivers, teams, scripts and acts wait and measure by. Against a simulated lab it is the lab's own
+ * clock, which may run fast or step; otherwise it is the system's. Whoever waits any other way stands outside of that
+ * time, and a stepped clock does not know of it.
+ *
+ * <p>Safe for use from several threads.
+ */
+public interface TimeSource {
+
+    /**
+     * The system's own clock.
+     *
+     * @return the clock of every robot that is not simulated
+     */
+    static TimeSource system() {
+        return SystemTime.INSTANCE;
+    }
+
+    /**
+     * The time now, since some fixed moment.
+     *
+     * @return nanoseconds, never going back
+     */
+    long nanos();
+
+    /**
+     * Makes a place to wait at.
+     *
+     * @return a new signal on this clock
+     */
+    Signal signal();
+
+    /**
+     * Makes a daemon thread that lives by this clock: a stepped clock stands still while it runs, and goes on when it
+     * waits. It is the caller's to start.
+     *
+     * @param name what a thread dump shows
+     * @param body what it does
+     * @return the thread, not yet started
+     */
+    Thread thread(String name, Runnable body);
+
+    /**
+     * Takes the calling thread into this clock as {@link #thread} does, for a thread that exists already.
+     *
+     * @return closing it, on the same thread, leaves the clock
+     */
+    Membership join();
+
+    /** The time a thread spends under a clock. */
+    interface Membership extends AutoCloseable {
+        @Override
+        void close();
+    }
+
+    /**
+     * Waits.
+     *
+     * @param seconds how long; zero or less returns at once
+     * @throws InterruptedException if the thread is interrupted meanwhile
+     */
+    default void sleep(double seconds) throws InterruptedException {
+        signal().await(() -> false, seconds);
+    }
+
+    /**
+     * The time passed since an earlier moment.
+     *
+     * @param earlierNanos what {@link #nanos} said then
+     * @return seconds
+     */
+    default double secondsSince(long earlierNanos) {
+        return (nanos() - earlierNanos) / 1e9;
+    }
+}

@@ -1,0 +1,60 @@
+package majic.link;
+
+import java.io.IOException;
+
+/**
+ * A two-way stream of bytes. One thread reads; any thread may write, and each write goes out in one piece.
+ *
+ * <p>A write has a deadline of {@value #WRITE_DEADLINE_MS} ms, after which the link is dead; nobody waits longer for it.
+ * Reading and the write deadline run on the system's clock, as the wire does.
+ */
+public interface Link extends AutoCloseable {
+    /** How long a write may take, the wait for other writers included, ms. */
+    int WRITE_DEADLINE_MS = 1000;
+
+    /**
+     * Opens the link.
+     *
+     * @param timeoutMs how long to try at most, ms
+     * @throws IOException if it cannot be opened; the message is a sentence that says why and what to try
+     */
+    void open(int timeoutMs) throws IOException;
+
+    /**
+     * Waits for bytes. For one reader thread only.
+     *
+     * @param buffer receives them from index 0 on
+     * @return how many came, at least 1; −1 when the peer has closed or the link is closed
+     * @throws IOException if the link broke; it is dead then
+     */
+    int read(byte[] buffer) throws IOException;
+
+    /**
+     * Writes one message, in one piece.
+     *
+     * @param message all of it
+     * @throws IOException if it could not be written within the deadline; the link is dead then and has been closed
+     */
+    void write(byte[] message) throws IOException;
+
+    /** Closes the link after what was written; wakes the reader. Does nothing the second time. */
+    @Override
+    void close();
+
+    /** Closes the link at once and throws away what was not yet delivered. */
+    void abort();
+
+    /**
+     * Where the link leads.
+     *
+     * @return the address as a person would write it: {@code tcp:10.0.0.5:8101}, {@code serial:COM3}
+     */
+    String address();
+
+    /**
+     * What has gone through so far.
+     *
+     * @return the counts now
+     */
+    Traffic traffic();
+}

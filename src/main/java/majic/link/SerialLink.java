@@ -1,0 +1,117 @@
+package majic.link;
+
+import com.fazecast.jSerialComm.SerialPort;
+import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.io.IOException;
+import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A serial port, 8 data bits, no parity, one stop bit, no flow control.
+ *
+ * <p>jSerialComm ignores its own write time-out and keeps {@code isOpen()} true after the adapter was unplugged, so
+ * deadlines are kept here and a negative result counts as a dead line.
+ */
+final class SerialLink implements Link {
+    private final String name;
+    private final int baud;
+    private final Counter counter = new Counter();
+    private final ReentrantLock writing = new ReentrantLock();
+    private volatile @Nullable SerialPort port;
+
+    SerialLink(String name, int baud) {
+        this.name = name;
+        this.baud = baud;
+    }
+
+    @Override
+    public void open(int timeoutMs) throws IOException {
+        SerialPort opening = find();
+        opening.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
+        opening.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
+        opening.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
+        if (!opening.openPort()) {
+            throw new IOException(
+                    "cannot open the serial port " + name + "; is it in use, or are you not allowed to use it?");
+        }
+        port = opening;
+        counter.opened();
+        Links.register(this);
+    }
+
+    private SerialPort find() throws IOException {
+        try {
+            return SerialPort.getCommPort(name);
+        } catch (SerialPortInvalidPortException e) {
+            throw new IOException("there is no serial port " + name + "; is the adapter plugged in?", e);
+        }
+    }
+
+    @Override
+    public int read(byte[] buffer) throws IOException {
+        counter.readerIsBack();
+        SerialPort open = port;
+        int count = 0;
+        while (open != null && port != null && count == 0) {
+            count = open.readBytes(buffer, buffer.length);
+        }
+        if (count <= 0) {
+            counter.ended();
+            Links.unregister(this);
+            return -1;
+        }
+        counter.handedOut(count);
+        return count;
+    }
+
+    @Override
+    public void write(byte[] message) throws IOException {
+        writing.lock();
+        try (WriteDeadline deadline = WriteDeadline.start(this)) {
+            SerialPort open = port;
+            if (open == null) {
+                throw new IOException("the serial port " + name + " is closed");
+            }
+            counter.writing(message.length);
+            int count = open.writeBytes(message, message.length);
+            if (count != message.length) {
+                abort();
+                throw new IOException(
+                        deadline.passed()
+                                ? "the serial port " + name + " takes no more data"
+                                : "the serial port " + name + " is gone");
+            }
+        } finally {
+            writing.unlock();
+        }
+    }
+
+    @Override
+    public void close() {
+        SerialPort open;
+        synchronized (this) {
+            open = port;
+            port = null;
+        }
+        if (open != null) {
+            counter.ended();
+            Links.unregister(this);
+            open.closePort();
+        }
+    }
+
+    @Override
+    public void abort() {
+        close();
+    }
+
+    @Override
+    public String address() {
+        return "serial:" + name;
+    }
+
+    @Override
+    public Traffic traffic() {
+        return counter.traffic(name, name);
+    }
+}
