@@ -1,0 +1,213 @@
+package majicsim.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A rigid robot: an outline around its turning centre, and the velocity it wants. The world moves it, never through a wall or
+ * another body. Guarded by the lab's lock.
+ */
+public final class Body {
+    /** Painted metal and plastic: a little darker than white paper. */
+    static final double REFLECTIVITY = 0.8;
+
+    private static final int DISC_DRAWN_WITH_CORNERS = 24;
+
+    private final String name;
+    private final Shape outline;
+    private final double reachMm;
+    private @Nullable World world;
+    private Pose pose;
+    private double wantedMmPerSec;
+    private double wantedDegPerSec;
+    private double speedMmPerSec;
+    private double turnDegPerSec;
+    private boolean blocked;
+    private Contact contact = Contact.NONE;
+    private double wallFreeMm;
+
+    private Body(String name, Shape outline, Pose at) {
+        this.name = name;
+        this.outline = outline;
+        this.reachMm = outline.reachMm();
+        this.pose = at;
+    }
+
+    /**
+     * A round body that turns about its centre.
+     *
+     * @param name of the robot
+     * @param radiusMm above 0
+     * @param at where it stands first
+     * @return the body, in no world yet
+     */
+    public static Body disc(String name, double radiusMm, Pose at) {
+        return new Body(name, new Shape(new double[] {0}, new double[] {0}, radiusMm), at);
+    }
+
+    /**
+     * A box.
+     *
+     * @param name of the robot
+     * @param frontMm from the turning centre to the front, above 0
+     * @param rearMm from the turning centre to the rear, above 0
+     * @param halfWidthMm from the turning centre to either side, above 0
+     * @param at where it stands first
+     * @return the body, in no world yet
+     */
+    public static Body box(String name, double frontMm, double rearMm, double halfWidthMm, Pose at) {
+        double[] xs = {frontMm, frontMm, -rearMm, -rearMm};
+        double[] ys = {-halfWidthMm, halfWidthMm, halfWidthMm, -halfWidthMm};
+        return new Body(name, new Shape(xs, ys, 0), at);
+    }
+
+    /**
+     * The robot's name.
+     *
+     * @return as it was given
+     */
+    public String name() {
+        return name;
+    }
+
+    /**
+     * Where it truly is.
+     *
+     * @return the pose of its turning centre
+     */
+    public Pose pose() {
+        return pose;
+    }
+
+    /**
+     * Lifts the body and puts it down elsewhere, standing still for the next step's account.
+     *
+     * @param p where to
+     * @throws IllegalArgumentException if it would stand in a wall or another body; it stays where it was
+     */
+    public void place(Pose p) {
+        if (world != null && !world.isFree(this, p)) {
+            throw new IllegalArgumentException(name + " does not fit at " + p + ": a wall or another body is there");
+        }
+        contact = Contact.NONE;
+        blocked = false;
+        wallFreeMm = 0;
+        pose = p;
+    }
+
+    /**
+     * Sets the wanted velocity, until it is set again.
+     *
+     * @param mmPerSec ahead, negative backward
+     * @param degPerSec counter-clockwise
+     * @throws IllegalArgumentException if one is not finite; the old velocity stays
+     */
+    public void velocity(double mmPerSec, double degPerSec) {
+        if (!Double.isFinite(mmPerSec) || !Double.isFinite(degPerSec)) {
+            throw new IllegalArgumentException("a velocity must be finite: " + mmPerSec + ", " + degPerSec);
+        }
+        wantedMmPerSec = mmPerSec;
+        wantedDegPerSec = degPerSec;
+    }
+
+    /**
+     * How fast it really went in the last step.
+     *
+     * @return mm/s along its heading, negative backward
+     */
+    public double speedMmPerSec() {
+        return speedMmPerSec;
+    }
+
+    /**
+     * How fast it really turned in the last step.
+     *
+     * @return degrees per second, counter-clockwise positive
+     */
+    public double turnDegPerSec() {
+        return turnDegPerSec;
+    }
+
+    /**
+     * Whether a wall or another body cut its last step short.
+     *
+     * @return true if it did not get as far as it wanted
+     */
+    public boolean blocked() {
+        return blocked;
+    }
+
+    /**
+     * What it touches after the last step, by its own motion or another's.
+     *
+     * @return the place around its outline, or {@link Contact#NONE}
+     */
+    public Contact contact() {
+        return contact;
+    }
+
+    /**
+     * Its outline as it stands, for a drawing; a disc is drawn with many corners.
+     *
+     * @return corners in room coordinates, counter-clockwise
+     */
+    public List<Point> outline() {
+        List<Point> corners = new ArrayList<>();
+        if (outline.corners() == 1) {
+            for (int i = 0; i < DISC_DRAWN_WITH_CORNERS; i++) {
+                double angle = 2 * Math.PI * i / DISC_DRAWN_WITH_CORNERS;
+                corners.add(pose.toWorld(outline.roundMm * Math.cos(angle), outline.roundMm * Math.sin(angle)));
+            }
+            return corners;
+        }
+        for (int i = 0; i < outline.corners(); i++) {
+            corners.add(pose.toWorld(outline.xs[i], outline.ys[i]));
+        }
+        return corners;
+    }
+
+    Shape shapeAt(Pose where) {
+        return outline.at(where);
+    }
+
+    double reachMm() {
+        return reachMm;
+    }
+
+    double wantedMmPerSec() {
+        return wantedMmPerSec;
+    }
+
+    double wantedDegPerSec() {
+        return wantedDegPerSec;
+    }
+
+    void enter(World into) {
+        world = into;
+    }
+
+    /** What the world made of the wanted velocity in one step. */
+    void moved(double mmPerSec, double degPerSec, boolean cut) {
+        speedMmPerSec = mmPerSec;
+        turnDegPerSec = degPerSec;
+        blocked = cut;
+    }
+
+    void pose(Pose next) {
+        pose = next;
+    }
+
+    void contact(Contact now) {
+        contact = now;
+    }
+
+    /** How far it may surely still go, whatever way, before it can touch a wall. */
+    double wallFreeMm() {
+        return wallFreeMm;
+    }
+
+    void wallFreeMm(double mm) {
+        wallFreeMm = mm;
+    }
+}

@@ -1,0 +1,122 @@
+package majicsim.world;
+
+/** Finds the shortest distance between two shapes; for one use. */
+final class GapFinder {
+    private final Shape a;
+    private final Shape b;
+    private double bestSquare = Double.POSITIVE_INFINITY;
+    private double atX;
+    private double atY;
+
+    GapFinder(Shape a, Shape b) {
+        this.a = a;
+        this.b = b;
+    }
+
+    Gap find() {
+        if (!overlap()) {
+            cornersOfAToEdgesOfB();
+            cornersOfBToEdgesOfA();
+        }
+        return new Gap(Math.sqrt(bestSquare) - a.roundMm - b.roundMm, new Point(atX, atY));
+    }
+
+    private boolean overlap() {
+        if (b.contains(a.xs[0], a.ys[0])) {
+            offer(0, a.xs[0], a.ys[0]);
+            return true;
+        }
+        if (a.contains(b.xs[0], b.ys[0])) {
+            offer(0, b.xs[0], b.ys[0]);
+            return true;
+        }
+        return edgesCross();
+    }
+
+    private boolean edgesCross() {
+        for (int i = 0; i < a.edges(); i++) {
+            for (int k = 0; k < b.edges(); k++) {
+                if (cross(i, k)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean cross(int i, int k) {
+        int j = a.next(i);
+        int m = b.next(k);
+        double ax = a.xs[j] - a.xs[i];
+        double ay = a.ys[j] - a.ys[i];
+        double bx = b.xs[m] - b.xs[k];
+        double by = b.ys[m] - b.ys[k];
+        double determinant = ax * by - ay * bx;
+        if (determinant == 0) {
+            return false;
+        }
+        double dx = b.xs[k] - a.xs[i];
+        double dy = b.ys[k] - a.ys[i];
+        double alongA = (dx * by - dy * bx) / determinant;
+        double alongB = (dx * ay - dy * ax) / determinant;
+        if (alongA < 0 || alongA > 1 || alongB < 0 || alongB > 1) {
+            return false;
+        }
+        offer(0, a.xs[i] + alongA * ax, a.ys[i] + alongA * ay);
+        return true;
+    }
+
+    private void cornersOfAToEdgesOfB() {
+        for (int i = 0; i < a.corners(); i++) {
+            for (int k = 0; k < Math.max(1, b.edges()); k++) {
+                double along = along(a.xs[i], a.ys[i], b, k);
+                double x = pointX(b, k, along);
+                double y = pointY(b, k, along);
+                offer(square(a.xs[i] - x, a.ys[i] - y), x, y);
+            }
+        }
+    }
+
+    private void cornersOfBToEdgesOfA() {
+        for (int i = 0; i < b.corners(); i++) {
+            for (int k = 0; k < Math.max(1, a.edges()); k++) {
+                double along = along(b.xs[i], b.ys[i], a, k);
+                double x = pointX(a, k, along);
+                double y = pointY(a, k, along);
+                offer(square(b.xs[i] - x, b.ys[i] - y), b.xs[i], b.ys[i]);
+            }
+        }
+    }
+
+    /** Where on edge k, from 0 to 1, the point nearest to (x, y) lies; a single vertex is an edge without length. */
+    private static double along(double x, double y, Shape shape, int k) {
+        int m = shape.next(k);
+        double ex = shape.xs[m] - shape.xs[k];
+        double ey = shape.ys[m] - shape.ys[k];
+        double square = square(ex, ey);
+        if (square == 0) {
+            return 0;
+        }
+        return Math.max(0, Math.min(1, ((x - shape.xs[k]) * ex + (y - shape.ys[k]) * ey) / square));
+    }
+
+    private static double pointX(Shape shape, int k, double along) {
+        return shape.xs[k] + along * (shape.xs[shape.next(k)] - shape.xs[k]);
+    }
+
+    private static double pointY(Shape shape, int k, double along) {
+        return shape.ys[k] + along * (shape.ys[shape.next(k)] - shape.ys[k]);
+    }
+
+    private static double square(double dx, double dy) {
+        return dx * dx + dy * dy;
+    }
+
+    private void offer(double square, double x, double y) {
+        if (square < bestSquare) {
+            bestSquare = square;
+            atX = x;
+            atY = y;
+        }
+    }
+}

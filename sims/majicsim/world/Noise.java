@@ -1,0 +1,105 @@
+package majicsim.world;
+
+import java.util.Random;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The one source of chance in a lab. Seeded, so the same seed and the same calls give the same lab again; the exact one returns
+ * means and never lets a chance come true. Guarded by the lab's lock.
+ */
+public final class Noise {
+    private final long seed;
+    private final @Nullable Random random;
+
+    private Noise(long seed, @Nullable Random random) {
+        this.seed = seed;
+        this.random = random;
+    }
+
+    /**
+     * No noise at all.
+     *
+     * @return a source that returns means
+     */
+    public static Noise exact() {
+        return new Noise(0, null);
+    }
+
+    /**
+     * Noise that repeats itself with its seed.
+     *
+     * @param seed any number
+     * @return a new source at its beginning
+     */
+    public static Noise seeded(long seed) {
+        return new Noise(seed, new Random(mixed(seed)));
+    }
+
+    /**
+     * An independent stream for one consumer, so that another one more or less does not shift it. The same name from sources of
+     * the same seed gives the same stream, however much was drawn before.
+     *
+     * @param name of the consumer
+     * @return a stream of its own; exact if this is
+     */
+    public Noise fork(String name) {
+        return random == null ? this : seeded(mixed(seed ^ ((long) name.hashCode() << 20)));
+    }
+
+    /**
+     * Whether all noise is off.
+     *
+     * @return true for {@link #exact()}
+     */
+    public boolean isExact() {
+        return random == null;
+    }
+
+    /**
+     * A factor around 1.
+     *
+     * @param relativeSigma standard deviation, 0.05 for 5 %
+     * @return the factor, at most three deviations from 1; exactly 1 if exact
+     */
+    public double scale(double relativeSigma) {
+        return 1 + gaussian(relativeSigma);
+    }
+
+    /**
+     * A normally distributed error.
+     *
+     * @param sigma standard deviation, in the caller's unit
+     * @return an error around 0, at most three deviations; 0 if exact
+     */
+    public double gaussian(double sigma) {
+        return random == null ? 0 : sigma * Math.max(-3, Math.min(3, random.nextGaussian()));
+    }
+
+    /**
+     * A number from a range.
+     *
+     * @param from lower end
+     * @param to upper end, not below the lower
+     * @return a number of the range; its middle if exact
+     */
+    public double uniform(double from, double to) {
+        return from + (to - from) * (random == null ? 0.5 : random.nextDouble());
+    }
+
+    /**
+     * Whether something that happens now and then happens now.
+     *
+     * @param probability 0 to 1
+     * @return true that often; never if exact, unless it is certain
+     */
+    public boolean chance(double probability) {
+        return random == null ? probability >= 1 : random.nextDouble() < probability;
+    }
+
+    private static long mixed(long value) {
+        long z = value + 0x9E3779B97F4A7C15L;
+        z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
+        z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
+        return z ^ (z >>> 31);
+    }
+}

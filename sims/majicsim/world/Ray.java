@@ -1,0 +1,68 @@
+package majicsim.world;
+
+/** One ray that is shortened to what it meets. */
+final class Ray {
+    private final double x;
+    private final double y;
+    private final double dx;
+    private final double dy;
+    private Hit hit;
+
+    Ray(Pose from, double maxMm) {
+        x = from.xMm();
+        y = from.yMm();
+        dx = Math.cos(Math.toRadians(from.headingDeg()));
+        dy = Math.sin(Math.toRadians(from.headingDeg()));
+        hit = Hit.nothing(maxMm);
+    }
+
+    Hit hit() {
+        return hit;
+    }
+
+    Point at(double alongMm) {
+        return new Point(x + alongMm * dx, y + alongMm * dy);
+    }
+
+    void meet(Shape shape, double reflectivity) {
+        if (shape.corners() == 1) {
+            meetDisc(shape, reflectivity);
+            return;
+        }
+        for (int i = 0; i < shape.edges(); i++) {
+            meetEdge(shape, i, reflectivity);
+        }
+    }
+
+    private void meetDisc(Shape disc, double reflectivity) {
+        double toX = disc.xs[0] - x;
+        double toY = disc.ys[0] - y;
+        double along = toX * dx + toY * dy;
+        double aside = toX * dy - toY * dx;
+        if (Math.abs(aside) >= disc.roundMm) {
+            return;
+        }
+        double distance = along - Math.sqrt(disc.roundMm * disc.roundMm - aside * aside);
+        if (distance >= 0 && distance < hit.distanceMm()) {
+            hit = new Hit(distance, Math.toDegrees(Math.asin(Math.abs(aside) / disc.roundMm)), reflectivity);
+        }
+    }
+
+    private void meetEdge(Shape shape, int i, double reflectivity) {
+        int j = shape.next(i);
+        double ex = shape.xs[j] - shape.xs[i];
+        double ey = shape.ys[j] - shape.ys[i];
+        double determinant = dx * ey - dy * ex;
+        if (determinant == 0) {
+            return;
+        }
+        double toX = shape.xs[i] - x;
+        double toY = shape.ys[i] - y;
+        double distance = (toX * ey - toY * ex) / determinant;
+        double alongEdge = (toX * dy - toY * dx) / determinant;
+        if (distance >= 0 && distance < hit.distanceMm() && alongEdge >= 0 && alongEdge <= 1) {
+            double square = Math.min(1, Math.abs(determinant) / Math.hypot(ex, ey));
+            hit = new Hit(distance, Math.toDegrees(Math.acos(square)), reflectivity);
+        }
+    }
+}

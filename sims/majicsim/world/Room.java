@@ -1,0 +1,140 @@
+package majicsim.world;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** The fixed part of a lab: walls, start places, lamps. Read from the vendor's map text (ARCOS sheet appendix B). Immutable. */
+public final class Room {
+    private static final String STANDARD = "/worlds/lab.map";
+
+    private final List<Segment> walls;
+    private final List<Shape> wallShapes;
+    private final List<Pose> homes;
+    private final List<Pose> landmarks;
+    private final List<Lamp> lamps;
+    private final Bounds bounds;
+    private final WallIndex index;
+
+    Room(List<Segment> walls, List<Pose> homes, List<Pose> landmarks, List<Lamp> lamps) {
+        this.walls = List.copyOf(walls);
+        this.wallShapes = walls.stream().map(Shape::of).toList();
+        this.homes = List.copyOf(homes);
+        this.landmarks = List.copyOf(landmarks);
+        this.lamps = List.copyOf(lamps);
+        this.bounds = Bounds.around(walls);
+        this.index = new WallIndex(this.walls, bounds);
+    }
+
+    /**
+     * Reads a map file.
+     *
+     * @param file a map in the vendor's text format
+     * @return the room
+     * @throws IOException if it cannot be read or is no such map; the message says file, line and what is wrong
+     */
+    public static Room load(Path file) throws IOException {
+        if (Files.isDirectory(file)) {
+            throw new IOException(file + " is a folder, not a map file");
+        }
+        try (Reader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
+            return parse(reader, file.toString());
+        } catch (NoSuchFileException e) {
+            throw new IOException("there is no map file " + file, e);
+        } catch (FileSystemException e) {
+            throw new IOException("cannot read the map file " + file + ": " + e.getReason(), e);
+        }
+    }
+
+    /**
+     * Reads a map.
+     *
+     * @param text a map in the vendor's text format; not closed
+     * @param name of the map, for messages
+     * @return the room
+     * @throws IOException if it cannot be read or is no such map; the message says name, line and what is wrong
+     */
+    public static Room parse(Reader text, String name) throws IOException {
+        return new MapParser(name, new BufferedReader(text)).parse();
+    }
+
+    /**
+     * The room that ships with the program: about 9 x 7 m with a few boxes.
+     *
+     * @return the room
+     */
+    public static Room standard() {
+        try (InputStream stream = Room.class.getResourceAsStream(STANDARD)) {
+            if (stream == null) {
+                throw new IllegalStateException("the program's own room " + STANDARD + " is missing from its jar");
+            }
+            return parse(new InputStreamReader(stream, StandardCharsets.UTF_8), "lab.map");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /**
+     * All walls, boxes as their four sides.
+     *
+     * @return an unchangeable list
+     */
+    public List<Segment> walls() {
+        return walls;
+    }
+
+    /**
+     * The rectangle around the walls.
+     *
+     * @return the bounds; 10 x 10 m around the origin if there is no wall
+     */
+    public Bounds bounds() {
+        return bounds;
+    }
+
+    /**
+     * Start places the map names, in its order.
+     *
+     * @return an unchangeable list, maybe empty
+     */
+    public List<Pose> homes() {
+        return homes;
+    }
+
+    /**
+     * A start place.
+     *
+     * @param n number of the robot, from 1
+     * @return the map's n-th RobotHome, or where there are fewer, a free place of some room found near the first
+     * @throws IllegalArgumentException if n is below 1, or the map has no room left for so many robots
+     */
+    public Pose home(int n) {
+        return new StartPlaces(this).place(n);
+    }
+
+    /** Goals and docks: places that are surely inside. */
+    List<Pose> landmarks() {
+        return landmarks;
+    }
+
+    List<Lamp> lamps() {
+        return lamps;
+    }
+
+    Shape wallShape(int number) {
+        return wallShapes.get(number);
+    }
+
+    WallIndex index() {
+        return index;
+    }
+}

@@ -1,0 +1,67 @@
+package majicsim.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntConsumer;
+
+/** Which walls come near which square of the floor, so that a ray or a body looks at a handful and not at a whole building. */
+final class WallIndex {
+    private static final double LEAST_CELL_MM = 500;
+    private static final int MOST_CELLS_A_SIDE = 200;
+
+    private final Bounds bounds;
+    private final double cellMm;
+    private final int columns;
+    private final int rows;
+    private final int[][] cells;
+
+    WallIndex(List<Segment> walls, Bounds bounds) {
+        this.bounds = bounds;
+        double side = Math.max(bounds.maxX() - bounds.minX(), bounds.maxY() - bounds.minY());
+        cellMm = Math.max(LEAST_CELL_MM, side / MOST_CELLS_A_SIDE);
+        columns = 1 + (int) ((bounds.maxX() - bounds.minX()) / cellMm);
+        rows = 1 + (int) ((bounds.maxY() - bounds.minY()) / cellMm);
+        List<List<Integer>> found = new ArrayList<>();
+        for (int i = 0; i < columns * rows; i++) {
+            found.add(new ArrayList<>());
+        }
+        for (int i = 0; i < walls.size(); i++) {
+            enter(i, walls.get(i), found);
+        }
+        cells = found.stream()
+                .map(cell -> cell.stream().mapToInt(Integer::intValue).toArray())
+                .toArray(int[][]::new);
+    }
+
+    double cellMm() {
+        return cellMm;
+    }
+
+    /** Hands over the numbers of all walls that may touch the rectangle; some that do not, and some twice. */
+    void near(double minX, double minY, double maxX, double maxY, IntConsumer visitor) {
+        for (int row = row(minY); row <= row(maxY); row++) {
+            for (int column = column(minX); column <= column(maxX); column++) {
+                for (int wall : cells[row * columns + column]) {
+                    visitor.accept(wall);
+                }
+            }
+        }
+    }
+
+    private void enter(int number, Segment wall, List<List<Integer>> found) {
+        for (int row = row(Math.min(wall.y1(), wall.y2())); row <= row(Math.max(wall.y1(), wall.y2())); row++) {
+            int last = column(Math.max(wall.x1(), wall.x2()));
+            for (int column = column(Math.min(wall.x1(), wall.x2())); column <= last; column++) {
+                found.get(row * columns + column).add(number);
+            }
+        }
+    }
+
+    private int column(double x) {
+        return Math.max(0, Math.min(columns - 1, (int) Math.floor((x - bounds.minX()) / cellMm)));
+    }
+
+    private int row(double y) {
+        return Math.max(0, Math.min(rows - 1, (int) Math.floor((y - bounds.minY()) / cellMm)));
+    }
+}

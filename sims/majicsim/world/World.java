@@ -1,0 +1,128 @@
+package majicsim.world;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A room and the bodies in it. It moves only when stepped, and a body never stands in a wall or another body. Guarded by the
+ * lab's lock.
+ */
+public final class World {
+    private static final double BASE_LIGHT = 0.15;
+    private static final double WHITE_FLOOR = 1;
+
+    private final Room room;
+    private final List<Body> bodies = new ArrayList<>();
+    private final Obstacles obstacles;
+    private final Motion motion;
+    private final Rays rays;
+
+    /**
+     * An empty room.
+     *
+     * @param room its walls
+     */
+    public World(Room room) {
+        this.room = room;
+        obstacles = new Obstacles(room, bodies);
+        motion = new Motion(obstacles);
+        rays = new Rays(room, bodies);
+    }
+
+    /**
+     * The room.
+     *
+     * @return as it was given
+     */
+    public Room room() {
+        return room;
+    }
+
+    /**
+     * The bodies in the order they came.
+     *
+     * @return an unchangeable copy
+     */
+    public List<Body> bodies() {
+        return List.copyOf(bodies);
+    }
+
+    /**
+     * Puts a body into the room, where its pose says.
+     *
+     * @param b a body of no other world
+     * @throws IllegalArgumentException if it would stand in a wall or another body; it was not added
+     */
+    public void add(Body b) {
+        if (!isFree(b, b.pose())) {
+            throw new IllegalArgumentException(
+                    b.name() + " does not fit at " + b.pose() + ": a wall or another body is there");
+        }
+        b.enter(this);
+        bodies.add(b);
+    }
+
+    /**
+     * Whether a body could stand at a pose.
+     *
+     * @param b the body; where it stands now does not matter
+     * @param at the pose
+     * @return true if neither a wall nor another body is in its way
+     */
+    public boolean isFree(Body b, Pose at) {
+        return obstacles.areClearOf(b, at);
+    }
+
+    /**
+     * Moves every body by its wanted velocity, one after the other.
+     *
+     * @param seconds 0 or more; a long step is divided so that nothing jumps over a wall
+     */
+    public void step(double seconds) {
+        for (Body body : bodies) {
+            motion.advance(body, seconds);
+        }
+        boolean anyBlocked = bodies.stream().anyMatch(Body::blocked);
+        bodies.forEach(body -> motion.feel(body, anyBlocked));
+    }
+
+    /**
+     * The first wall or body that a ray meets.
+     *
+     * @param viewer the body that looks, which it does not see itself
+     * @param xMm start of the ray in the room
+     * @param yMm start of the ray in the room
+     * @param directionDeg degrees counter-clockwise from the room's x axis
+     * @param maxMm length of the ray, above 0
+     * @return the hit; nothing met is a hit that is not {@link Hit#found()}
+     */
+    public Hit ray(Body viewer, double xMm, double yMm, double directionDeg, double maxMm) {
+        return rays.cast(viewer, new Pose(xMm, yMm, directionDeg), maxMm);
+    }
+
+    /**
+     * Infra-red light that shines on a place without a robot's doing.
+     *
+     * @param xMm place in the room
+     * @param yMm place in the room
+     * @return 0 dark to 1 bright; 0.15 far from every lamp
+     */
+    public double ambientLight(double xMm, double yMm) {
+        double sum = BASE_LIGHT;
+        for (Lamp lamp : room.lamps()) {
+            sum += lamp.lightAt(xMm, yMm);
+        }
+        return Math.min(1, sum);
+    }
+
+    /**
+     * How well the floor reflects infra-red light.
+     *
+     * @param xMm place in the room
+     * @param yMm place in the room
+     * @return 1 for white; the floor is white everywhere
+     */
+    public double floorReflectivity(double xMm, double yMm) {
+        return WHITE_FLOOR;
+    }
+}
