@@ -1,0 +1,153 @@
+package majicsim.net;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import majicsim.world.Noise;
+
+/**
+ * What is wrong with a robot's lines. Faults may be ordered at any time and from any thread, take effect at once, last until
+ * {@link #none()}, and hold for both directions unless they say otherwise. Times are lab time.
+ */
+public final class Faults {
+    private static final double NANOS_PER_MS = 1e6;
+
+    private final Noise noise;
+    private final List<Runnable> watchers = new CopyOnWriteArrayList<>();
+    private final List<Runnable> cutters = new CopyOnWriteArrayList<>();
+    private volatile double delayMs;
+    private volatile double garbleProbability;
+    private volatile boolean halving;
+    private volatile boolean readingStopped;
+    private volatile long outageUntilNanos = Long.MIN_VALUE;
+    private volatile double jitterFromMs;
+    private volatile double jitterToMs;
+    private volatile long labNanos;
+
+    /**
+     * No faults yet.
+     *
+     * @param noise draws jitter and garbled bytes; with the exact one there is no jitter, and garbling happens only if it is certain
+     */
+    public Faults(Noise noise) {
+        this.noise = noise;
+    }
+
+    /** Breaks all present lines at once; what was not delivered is lost. New ones may come. */
+    public void cut() {
+        cutters.forEach(Runnable::run);
+    }
+
+    /**
+     * Delivers everything later, in order.
+     *
+     * @param ms 0 or more, each way
+     */
+    public void delay(double ms) {
+        delayMs = ms;
+    }
+
+    /**
+     * Damages bytes.
+     *
+     * @param probability of each byte to be replaced by a random one, 0 to 1
+     */
+    public void garble(double probability) {
+        garbleProbability = probability;
+    }
+
+    /** Delivers each message in two pieces, the second one lab step after the first. */
+    public void halfPackets() {
+        halving = true;
+    }
+
+    /** Leaves everything that clients send unread; the robot goes on sending. */
+    public void stopReading() {
+        readingStopped = true;
+        changed();
+    }
+
+    /**
+     * Holds everything in both directions for a time, then delivers all of it.
+     *
+     * @param seconds from now
+     */
+    public void outage(double seconds) {
+        outageUntilNanos = labNanos + (long) (seconds * 1e9);
+        changed();
+    }
+
+    /**
+     * Makes an exchange take a varying time; each direction draws half of it. Not a fault: {@link #none()} leaves it.
+     *
+     * @param fromMs the shortest an exchange takes, 0 or more
+     * @param toMs the longest
+     */
+    public void jitter(double fromMs, double toMs) {
+        jitterFromMs = fromMs;
+        jitterToMs = toMs;
+    }
+
+    /** Ends all faults; what they held back is delivered with the next step. */
+    public void none() {
+        delayMs = 0;
+        garbleProbability = 0;
+        halving = false;
+        readingStopped = false;
+        outageUntilNanos = Long.MIN_VALUE;
+        changed();
+    }
+
+    /** A port that wants to know when reading stops or goes on, and when its lines are to be cut. */
+    void attach(Runnable watcher, Runnable cutter) {
+        watchers.add(watcher);
+        cutters.add(cutter);
+    }
+
+    void tick(long nowNanos) {
+        boolean wasOut = isOutage();
+        labNanos = nowNanos;
+        if (wasOut != isOutage()) {
+            changed();
+        }
+    }
+
+    long nowNanos() {
+        return labNanos;
+    }
+
+    boolean isReading() {
+        return !readingStopped && !isOutage();
+    }
+
+    boolean isOutage() {
+        return labNanos < outageUntilNanos;
+    }
+
+    boolean isHalving() {
+        return halving;
+    }
+
+    /** How long the next message stays under way, drawn anew each time. */
+    long drawDelayNanos() {
+        double jitterMs = jitterToMs > 0 && !noise.isExact() ? noise.uniform(jitterFromMs, jitterToMs) / 2 : 0;
+        return (long) ((delayMs + jitterMs) * NANOS_PER_MS);
+    }
+
+    byte[] garbled(byte[] message) {
+        double probability = garbleProbability;
+        if (probability <= 0) {
+            return message;
+        }
+        byte[] damaged = message.clone();
+        for (int i = 0; i < damaged.length; i++) {
+            if (noise.chance(probability)) {
+                damaged[i] = (byte) (damaged[i] ^ (1 + (int) noise.uniform(0, 255)));
+            }
+        }
+        return damaged;
+    }
+
+    private void changed() {
+        watchers.forEach(Runnable::run);
+    }
+}

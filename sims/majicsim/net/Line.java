@@ -1,0 +1,29 @@
+package majicsim.net;
+
+/** One client's line, as the firmware sees it. Used with the lab's lock held. */
+public interface Line {
+    /**
+     * Who is at the other end.
+     *
+     * @return the client's own address as "host:port", or the path of the pseudo-terminal
+     */
+    String peer();
+
+    /**
+     * Sends one message in one write, after all earlier ones; faults and jitter apply. Never blocks: what a client does not read is
+     * kept for a while and then dropped. Does nothing on a closed line.
+     *
+     * @param message the bytes, not changed afterwards
+     */
+    void send(byte[] message);
+
+    /** Closes the line once everything sent so far has gone out. A pseudo-terminal cannot be closed from this side and stays open. */
+    void close();
+
+    /**
+     * Whether messages can still be sent.
+     *
+     * @return false once it was closed from either side
+     */
+    boolean isOpen();
+}

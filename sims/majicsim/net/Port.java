@@ -1,0 +1,31 @@
+package majicsim.net;
+
+import java.util.List;
+
+/** A place where clients reach one firmware. */
+public interface Port extends AutoCloseable {
+    /**
+     * How a client reaches it.
+     *
+     * @return "host:port" or the path of a device
+     */
+    String address();
+
+    /**
+     * Lab time has gone on: sends and delivers what was held back and is due. Called with the lab's lock held.
+     *
+     * @param labNanos lab time
+     */
+    void step(long labNanos);
+
+    /**
+     * How far its lines have got. Cheap, takes no lock, may be called from any thread.
+     *
+     * @return one entry a line
+     */
+    List<LineCount> lines();
+
+    /** Closes the port and all its lines, and waits for its thread a moment. */
+    @Override
+    void close();
+}

@@ -1,0 +1,98 @@
+package majicsim.net;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayDeque;
+
+/** A line over TCP. Writes at once what the socket takes; the rest goes out when the port's selector says there is room. */
+final class TcpLine extends RobotLine {
+    private static final System.Logger LOG = System.getLogger(TcpLine.class.getName());
+    private static final int MOST_BYTES_KEPT = 1 << 20;
+
+    private final SocketChannel channel;
+    private final SelectionKey key;
+    private final ArrayDeque<ByteBuffer> unsent = new ArrayDeque<>();
+    private int unsentBytes;
+
+    TcpLine(SocketChannel channel, SelectionKey key, Wiring wiring) throws IOException {
+        super(keyOf((InetSocketAddress) channel.getRemoteAddress()), wiring);
+        this.channel = channel;
+        this.key = key;
+        channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+    }
+
+    static String keyOf(InetSocketAddress address) {
+        return address.getAddress().getHostAddress() + ":" + address.getPort();
+    }
+
+    @Override
+    int write(byte[] bytes) {
+        if (unsentBytes + bytes.length > MOST_BYTES_KEPT || !channel.isOpen()) {
+            LOG.log(Level.DEBUG, "{0} does not read; {1} bytes to it are lost", peer(), bytes.length);
+            return 0;
+        }
+        unsent.add(ByteBuffer.wrap(bytes));
+        unsentBytes += bytes.length;
+        flush();
+        return bytes.length;
+    }
+
+    void flush() {
+        try {
+            while (!unsent.isEmpty()) {
+                unsentBytes -= channel.write(unsent.peek());
+                if (unsent.peek().hasRemaining()) {
+                    break;
+                }
+                unsent.remove();
+            }
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "{0} is gone: {1}", peer(), e.getMessage());
+            unsent.clear();
+            unsentBytes = 0;
+        }
+        wakeIfWaiting();
+    }
+
+    @Override
+    boolean isFlushed() {
+        return unsent.isEmpty();
+    }
+
+    @Override
+    public void close() {
+        super.close();
+        key.selector().wakeup();
+    }
+
+    SelectionKey key() {
+        return key;
+    }
+
+    SocketChannel channel() {
+        return channel;
+    }
+
+    /** Hangs up without the usual farewell, as a cut cable would. */
+    void shut(boolean abruptly) {
+        try {
+            if (abruptly && channel.isOpen()) {
+                channel.setOption(StandardSocketOptions.SO_LINGER, 0);
+            }
+            channel.close();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "closing {0}: {1}", peer(), e.getMessage());
+        }
+    }
+
+    private void wakeIfWaiting() {
+        if (!unsent.isEmpty()) {
+            key.selector().wakeup();
+        }
+    }
+}
