@@ -1,0 +1,59 @@
+package majicsim.pioneer;
+
+import java.nio.charset.StandardCharsets;
+
+/**
+ * What stands behind a command's number (ARCOS sheet 3). Every command may come with or without an argument; bytes that
+ * are missing count as zero and bytes too many are left alone, so reading one never fails.
+ */
+record Argument(byte[] data) {
+    private static final int NEGATIVE = 0x1B;
+
+    /** The number: a magnitude, negative if the type byte says so; -65535 to 65535. */
+    int integer() {
+        return at(0) == NEGATIVE ? -magnitude() : magnitude();
+    }
+
+    boolean isOn() {
+        return integer() != 0;
+    }
+
+    /** The low byte of the two packed in the 16 bits, signed; right both for a negated magnitude and for raw bytes. */
+    int lowByte() {
+        return (byte) integer();
+    }
+
+    /** The high byte of the two packed in the 16 bits, signed. */
+    int highByte() {
+        return (byte) (integer() >> 8);
+    }
+
+    /** Number {@code index} of the 32-bit numbers that some commands have; their type byte means nothing. */
+    int int32(int index) {
+        int start = 1 + 4 * index;
+        return at(start) | at(start + 1) << 8 | at(start + 2) << 16 | at(start + 3) << 24;
+    }
+
+    /** Number {@code index} of several 16-bit numbers behind one type byte, signed. */
+    int int16(int index) {
+        return (short) (at(1 + 2 * index) | at(2 + 2 * index) << 8);
+    }
+
+    boolean hasInt16(int index) {
+        return data.length >= 3 + 2 * index;
+    }
+
+    /** The string; its length byte is believed only as far as the packet goes. */
+    String text() {
+        int length = Math.min(at(1), Math.max(0, data.length - 2));
+        return length == 0 ? "" : new String(data, 2, length, StandardCharsets.US_ASCII);
+    }
+
+    private int magnitude() {
+        return at(1) | at(2) << 8;
+    }
+
+    private int at(int index) {
+        return index < data.length ? data[index] & 0xFF : 0;
+    }
+}

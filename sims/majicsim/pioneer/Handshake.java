@@ -1,0 +1,46 @@
+package majicsim.pioneer;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The three SYNCs before a session (ARCOS sheet 4), strictly in order. Whatever comes out of order makes the client
+ * start over: it is answered with packet 0xFF, and SYNC0 is expected again.
+ */
+final class Handshake {
+    private static final int LOST_STEP = 0xFF;
+    private static final int LAST = 2;
+
+    private final byte[] introduction;
+    private int expected;
+
+    /** The introduction answers SYNC2. */
+    Handshake(String robotName, PioneerModel model) {
+        introduction = new PacketWriter(LAST)
+                .text(robotName)
+                .text(model.className())
+                .text(model.subclass())
+                .toBytes();
+    }
+
+    /** Takes a packet's number; returns the answer to send, or null when the handshake was complete before. */
+    byte @Nullable [] answer(int id) {
+        if (isComplete()) {
+            return null;
+        }
+        if (id != expected && id != 0) {
+            expected = 0;
+            return new PacketWriter(LOST_STEP).toBytes();
+        }
+        expected = id + 1;
+        return id == LAST ? introduction : new PacketWriter(id).toBytes();
+    }
+
+    boolean isComplete() {
+        return expected > LAST;
+    }
+
+    /** Waits for SYNC0 again, as a controller on a serial line does after CLOSE. */
+    void restart() {
+        expected = 0;
+    }
+}

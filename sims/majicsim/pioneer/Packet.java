@@ -1,0 +1,9 @@
+package majicsim.pioneer;
+
+/**
+ * One packet from the client whose checksum was right.
+ *
+ * @param id the command's number, 0 to 255
+ * @param data what stands between id and checksum; not copied, nobody changes it
+ */
+record Packet(int id, byte[] data) {}

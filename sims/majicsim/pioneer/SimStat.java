@@ -1,0 +1,31 @@
+package majicsim.pioneer;
+
+import majicsim.world.Pose;
+
+/**
+ * The simulator's own packet, the only one that tells the true pose (ARCOS sheet 11.7).
+ *
+ * @param stepMs the simulator's step
+ * @param truePose where the robot really is in the room
+ * @param odometryError how far its odometry went wrong since it was last set
+ */
+record SimStat(int stepMs, Pose truePose, Pose odometryError) {
+    private static final int TYPE = 0x62;
+    private static final int HAS_ODOMETRY_ERROR = 1 << 2;
+    private static final int NO_GPS = -1;
+
+    byte[] toBytes() {
+        PacketWriter packet = new PacketWriter(TYPE).uint8(0).uint8(0).int32(HAS_ODOMETRY_ERROR);
+        packet.uint16s(stepMs, stepMs, stepMs);
+        int32s(packet, truePose.xMm(), truePose.yMm(), 0, truePose.headingDeg());
+        int32s(packet, 0, 0, 0, NO_GPS);
+        int32s(packet, odometryError.xMm(), odometryError.yMm(), odometryError.headingDeg());
+        return packet.toBytes();
+    }
+
+    private static void int32s(PacketWriter packet, double... values) {
+        for (double value : values) {
+            packet.int32((int) Math.round(value));
+        }
+    }
+}

@@ -1,0 +1,18 @@
+package majicsim.pioneer;
+
+/**
+ * The part of a SIP that says where and how fast, in raw units (ARCOS sheet 8).
+ *
+ * @param x odometry; the counter's low 16 bits go on the wire
+ * @param y odometry; as x
+ * @param heading 4096ths of a turn, -2048 to 2047
+ * @param leftSpeed of the left wheel
+ * @param rightSpeed of the right wheel
+ * @param control the heading servo's set-point, as the heading
+ * @param turnRate in 0.1 deg/s
+ */
+record SipMotion(int x, int y, int heading, int leftSpeed, int rightSpeed, int control, int turnRate) {
+    boolean isMoving() {
+        return leftSpeed != 0 || rightSpeed != 0 || turnRate != 0;
+    }
+}

@@ -1,0 +1,9 @@
+package majicsim.pioneer;
+
+/**
+ * One new sonar range as a SIP carries it.
+ *
+ * @param disc 0 to 31
+ * @param range raw, in the model's range units
+ */
+record SonarReading(int disc, int range) {}
