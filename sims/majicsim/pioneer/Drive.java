@@ -1,0 +1,245 @@
+package majicsim.pioneer;
+
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import majicsim.world.Body;
+import majicsim.world.Noise;
+import majicsim.world.Pose;
+
+/**
+ * The motors and what the controller makes of motion commands (ARCOS sheet 7): two independent channels, straight ramps,
+ * stall, odometry from the wheels. Speeds and ways in here are what the encoders say; {@link WheelError} stands between
+ * them and the truth.
+ */
+final class Drive {
+    /** Lab steps are this long; the true length comes with each step. */
+    private static final double USUAL_STEP_SECONDS = 0.004;
+
+    private final Body body;
+    private final Scaling scaling;
+    private final MotionLimits tops;
+    private final WheelError error;
+    private final Channel translation;
+    private final Channel rotation;
+    private final Stall stall = new Stall();
+    private final HeadingServo servo = new HeadingServo();
+    private double stepSeconds = USUAL_STEP_SECONDS;
+    private double plannedMmPerSec;
+    private double plannedDegPerSec;
+    private boolean enabled;
+    private boolean wheelMode;
+    private Pose odometry = new Pose(0, 0, 0);
+    private Pose withoutError = new Pose(0, 0, 0);
+
+    Drive(Body body, PioneerModel model, Noise noise) {
+        this.body = body;
+        this.scaling = model.scaling();
+        this.tops = MotionLimits.tops(model);
+        this.error = WheelError.draw(noise);
+        this.translation = new Channel(MotionLimits.stored(model).translation());
+        this.rotation = new Channel(MotionLimits.stored(model).rotation());
+    }
+
+    /** Motors on, or off: then it brakes and knows no set-points any more. */
+    void enable(boolean on) {
+        enabled = on;
+        if (!on) {
+            halt();
+        }
+    }
+
+    boolean isEnabled() {
+        return enabled;
+    }
+
+    /** VEL: translation speed in mm/s; ends VEL2, whose turning then ends too. */
+    void velocity(double mmPerSec) {
+        command(() -> {
+            leaveWheelMode(rotation);
+            translation.aim(new Goal.Speed(mmPerSec));
+        });
+    }
+
+    /** MOVE: this way in mm along the present heading. */
+    void move(double mm) {
+        command(() -> {
+            leaveWheelMode(rotation);
+            translation.aim(new Goal.Position(translation.position() + mm));
+        });
+    }
+
+    /** RVEL, ROTATE: turn rate in deg/s; ends VEL2, whose driving then ends too. */
+    void turnRate(double degPerSec) {
+        turn(channel -> {
+            servo.release();
+            channel.aim(new Goal.Speed(degPerSec));
+        });
+    }
+
+    /** HEAD: to this odometry heading, the shorter way round; asked for again it changes nothing. */
+    void heading(double degrees) {
+        turn(channel -> servo.head(channel, odometry.headingDeg(), degrees));
+    }
+
+    /** DHEAD: to the heading that is this much from the present one, the shorter way round. */
+    void headingFromHere(double degrees) {
+        turn(channel -> servo.head(channel, odometry.headingDeg(), odometry.headingDeg() + degrees));
+    }
+
+    /** DCHEAD: to the heading that is this much from the last set-point, the shorter way round. */
+    void headingFromSetPoint(double degrees) {
+        turn(channel -> servo.head(channel, odometry.headingDeg(), headingSetPointDeg() + degrees));
+    }
+
+    /** VEL2: the wheels' speeds in mm/s, for both channels together. */
+    void wheels(double leftMmPerSec, double rightMmPerSec) {
+        command(() -> {
+            servo.release();
+            translation.aim(new Goal.Speed((leftMmPerSec + rightMmPerSec) / 2));
+            rotation.aim(new Goal.Speed(scaling.turnDegPerSec((rightMmPerSec - leftMmPerSec) / 2)));
+            wheelMode = true;
+        });
+    }
+
+    /** STOP: both channels to rest with the set deceleration; the motors stay on. */
+    void halt() {
+        servo.release();
+        wheelMode = false;
+        translation.aim(Goal.STOP);
+        rotation.aim(Goal.STOP);
+        replan();
+    }
+
+    /** ESTOP, QSTOP: to rest within one SIP cycle; until then no motion command is heard. */
+    void emergencyStop() {
+        servo.release();
+        wheelMode = false;
+        translation.emergencyStop();
+        rotation.emergencyStop();
+        replan();
+    }
+
+    /** Rests without forgetting the set-points while {@code on}; takes them up again with normal acceleration. */
+    void hold(boolean on) {
+        translation.hold(on);
+        rotation.hold(on);
+        replan();
+    }
+
+    /** Changes the translation's limits, never above what the model can do. */
+    void limitTranslation(UnaryOperator<Limits> change) {
+        translation.limits(tops.capTranslation(change.apply(translation.limits())));
+        replan();
+    }
+
+    /** Changes the rotation's limits, never above what the model can do. */
+    void limitRotation(UnaryOperator<Limits> change) {
+        rotation.limits(tops.capRotation(change.apply(rotation.limits())));
+        replan();
+    }
+
+    MotionLimits limits() {
+        return new MotionLimits(translation.limits(), rotation.limits());
+    }
+
+    /** SETO: what it believes of its place becomes this; where it stands does not change. */
+    void setOdometry(Pose pose) {
+        servo.shift(pose.headingDeg() - odometry.headingDeg());
+        odometry = pose;
+        withoutError = pose;
+    }
+
+    Pose odometry() {
+        return odometry;
+    }
+
+    /** What the odometry would say if the wheels did not mislead it. */
+    Pose odometryWithoutError() {
+        return withoutError;
+    }
+
+    /** The heading servo's set-point; the present heading while none is in force. */
+    double headingSetPointDeg() {
+        return servo.isActive() ? servo.setPointDeg() : odometry.headingDeg();
+    }
+
+    /** The mean of what both wheels ever counted, in mm. */
+    double countedMm() {
+        return translation.position();
+    }
+
+    /** How far it ever turned by the wheels' count, in degrees. */
+    double countedDeg() {
+        return rotation.position();
+    }
+
+    double speedMmPerSec() {
+        return translation.speed();
+    }
+
+    double turnDegPerSec() {
+        return rotation.speed();
+    }
+
+    Stall stall() {
+        return stall;
+    }
+
+    /** Settles the step that the world has just made and plans the next. */
+    void step(double seconds) {
+        stepSeconds = seconds;
+        double way = settle(translation, plannedMmPerSec, body.speedMmPerSec() / error.way());
+        double turn = settle(rotation, plannedDegPerSec, body.turnDegPerSec() / error.turn());
+        odometry = odometry.driven(way, turn);
+        withoutError = withoutError.driven(way * error.way(), turn * error.turn());
+        replan();
+        if (plannedMmPerSec == 0 && plannedDegPerSec == 0) {
+            stall.rests();
+        }
+    }
+
+    /** Returns how far the channel came in the step, in mm or degrees. */
+    private double settle(Channel channel, double plannedPerSec, double donePerSec) {
+        if (plannedPerSec == 0) {
+            channel.follow();
+            return 0;
+        }
+        double done = donePerSec * stepSeconds;
+        if (body.blocked() && Math.abs(donePerSec) < Math.abs(plannedPerSec) * 0.999) {
+            channel.blockAfter(done);
+            stall.pushed();
+            return done;
+        }
+        double planned = plannedPerSec * stepSeconds;
+        channel.follow();
+        stall.moved(planned);
+        return planned;
+    }
+
+    private void command(Runnable change) {
+        if (enabled) {
+            change.run();
+            replan();
+        }
+    }
+
+    private void turn(Consumer<Channel> change) {
+        command(() -> {
+            leaveWheelMode(translation);
+            change.accept(rotation);
+        });
+    }
+
+    private void leaveWheelMode(Channel other) {
+        if (wheelMode) {
+            wheelMode = false;
+            other.aim(Goal.STOP);
+        }
+    }
+
+    private void replan() {
+        plannedMmPerSec = translation.plan(stepSeconds);
+        plannedDegPerSec = rotation.plan(stepSeconds);
+        body.velocity(plannedMmPerSec * error.way(), plannedDegPerSec * error.turn());
+    }
+}

@@ -1,0 +1,26 @@
+package majicsim.pioneer;
+
+/** What a motion channel is asked for; holds until replaced (ARCOS sheet 7.1). */
+sealed interface Goal {
+    Goal STOP = new Speed(0);
+
+    /** The next stretch of even acceleration on the way from here to the goal. */
+    Phase next(Travel from, Limits limits);
+
+    /** Go on at this speed, signed. */
+    record Speed(double perSecond) implements Goal {
+        @Override
+        public Phase next(Travel from, Limits limits) {
+            double wanted = Math.copySign(Math.min(Math.abs(perSecond), limits.speed()), perSecond);
+            return Phase.toSpeed(from, wanted, limits);
+        }
+    }
+
+    /** Come to rest at this position. */
+    record Position(double target) implements Goal {
+        @Override
+        public Phase next(Travel from, Limits limits) {
+            return Phase.toPosition(from, target, limits);
+        }
+    }
+}
