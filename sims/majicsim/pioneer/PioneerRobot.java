@@ -1,0 +1,149 @@
+package majicsim.pioneer;
+
+import java.util.List;
+import majicsim.net.Firmware;
+import majicsim.net.Line;
+import majicsim.world.Body;
+import majicsim.world.Noise;
+import majicsim.world.Pose;
+import majicsim.world.World;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A Pioneer with an ARCOS controller. Serves one client at a time: as firmware of a network port it closes the line at
+ * CLOSE and stops when the client vanishes; its {@link #serialPort()} behaves as the real plug at the robot's side.
+ * All calls come with the lab's lock held.
+ */
+public final class PioneerRobot implements Firmware {
+    /** A Pioneer 3-DX with its present controller: the model unless told otherwise. */
+    public static final String STANDARD_MODEL = "p3dx-sh";
+
+    private static final String NAME = "MajicSim";
+
+    private final Body body;
+    private final Board board;
+    private @Nullable Session session;
+
+    /**
+     * A Pioneer of the {@link #STANDARD_MODEL}, put into the world.
+     *
+     * @param world where it lives
+     * @param start where it stands first
+     * @param noise the lab's source of chance; exact: wheels, sonar and odometry without error
+     * @throws IllegalArgumentException if there is no room at the start; nothing was added
+     */
+    public PioneerRobot(World world, Pose start, Noise noise) {
+        this(world, start, noise, STANDARD_MODEL);
+    }
+
+    /**
+     * A Pioneer of the given model, put into the world.
+     *
+     * @param world where it lives
+     * @param start where it stands first
+     * @param noise the lab's source of chance; exact: wheels, sonar and odometry without error
+     * @param subclass the model by the name it has in the handshake, one of {@link #models()}
+     * @throws IllegalArgumentException if there is no such model, or no room at the start; nothing was added
+     */
+    public PioneerRobot(World world, Pose start, Noise noise, String subclass) {
+        PioneerModel model = PioneerModel.of(subclass);
+        body = Body.box("pioneer", model.frontMm(), model.rearMm(), model.halfWidthMm(), start);
+        world.add(body);
+        board = new Board(world, body, model, NAME, noise.fork("pioneer"));
+    }
+
+    /**
+     * The models there are.
+     *
+     * @return their subclasses, as the handshake names them
+     */
+    public static List<String> models() {
+        return PioneerModel.subclasses();
+    }
+
+    /**
+     * Its body in the world.
+     *
+     * @return the body that was added
+     */
+    public Body body() {
+        return body;
+    }
+
+    /**
+     * The robot's serial port, in place of the network: CLOSE leaves the line open for the next handshake, and a client
+     * that vanishes is noticed by the watchdog alone (ARCOS sheet 5.1). Not heard while a network client is connected.
+     *
+     * @return firmware for a serial line; its steps do nothing, this robot's own step serves both
+     */
+    public Firmware serialPort() {
+        return new SerialPort();
+    }
+
+    @Override
+    public void connected(Line line) {
+        if (session != null && session.isUnderWay() && !session.isOn(line)) {
+            line.close();
+            return;
+        }
+        session = new Session(line, board, true);
+    }
+
+    @Override
+    public void received(Line line, byte[] bytes) {
+        if (session != null && session.isOn(line)) {
+            session.received(bytes);
+            forgetEnded();
+        }
+    }
+
+    @Override
+    public void disconnected(Line line) {
+        if (session != null && session.isOn(line)) {
+            session.close();
+            session = null;
+        }
+    }
+
+    @Override
+    public void step(double seconds) {
+        board.step(seconds);
+        if (session != null) {
+            session.step(Math.round(seconds * 1e9));
+            forgetEnded();
+        }
+    }
+
+    private void forgetEnded() {
+        if (session != null && session.hasEnded()) {
+            session = null;
+        }
+    }
+
+    /** The plug: whoever writes to it, the controller sees one and the same line. */
+    private final class SerialPort implements Firmware {
+        private @Nullable Session serial;
+
+        @Override
+        public void connected(Line line) {
+            if (serial != null) {
+                serial.continueOn(line);
+            }
+        }
+
+        @Override
+        public void received(Line line, byte[] bytes) {
+            if (session == null) {
+                session = serial = new Session(line, board, false);
+            }
+            if (session.isOn(line)) {
+                session.received(bytes);
+            }
+        }
+
+        @Override
+        public void step(double seconds) {
+            // The robot's own step serves every line.
+        }
+    }
+}

@@ -1,0 +1,183 @@
+package majicsim.pioneer;
+
+import java.util.List;
+import java.util.Locale;
+import majicsim.net.Line;
+
+/**
+ * One client's conversation with the board: handshake, commands, watchdog, the packets every 100 ms, and the end
+ * (ARCOS sheet 4, 5). On a network line the end hangs up; on a serial line it waits for the next handshake.
+ */
+final class Session {
+    private static final System.Logger LOG = System.getLogger(Session.class.getName());
+    private static final long SIP_CYCLE_NANOS = ConfigReport.SIP_CYCLE_MS * 1_000_000L;
+    /** How long the rest of a packet may take (ARCOS sheet 14.1). */
+    private static final long FRAGMENT_NANOS = 500_000_000L;
+
+    private final Board board;
+    private final boolean hangsUp;
+    private final PacketReader reader = new PacketReader();
+    private final Handshake handshake;
+    private Line line;
+    private Watchdog watchdog = new Watchdog();
+    private Reports reports;
+    private boolean open;
+    private boolean ended;
+    private long sinceSipNanos;
+    private long sinceBytesNanos;
+
+    Session(Line line, Board board, boolean hangsUp) {
+        this.line = line;
+        this.board = board;
+        this.hangsUp = hangsUp;
+        this.handshake = new Handshake(board.name(), board.model());
+        this.reports = new Reports(board);
+    }
+
+    Board board() {
+        return board;
+    }
+
+    Drive drive() {
+        return board.drive();
+    }
+
+    /** What the client gets without asking again. */
+    Reports reports() {
+        return reports;
+    }
+
+    boolean isOn(Line other) {
+        return line == other;
+    }
+
+    /** Whether a client has shaken hands and not closed since. */
+    boolean isUnderWay() {
+        return handshake.isComplete();
+    }
+
+    /** Whether it is over for good and its line closed. */
+    boolean hasEnded() {
+        return ended;
+    }
+
+    /** The serial plug was pulled and put in again; the controller notices nothing. */
+    void continueOn(Line other) {
+        line = other;
+    }
+
+    void received(byte[] bytes) {
+        sinceBytesNanos = 0;
+        trace("<", bytes);
+        handle(reader.feed(bytes));
+    }
+
+    /** Lets time pass: watchdog, and a SIP each cycle. */
+    void step(long nanos) {
+        sinceBytesNanos += nanos;
+        if (reader.hasFragment() && sinceBytesNanos >= FRAGMENT_NANOS) {
+            handle(reader.giveUpFragment());
+        }
+        if (isUnderWay() && watchdog.step(nanos)) {
+            LOG.log(System.Logger.Level.INFO, "pioneer: no packet for 2 s, stopping until the next");
+            drive().hold(true);
+        }
+        if (open) {
+            reportEachCycle(nanos);
+        }
+    }
+
+    /** OPEN: SIPs from now on and sonar; a second one does no harm. */
+    void open() {
+        if (!open) {
+            open = true;
+            sinceSipNanos = 0;
+            board.sonar().start();
+        }
+    }
+
+    /** CLOSE, or the client is gone: stop, motors off, no more packets. */
+    void close() {
+        open = false;
+        board.endSession();
+        handshake.restart();
+        if (hangsUp) {
+            ended = true;
+            line.close();
+        }
+    }
+
+    /** MOVE, where the controller has it. */
+    void move(int mm) {
+        if (board.model().hasMove()) {
+            drive().move(mm);
+        }
+    }
+
+    /** VEL2 in the model's units. */
+    void wheels(int left, int right) {
+        double unit = board.model().scaling().vel2UnitMmPerSec();
+        drive().wheels(left * unit, right * unit);
+    }
+
+    /** SIM_MESSAGE. */
+    void show(String text) {
+        LOG.log(System.Logger.Level.INFO, "pioneer: message from the client: {0}", text);
+    }
+
+    void send(byte[] packet) {
+        trace(">", packet);
+        line.send(packet);
+    }
+
+    private void handle(List<Packet> packets) {
+        for (Packet packet : packets) {
+            if (ended) {
+                return;
+            }
+            handle(packet);
+        }
+    }
+
+    private void handle(Packet packet) {
+        byte[] greeting = handshake.answer(packet.id());
+        if (greeting != null) {
+            greet(greeting);
+            return;
+        }
+        if (watchdog.pat()) {
+            drive().hold(false);
+        }
+        Command.of(packet.id())
+                .ifPresentOrElse(
+                        command -> command.run(this, new Argument(packet.data())),
+                        () -> LOG.log(System.Logger.Level.DEBUG, "pioneer: ignored command {0}", packet.id()));
+    }
+
+    private void greet(byte[] greeting) {
+        send(greeting);
+        if (isUnderWay()) {
+            watchdog = new Watchdog();
+            reports = new Reports(board);
+            board.beginSession();
+        }
+    }
+
+    private void reportEachCycle(long nanos) {
+        sinceSipNanos += nanos;
+        if (sinceSipNanos >= SIP_CYCLE_NANOS) {
+            sinceSipNanos -= SIP_CYCLE_NANOS;
+            reports.next().forEach(this::send);
+        }
+    }
+
+    private void trace(String direction, byte[] bytes) {
+        if (LOG.isLoggable(System.Logger.Level.TRACE)) {
+            StringBuilder hex = new StringBuilder();
+            for (byte b : bytes) {
+                hex.append(String.format(Locale.ROOT, " %02X", b));
+            }
+            LOG.log(System.Logger.Level.TRACE, "pioneer {0}{1}", direction, hex);
+        }
+    }
+}

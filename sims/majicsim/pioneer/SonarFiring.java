@@ -1,0 +1,99 @@
+package majicsim.pioneer;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Fires the discs: one of each array at a time, every 40 ms unless set otherwise, so that a SIP carries only the few
+ * readings that are new (ARCOS sheet 8.2).
+ */
+final class SonarFiring {
+    private static final int ARRAYS = 4;
+    private static final int SLOTS = 8;
+    private static final int USUAL_CYCLE_MS = 40;
+    private static final long NANOS_PER_MS = 1_000_000;
+
+    private final PioneerModel model;
+    private final SonarCone cone;
+    private final Map<Integer, Integer> fresh = new LinkedHashMap<>();
+    private int arraysOn;
+    private long cycleNanos;
+    private long untilFiringNanos;
+    private int slot;
+
+    SonarFiring(PioneerModel model, SonarCone cone) {
+        this.model = model;
+        this.cone = cone;
+        stop();
+    }
+
+    /** All arrays on, beginning with the first disc of each after one firing period. */
+    void start() {
+        stop();
+        arraysOn = (1 << ARRAYS) - 1;
+    }
+
+    void stop() {
+        arraysOn = 0;
+        slot = 0;
+        fresh.clear();
+        cycleMs(0);
+        untilFiringNanos = cycleNanos;
+    }
+
+    /** SONAR: bit 0 on or off; the bits above choose one array, counted from 1, or all with 0. */
+    void switchArrays(int argument) {
+        int array = argument >> 1;
+        if (array > ARRAYS) {
+            return;
+        }
+        int mask = array == 0 ? (1 << ARRAYS) - 1 : 1 << (array - 1);
+        arraysOn = (argument & 1) == 1 ? arraysOn | mask : arraysOn & ~mask;
+        fresh.keySet().removeIf(disc -> !isOn(disc / SLOTS));
+    }
+
+    /** SONARCYCLE: the firing period in ms; 0 or less is the usual one. */
+    void cycleMs(int ms) {
+        cycleNanos = (ms > 0 ? ms : USUAL_CYCLE_MS) * NANOS_PER_MS;
+    }
+
+    int cycleMs() {
+        return (int) (cycleNanos / NANOS_PER_MS);
+    }
+
+    /** Bit 0 for the first array. */
+    int arraysOn() {
+        return arraysOn;
+    }
+
+    void step(long nanos) {
+        untilFiringNanos -= nanos;
+        while (untilFiringNanos <= 0) {
+            untilFiringNanos += cycleNanos;
+            fire();
+        }
+    }
+
+    /** The readings since this was last asked, in the order of firing. */
+    List<SonarReading> takeFresh() {
+        List<SonarReading> readings = fresh.entrySet().stream()
+                .map(entry -> new SonarReading(entry.getKey(), entry.getValue()))
+                .toList();
+        fresh.clear();
+        return readings;
+    }
+
+    private void fire() {
+        for (SonarDisc disc : model.sonars()) {
+            if (disc.slot() == slot && isOn(disc.array())) {
+                fresh.put(disc.number(), model.scaling().range(cone.rangeMm(disc)));
+            }
+        }
+        slot = (slot + 1) % SLOTS;
+    }
+
+    private boolean isOn(int array) {
+        return (arraysOn >> array & 1) == 1;
+    }
+}
