@@ -164,6 +164,10 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         if (motionUnderWay.get()) {
             throw new BotException(name + " is in a motion; stop it before driving");
         }
+        if (mmPerSec == 0 && degPerSec == 0) {
+            endDrive();
+            return;
+        }
         underPermit(permit, () -> {
             driving = true;
             keeper.once("drive lapse", DRIVE_LEASE_S, this::endDrive);
@@ -173,8 +177,18 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     @Override
     public final void stop() {
+        revokeMotions();
+        sendStop();
+    }
+
+    /** Ends the leave of everybody who moves this robot now; quick, sends nothing. */
+    final void revokeMotions() {
         permits.revokeAll(() -> new MotionStopped("stopped"));
         changes.raise();
+    }
+
+    /** Tells the robot to stand and waits until it has confirmed it. */
+    final void sendStop() {
         if (connection == Connection.CONNECTED) {
             synchronized (commandLock) {
                 driving = false;
@@ -576,10 +590,16 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     /** Refuses all motion until {@link #unlatch()}. */
     final void latch() {
         permits.latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
+        changes.raise();
     }
 
     final void unlatch() {
         permits.unlatch();
+    }
+
+    final String lostReason() {
+        LinkLost cause = lostBecause;
+        return cause == null ? "not connected" : cause.getMessage();
     }
 
     final long readings() {

@@ -1,5 +1,6 @@
 package majic.bot;
 
+import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -9,25 +10,26 @@ import org.jspecify.annotations.Nullable;
  * out before it. Thread-safe.
  */
 public final class Permit {
-    private final @Nullable Permit parent;
+    private final List<Permit> parents;
     private volatile @Nullable Supplier<? extends BotException> revocation;
 
     /** A permit of its own. */
     public Permit() {
-        this(null);
+        this(List.of());
     }
 
-    private Permit(@Nullable Permit parent) {
-        this.parent = parent;
+    private Permit(List<Permit> parents) {
+        this.parents = parents;
     }
 
     /**
-     * A permit that holds as long as this one does and itself is not revoked.
+     * Leave for those who have this permit and another one.
      *
-     * @return a new permit under this one
+     * @param other the other one
+     * @return a new permit that holds as long as both do and itself is not revoked
      */
-    public Permit child() {
-        return new Permit(this);
+    public Permit and(Permit other) {
+        return new Permit(List.of(this, other));
     }
 
     /**
@@ -47,7 +49,7 @@ public final class Permit {
      * @return true from the first revocation on
      */
     public boolean isRevoked() {
-        return revocation != null || (parent != null && parent.isRevoked());
+        return revocation != null || parents.stream().anyMatch(Permit::isRevoked);
     }
 
     /**
@@ -60,8 +62,6 @@ public final class Permit {
         if (reason != null) {
             throw reason.get();
         }
-        if (parent != null) {
-            parent.check();
-        }
+        parents.forEach(Permit::check);
     }
 }

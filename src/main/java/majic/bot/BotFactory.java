@@ -1,0 +1,116 @@
+package majic.bot;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+
+/** Makes robots from the addresses users type. Thread-safe. */
+public final class BotFactory {
+    private final List<BotType> types;
+    private final Settings settings;
+    private volatile @Nullable LabAccess lab;
+
+    /**
+     * A factory for some types.
+     *
+     * @param types all types there are, in the order the Add dialog shows them
+     * @param settings what the user wants remembered
+     */
+    public BotFactory(List<BotType> types, Settings settings) {
+        this.types = List.copyOf(types);
+        this.settings = settings;
+    }
+
+    /**
+     * All types of robots.
+     *
+     * @return in the order the Add dialog shows them
+     */
+    public List<BotType> types() {
+        return types;
+    }
+
+    /**
+     * The simulated lab, if one runs.
+     *
+     * @return what {@link #useLab} was given last
+     */
+    public Optional<LabAccess> lab() {
+        return Optional.ofNullable(lab);
+    }
+
+    /**
+     * Makes addresses with {@code sim:} mean the robots of a lab.
+     *
+     * @param newLab a running lab
+     */
+    public void useLab(LabAccess newLab) {
+        lab = newLab;
+    }
+
+    /**
+     * Makes the driver for an address, without touching the robot.
+     *
+     * @param text as typed: {@code pioneer://10.0.0.5:8101}, {@code hemisson:COM3}, {@code sim:aibo}
+     * @return the driver, not connected
+     * @throws BotException if the address or its type is unknown; the message says what would be right
+     */
+    public MajicBot create(String text) {
+        BotAddress address = BotAddress.parse(text);
+        if (address.scheme().equals(BotAddress.SIMULATED)) {
+            return createSimulated(address);
+        }
+        return type(address.scheme()).create(address.rest(), environment(TimeSource.system()));
+    }
+
+    private MajicBot createSimulated(BotAddress address) {
+        LabAccess running = lab;
+        if (running == null) {
+            throw new BotException(address + ": no simulated lab runs here; start MAJIC with --lab");
+        }
+        BotAddress real = running.address(address.rest())
+                .orElseThrow(() -> new BotException(address + ": the lab has no " + address.rest() + " (it has "
+                        + String.join(", ", running.robots()) + ")"));
+        return type(real.scheme()).create(real.rest(), environment(running.time()));
+    }
+
+    private BotEnvironment environment(TimeSource time) {
+        return new BotEnvironment(time, settings);
+    }
+
+    /**
+     * A type by its word.
+     *
+     * @param name as in addresses, whatever the case
+     * @return the type
+     * @throws BotException if there is none; the message lists those there are
+     */
+    public BotType type(String name) {
+        Collection<String> names =
+                new TreeSet<>(types.stream().map(BotType::name).toList());
+        return types.stream()
+                .filter(type -> type.name().equalsIgnoreCase(name))
+                .findFirst()
+                .orElseThrow(() -> new BotException(name + ": no such type of robot (there are "
+                        + String.join(", ", names) + ")" + Suggestion.didYouMean(name, names)));
+    }
+
+    /**
+     * Tries what answers at an address, and closes it again. Blocks for the driver's connection time-out at most.
+     *
+     * @param text as typed
+     * @return one or two sentences for the person: what answered, or what went wrong and what to try
+     * @throws BotException if the address itself is wrong, or nothing answers; the message says what to try
+     */
+    public String probe(String text) {
+        MajicBot bot = create(text);
+        try (bot) {
+            bot.connect();
+            return "a " + bot.type().make() + " answers";
+        } catch (BotException e) {
+            throw new BotException(e.getMessage() + ". " + bot.type().advice(), e);
+        }
+    }
+}

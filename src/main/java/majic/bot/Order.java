@@ -1,0 +1,25 @@
+package majic.bot;
+
+import java.util.List;
+
+/**
+ * One command to one robot, checked and ready to be carried out.
+ *
+ * @param text the command without the robot, as answers repeat it: {@code move 500}
+ * @param moves whether it may move the robot, and so needs the robot to be free and no STOP latched
+ * @param job what it does
+ */
+public record Order(String text, boolean moves, Job job) {
+    /** What an order does when its turn comes. */
+    @FunctionalInterface
+    public interface Job {
+        /**
+         * Does it, waiting until it is done.
+         *
+         * @param robot the robot, under the leave the order was given with
+         * @return the answers, each without the robot's number: {@code move 500: done (498 mm, 2.1 s)}
+         * @throws BotException if it could not be done; the order has failed then
+         */
+        List<String> carryOut(BotControl robot);
+    }
+}

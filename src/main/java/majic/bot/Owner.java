@@ -1,0 +1,60 @@
+package majic.bot;
+
+/**
+ * Somebody who has a robot to himself: a script, an act, a hand on the keys. Compared by identity.
+ */
+public final class Owner {
+    /** What kinds of owners there are. */
+    public enum Kind {
+        /** A running script. */
+        SCRIPT,
+        /** A running act. */
+        ACT,
+        /** A person driving by hand. */
+        HAND
+    }
+
+    private final Kind kind;
+    private final String name;
+    private final Runnable end;
+
+    /**
+     * Describes an owner.
+     *
+     * @param kind what it is
+     * @param name what messages call it
+     * @param end ends it; called from any thread when somebody else stops a robot of its, and must return at once
+     */
+    public Owner(Kind kind, String name, Runnable end) {
+        this.kind = kind;
+        this.name = name;
+        this.end = end;
+    }
+
+    /**
+     * What it is.
+     *
+     * @return its kind
+     */
+    public Kind kind() {
+        return kind;
+    }
+
+    /**
+     * What messages call it.
+     *
+     * @return for instance {@code WanderDog}
+     */
+    public String name() {
+        return name;
+    }
+
+    void end() {
+        end.run();
+    }
+
+    BotException inTheWay(int robot) {
+        String what = kind == Kind.HAND ? " is driven by hand" : " is running " + name;
+        return new BotException(robot + what + "; \"" + robot + " stop\" ends it");
+    }
+}

@@ -1,0 +1,50 @@
+package majic.bot;
+
+import org.jspecify.annotations.Nullable;
+
+/** An order that was accepted. Thread-safe; who waits for it, waits at {@link Team#changes()}. */
+public final class Pending {
+    private final Order order;
+    private final Permit permit;
+    private volatile Answer.@Nullable Outcome outcome;
+
+    Pending(Order order, Permit permit) {
+        this.order = order;
+        this.permit = permit;
+    }
+
+    /**
+     * What was ordered.
+     *
+     * @return the order
+     */
+    public Order order() {
+        return order;
+    }
+
+    /**
+     * How it ended.
+     *
+     * @return null while it has not
+     */
+    public Answer.@Nullable Outcome outcome() {
+        return outcome;
+    }
+
+    /**
+     * Whether it has ended, well or not.
+     *
+     * @return true once {@link #outcome()} tells how
+     */
+    public boolean hasEnded() {
+        return outcome != null;
+    }
+
+    Permit permit() {
+        return permit;
+    }
+
+    void end(Answer.Outcome how) {
+        outcome = how;
+    }
+}

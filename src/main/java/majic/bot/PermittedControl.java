@@ -1,0 +1,57 @@
+package majic.bot;
+
+import java.util.List;
+import java.util.function.Supplier;
+
+/** A robot in the hands of somebody whose leave to move it can be taken back; reading and stopping stay allowed. */
+record PermittedControl(MajicBot bot, Supplier<Permit> permit) implements BotControl {
+    @Override
+    public MotionReport move(double mm, Guard until) {
+        return bot.move(mm, until, permit.get());
+    }
+
+    @Override
+    public MotionReport turn(double degrees, Guard until) {
+        return bot.turn(degrees, until, permit.get());
+    }
+
+    @Override
+    public MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until) {
+        return bot.drive(mmPerSec, degPerSec, seconds, until, permit.get());
+    }
+
+    @Override
+    public void drive(double mmPerSec, double degPerSec) {
+        bot.drive(mmPerSec, degPerSec, permit.get());
+    }
+
+    @Override
+    public void stop() {
+        bot.stop();
+    }
+
+    @Override
+    public Value get(String parameter) {
+        return bot.get(parameter);
+    }
+
+    @Override
+    public void set(String parameter, List<Value> values) {
+        bot.set(parameter, values, permit.get());
+    }
+
+    @Override
+    public String run(String command, List<Value> arguments) {
+        return bot.run(command, arguments, permit.get());
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return bot.parameters();
+    }
+
+    @Override
+    public List<BotCommand> commands() {
+        return bot.commands();
+    }
+}

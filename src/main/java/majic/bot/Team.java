@@ -1,0 +1,346 @@
+package majic.bot;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The robots by number, and the STOP that reaches them all. Whoever commands robots, a window, a console, a test, does
+ * it through here. Thread-safe.
+ */
+public final class Team implements AutoCloseable {
+    /** How many robots there may be unless set otherwise. */
+    public static final int MAX_BOTS = 20;
+
+    /** How long {@link #close()} waits for all robots, seconds. */
+    private static final double CLOSE_BOUND_S = 2.5;
+
+    static final Logger LOG = System.getLogger(Team.class.getName());
+
+    private final TimeSource time;
+    private final int maxBots;
+    private final Signal changes;
+    private final SortedMap<Integer, Member> members = new TreeMap<>();
+    private final Set<Integer> usedNumbers = new HashSet<>();
+    private final List<TeamListener> listeners = new CopyOnWriteArrayList<>();
+    private volatile boolean latched;
+
+    /**
+     * An empty team of at most {@link #MAX_BOTS} robots.
+     *
+     * @param time the clock of scripts and of waits for robots: the lab's, if there is one
+     */
+    public Team(TimeSource time) {
+        this(time, MAX_BOTS);
+    }
+
+    /**
+     * An empty team.
+     *
+     * @param time the clock of scripts and of waits for robots
+     * @param maxBots how many robots there may be, at least 1
+     */
+    public Team(TimeSource time, int maxBots) {
+        this.time = time;
+        this.maxBots = maxBots;
+        this.changes = time.signal();
+    }
+
+    /**
+     * Takes in a robot.
+     *
+     * @param bot a connected one
+     * @param wanted its number; empty for the lowest that was never used
+     * @return the new member
+     * @throws BotException if the number is taken or out of range, or the team is full; the robot was not taken in
+     */
+    public Member add(MajicBot bot, OptionalInt wanted) {
+        Member member;
+        synchronized (members) {
+            int number = wanted.isPresent() ? checkFree(wanted.getAsInt()) : lowestFree();
+            usedNumbers.add(number);
+            bot.name("robot " + number + " (" + bot.type().label() + ")");
+            member = new Member(this, number, bot);
+            members.put(number, member);
+            if (latched) {
+                bot.latch();
+            }
+        }
+        bot.addListener(new NoticeRelay(member));
+        member.start();
+        tell(listener -> listener.added(member));
+        return member;
+    }
+
+    private int checkFree(int number) {
+        if (number < 1 || number > maxBots) {
+            throw new BotException(number + ": robots have numbers from 1 to " + maxBots);
+        }
+        if (members.containsKey(number)) {
+            throw new BotException(number + ": there is a robot " + number + " already");
+        }
+        return number;
+    }
+
+    private int lowestFree() {
+        for (int number = 1; number <= maxBots; number++) {
+            if (!usedNumbers.contains(number)) {
+                return number;
+            }
+        }
+        throw new BotException(
+                members.size() < maxBots
+                        ? "all numbers up to " + maxBots
+                                + " were used; add the robot \"as\" the number of a removed one"
+                        : "the team is full (" + maxBots + " robots); remove one first");
+    }
+
+    /**
+     * Checks whether a robot could be taken in, before the trouble of connecting to it.
+     *
+     * @param wanted its number; empty for the lowest that was never used
+     * @throws BotException what {@link #add} would throw now
+     */
+    public void checkRoom(OptionalInt wanted) {
+        synchronized (members) {
+            if (wanted.isPresent()) {
+                checkFree(wanted.getAsInt());
+            } else {
+                lowestFree();
+            }
+        }
+    }
+
+    /**
+     * Stops a robot, ends whatever runs on it, closes it and lets it go. Blocks for about a second at most.
+     *
+     * @param number its number
+     * @throws BotException if there is no such robot
+     */
+    public void remove(int number) {
+        Member member = member(number);
+        member.stopBegins(false, null);
+        synchronized (members) {
+            members.remove(number);
+        }
+        member.close();
+        member.stopEnded();
+        tell(listener -> listener.removed(member));
+    }
+
+    /**
+     * A robot by its number.
+     *
+     * @param number its number
+     * @return the member
+     * @throws BotException if there is none; the message lists those there are
+     */
+    public Member member(int number) {
+        synchronized (members) {
+            Member member = members.get(number);
+            if (member == null) {
+                throw new BotException(number + ": there is no robot " + number + " (" + roll() + ")");
+            }
+            return member;
+        }
+    }
+
+    /**
+     * All robots.
+     *
+     * @return a snapshot, by number
+     */
+    public List<Member> members() {
+        synchronized (members) {
+            return List.copyOf(members.values());
+        }
+    }
+
+    /**
+     * Who is here, in words.
+     *
+     * @return for instance {@code robots: 1 Aibo, 2 Pioneer}
+     */
+    public String roll() {
+        List<Member> all = members();
+        return all.isEmpty()
+                ? "no robots yet; add one"
+                : all.stream()
+                        .map(member ->
+                                member.number() + " " + member.bot().type().label())
+                        .collect(Collectors.joining(", ", "robots: ", ""));
+    }
+
+    /**
+     * Stops some robots: ends their motions, empties their queues, ends the acts and scripts that own them. Returns at
+     * once; later orders wait until the robot has stopped. Each robot confirms by an answer.
+     *
+     * @param chosen which robots
+     * @param by the script that says so, which is not ended by it; null for a person
+     */
+    public void stop(Collection<Member> chosen, @Nullable Owner by) {
+        chosen.forEach(member -> member.stopBegins(false, by));
+        chosen.forEach(member -> sendStop(member, member::stopEnded));
+    }
+
+    /** STOP: as {@link #stop} for all robots, and no motion is accepted until {@link #release()}. Returns at once. */
+    public void stopAll() {
+        latched = true;
+        List<Member> all = members();
+        all.forEach(member -> member.stopBegins(true, null));
+        all.forEach(member -> sendStop(member, member::stopEnded));
+        tell(listener -> listener.latchChanged(true));
+    }
+
+    /** Allows motion again after STOP. Nothing resumes by itself. */
+    public void release() {
+        latched = false;
+        members().forEach(member -> member.bot().unlatch());
+        tell(listener -> listener.latchChanged(false));
+    }
+
+    /**
+     * Whether STOP is latched.
+     *
+     * @return true from {@link #stopAll()} to {@link #release()}
+     */
+    public boolean isLatched() {
+        return latched;
+    }
+
+    void checkLatch() {
+        if (latched) {
+            throw new BotException("STOP is latched; \"release\" allows motion again");
+        }
+    }
+
+    /**
+     * Where everybody waits who waits for orders to end, robots to become idle or owners to leave.
+     *
+     * @return the signal, on this team's clock
+     */
+    public Signal changes() {
+        return changes;
+    }
+
+    /**
+     * The clock of scripts.
+     *
+     * @return the clock given at the beginning
+     */
+    public TimeSource time() {
+        return time;
+    }
+
+    /**
+     * Begins to tell somebody of this team.
+     *
+     * @param listener called on worker threads
+     */
+    public void addListener(TeamListener listener) {
+        listeners.add(listener);
+    }
+
+    /**
+     * Ends telling somebody.
+     *
+     * @param listener who was added
+     */
+    public void removeListener(TeamListener listener) {
+        listeners.remove(listener);
+    }
+
+    /** Stops and closes all robots side by side; takes at most 3 s, whatever the links do. */
+    @Override
+    public void close() {
+        latched = true;
+        List<Member> all = members();
+        all.forEach(member -> member.stopBegins(true, null));
+        synchronized (members) {
+            members.clear();
+        }
+        AtomicInteger open = new AtomicInteger(all.size());
+        for (Member member : all) {
+            Runnable close = () -> {
+                try {
+                    member.close();
+                } finally {
+                    open.decrementAndGet();
+                    changes.raise();
+                }
+            };
+            member.bot()
+                    .time()
+                    .thread("closing robot " + member.number(), close)
+                    .start();
+        }
+        try {
+            changes.await(() -> open.get() == 0, CLOSE_BOUND_S);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    void answer(Answer answer) {
+        tell(listener -> listener.answered(answer));
+    }
+
+    void tell(Consumer<TeamListener> news) {
+        for (TeamListener listener : listeners) {
+            try {
+                news.accept(listener);
+            } catch (RuntimeException e) {
+                LOG.log(Level.WARNING, "a listener of the team failed", e);
+            }
+        }
+    }
+
+    /** One thread a link, so that a stuck one holds up nobody. */
+    private void sendStop(Member member, Runnable whenSent) {
+        Runnable send = () -> {
+            String stop = member.number() + " stop: ";
+            try {
+                member.bot().sendStop();
+                answer(new Answer(member.number(), Answer.Outcome.DONE, stop + "done"));
+            } catch (BotException e) {
+                answer(new Answer(member.number(), Answer.Outcome.FAILED, stop + "failed: " + e.getMessage()));
+            } finally {
+                whenSent.run();
+            }
+        };
+        member.bot().time().thread("stopping robot " + member.number(), send).start();
+    }
+
+    /** Hands a robot's own words on, with its number in front. */
+    private final class NoticeRelay implements BotListener {
+        private final Member member;
+
+        NoticeRelay(Member member) {
+            this.member = member;
+        }
+
+        @Override
+        public void notice(MajicBot bot, String message) {
+            tell(listener -> listener.noticed(member.number(), member.number() + ": " + message));
+        }
+
+        @Override
+        public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
+            if (connection == MajicBot.Connection.LOST) {
+                notice(bot, bot.lostReason());
+            }
+            changes.raise();
+        }
+    }
+}

@@ -1,0 +1,47 @@
+package majic.bot;
+
+/** Hears of a team. Called on worker threads: be quick, and cross over to another thread for anything slow. */
+public interface TeamListener {
+    /**
+     * A command was answered.
+     *
+     * @param answer the answer
+     */
+    default void answered(Answer answer) {}
+
+    /**
+     * A robot, or the program about a robot, has something to say.
+     *
+     * @param robot its number
+     * @param message the whole line, with the number
+     */
+    default void noticed(int robot, String message) {}
+
+    /**
+     * A robot joined.
+     *
+     * @param member who
+     */
+    default void added(Member member) {}
+
+    /**
+     * A robot left and is closed.
+     *
+     * @param member who it was
+     */
+    default void removed(Member member) {}
+
+    /**
+     * A robot has another owner, or none.
+     *
+     * @param member which robot; ask it who
+     */
+    default void ownerChanged(Member member) {}
+
+    /**
+     * STOP was pressed or released.
+     *
+     * @param latched whether motion is refused from now on
+     */
+    default void latchChanged(boolean latched) {}
+}
