@@ -1,0 +1,38 @@
+package majicsim.pioneer;
+
+import java.util.ArrayList;
+import java.util.List;
+import majicsim.net.Line;
+
+/** Keeps what the robot sends. */
+final class FakeLine implements Line {
+    private final List<byte[]> messages = new ArrayList<>();
+    private boolean open = true;
+
+    @Override
+    public String peer() {
+        return "test";
+    }
+
+    @Override
+    public void send(byte[] message) {
+        messages.add(message);
+    }
+
+    @Override
+    public void close() {
+        open = false;
+    }
+
+    @Override
+    public boolean isOpen() {
+        return open;
+    }
+
+    /** The messages since this was last asked. */
+    List<byte[]> take() {
+        List<byte[]> taken = List.copyOf(messages);
+        messages.clear();
+        return taken;
+    }
+}

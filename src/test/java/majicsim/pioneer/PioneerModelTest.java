@@ -1,0 +1,51 @@
+package majicsim.pioneer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import majicsim.world.Noise;
+import majicsim.world.Pose;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class PioneerModelTest {
+    static List<String> models() {
+        return PioneerRobot.models();
+    }
+
+    @ParameterizedTest
+    @MethodSource("models")
+    void everyModelConnectsDrivesAndReportsInItsOwnUnits(String subclass) {
+        PioneerModel model = PioneerModel.of(subclass);
+        Rig rig =
+                new Rig(new Pose(0, 0, 0), Noise.exact(), subclass).shakeHands().command(4, 1);
+        assertThat(new String(rig.line.take().get(2), StandardCharsets.ISO_8859_1))
+                .contains("\0" + model.className() + "\0" + subclass + "\0");
+        SipView sip = rig.command(11, 100).command(21, 20).step(1).nextSip();
+        Scaling scaling = model.scaling();
+        assertThat((sip.right() + sip.left()) / 2.0 * scaling.mmPerSecPerSpeedUnit())
+                .isCloseTo(100, within(1.0));
+        double difference = (sip.right() - sip.left()) / 2.0 * scaling.mmPerSecPerSpeedUnit();
+        assertThat(Math.toDegrees(difference * scaling.radPerMm())).isCloseTo(20, within(1.0));
+        assertThat(sip.x() * scaling.mmPerPositionUnit()).isCloseTo(rig.pose().xMm(), within(2.0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"p3dx-sh, 16", "amigo-sh, 8", "peoplebot-sh, 32", "powerbot-sh, 28", "pioneer-lx, 4", "seekur, 0"})
+    void onlyFittedDiscsAreThere(String subclass, int discs) {
+        assertThat(PioneerModel.of(subclass).sonars()).hasSize(discs);
+    }
+
+    @Test
+    void anUnknownModelIsRefusedWithTheKnownOnes() {
+        assertThatThrownBy(() -> PioneerModel.of("p9zz"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("p9zz")
+                .hasMessageContaining("p3at-sh, p3atiw-sh");
+    }
+}

@@ -1,0 +1,136 @@
+package majicsim.pioneer;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.io.UncheckedIOException;
+import java.util.List;
+import majicsim.world.Body;
+import majicsim.world.Noise;
+import majicsim.world.Pose;
+import majicsim.world.Room;
+import majicsim.world.World;
+
+/** A Pioneer in a room of 10 by 8 m around the origin, stepped by hand, with a client on a line. */
+final class Rig {
+    static final double STEP_SECONDS = 0.004;
+
+    private static final String TEN_BY_EIGHT = """
+            2D-Map
+            LineMinPos: -5000 -4000
+            LineMaxPos: 5000 4000
+            NumLines: 4
+            LINES
+            -5000 -4000 5000 -4000
+            5000 -4000 5000 4000
+            5000 4000 -5000 4000
+            -5000 4000 -5000 -4000
+            DATA
+            """;
+
+    final World world = new World(tenByEight());
+    final PioneerRobot robot;
+    FakeLine line = new FakeLine();
+
+    Rig(Pose start, Noise noise, String model) {
+        robot = new PioneerRobot(world, start, noise, model);
+        robot.connected(line);
+    }
+
+    /** Exact, in the middle of the room, looking along x; nobody has shaken hands. */
+    static Rig silent() {
+        return new Rig(new Pose(0, 0, 0), Noise.exact(), PioneerRobot.STANDARD_MODEL);
+    }
+
+    /** As {@link #silent()}, with an open session. */
+    static Rig open() {
+        return silent().shakeHands();
+    }
+
+    /** As {@link #open()}, with motors on. */
+    static Rig ready() {
+        return open().command(4, 1);
+    }
+
+    Rig shakeHands() {
+        send("FA FB 03 00 00 00  FA FB 03 01 00 01  FA FB 03 02 00 02");
+        return command(1, 1);
+    }
+
+    /** The client goes without a word and another one comes. */
+    void reconnect() {
+        robot.disconnected(line);
+        line = new FakeLine();
+        robot.connected(line);
+    }
+
+    Rig send(String hex) {
+        robot.received(line, Hex.bytes(hex));
+        return this;
+    }
+
+    /** Sends a command with a number, sign in the type byte. */
+    Rig command(int id, int value) {
+        int magnitude = Math.abs(value);
+        byte[] packet = new PacketWriter(id)
+                .uint8(value < 0 ? 0x1B : 0x3B)
+                .uint16(magnitude)
+                .toBytes();
+        robot.received(line, packet);
+        return this;
+    }
+
+    /** Sends a command with these bytes behind its number. */
+    Rig packet(int id, String data) {
+        PacketWriter packet = new PacketWriter(id);
+        for (byte b : Hex.bytes(data)) {
+            packet.uint8(b);
+        }
+        robot.received(line, packet.toBytes());
+        return this;
+    }
+
+    /** Lets lab time pass without a word from the client. */
+    Rig step(double seconds) {
+        for (long left = Math.round(seconds / STEP_SECONDS); left > 0; left--) {
+            world.step(STEP_SECONDS);
+            robot.step(STEP_SECONDS);
+        }
+        return this;
+    }
+
+    /** Lets lab time pass with a PULSE every 400 ms. */
+    Rig pulse(double seconds) {
+        for (double left = seconds; left > 1e-9; left -= 0.4) {
+            command(0, 0).step(Math.min(0.4, left));
+        }
+        return this;
+    }
+
+    /** The SIPs since messages were last taken. */
+    List<SipView> sips() {
+        return line.take().stream().filter(SipView::isSip).map(SipView::new).toList();
+    }
+
+    /** Lets one SIP cycle pass and returns its SIP. */
+    SipView nextSip() {
+        line.take();
+        List<SipView> sips = step(0.1).sips();
+        return sips.get(sips.size() - 1);
+    }
+
+    Body body() {
+        return robot.body();
+    }
+
+    Pose pose() {
+        return robot.body().pose();
+    }
+
+    private static Room tenByEight() {
+        try {
+            return Room.parse(new StringReader(TEN_BY_EIGHT), "test");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

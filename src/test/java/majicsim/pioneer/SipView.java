@@ -1,0 +1,99 @@
+package majicsim.pioneer;
+
+import java.util.Map;
+import java.util.TreeMap;
+
+/** Reads a SIP by the sheet's offsets (8), written apart from the encoder it tests. */
+record SipView(byte[] packet) {
+    static boolean isSip(byte[] packet) {
+        return (packet[3] & 0xF0) == 0x30;
+    }
+
+    int type() {
+        return packet[3];
+    }
+
+    int x() {
+        return signed(1);
+    }
+
+    int y() {
+        return signed(3);
+    }
+
+    int heading() {
+        return signed(5);
+    }
+
+    double headingDeg() {
+        return heading() * 360.0 / 4096;
+    }
+
+    int left() {
+        return signed(7);
+    }
+
+    int right() {
+        return signed(9);
+    }
+
+    int battery() {
+        return ubyte(11);
+    }
+
+    boolean isStalled() {
+        return (ubyte(12) & ubyte(13) & 1) == 1;
+    }
+
+    int rearBumpers() {
+        return ubyte(12) >> 1;
+    }
+
+    int frontBumpers() {
+        return ubyte(13) >> 1;
+    }
+
+    int control() {
+        return signed(14);
+    }
+
+    int flags() {
+        return signed(16);
+    }
+
+    boolean hasMotors() {
+        return (flags() & 1) == 1;
+    }
+
+    Map<Integer, Integer> sonar() {
+        Map<Integer, Integer> readings = new TreeMap<>();
+        for (int i = 0; i < ubyte(19); i++) {
+            readings.put(ubyte(20 + 3 * i), signed(21 + 3 * i));
+        }
+        return readings;
+    }
+
+    int analogPort() {
+        return ubyte(tail() + 1);
+    }
+
+    int digitalOut() {
+        return ubyte(tail() + 4);
+    }
+
+    int turnRateTenths() {
+        return signed(tail() + 8);
+    }
+
+    private int tail() {
+        return 20 + 3 * ubyte(19);
+    }
+
+    private int ubyte(int offset) {
+        return packet[offset + 3] & 0xFF;
+    }
+
+    private int signed(int offset) {
+        return (short) (ubyte(offset) | ubyte(offset + 1) << 8);
+    }
+}
