@@ -1,0 +1,4 @@
+package majicsim.aibo;
+
+/** A flag of a tagged command, such as {@code end}. */
+record Flag(String name) {}

@@ -1,0 +1,153 @@
+package majicsim.aibo;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/** The commands themselves, one method a form: assignments, definitions and words (URBI sheet, sections 5 to 10). */
+final class InstructionParser {
+    private static final Set<String> SYSTEM_WORDS = Set.of(
+            "ping",
+            "quit",
+            "connections",
+            "devices",
+            "vars",
+            "uservars",
+            "commands",
+            "strict",
+            "unstrict",
+            "stopall",
+            "reset",
+            "reboot",
+            "shutdown",
+            "undefall",
+            "motoron",
+            "motoroff");
+    private static final Set<String> SILENT_WORDS = Set.of("noop", "def", "alias", "group");
+
+    private final TokenStream tokens;
+    private final ExprParser exprs;
+    private final ControlParser controls;
+
+    InstructionParser(TokenStream tokens, ExprParser exprs, Parser parser) {
+        this.tokens = tokens;
+        this.exprs = exprs;
+        controls = new ControlParser(tokens, exprs, parser);
+    }
+
+    Statement instruction() throws SyntaxError {
+        if (tokens.peek().is(TokenKind.WORD)) {
+            return word();
+        }
+        if (SYSTEM_WORDS.contains(tokens.peek().text()) && atEnd(1)) {
+            return new Statement.Command(tokens.next().text());
+        }
+        Expr expr = exprs.expr();
+        if (expr instanceof Expr.Variable variable) {
+            return named(variable.name());
+        }
+        if (expr instanceof Expr.Property property && tokens.match("=")) {
+            return new Statement.AssignProperty(property.name(), property.property(), exprs.expr());
+        }
+        return new Statement.Evaluate(expr);
+    }
+
+    private boolean atEnd(int ahead) {
+        Token token = tokens.peek(ahead);
+        return token.is(TokenKind.END)
+                || token.is(";")
+                || token.is(",")
+                || token.is("&")
+                || token.is("|")
+                || token.is("}");
+    }
+
+    private Statement word() throws SyntaxError {
+        String word = tokens.peek().text();
+        if (SILENT_WORDS.contains(word) && atEnd(1)) {
+            return new Statement.Command(tokens.next().text());
+        }
+        return switch (word) {
+            case "var" -> declaration();
+            case "echo" -> echo();
+            case "stop", "freeze", "unfreeze", "block", "unblock" -> control();
+            case "group", "addgroup", "delgroup" -> grouping();
+            case "return" -> giveBack();
+            case "undef" -> undefine();
+            default -> controls.control();
+        };
+    }
+
+    private Statement named(Name name) throws SyntaxError {
+        if (tokens.match("=")) {
+            return new Statement.Assign(name, exprs.expr(), modifiers(), false);
+        }
+        if (tokens.at("+=") || tokens.at("-=")) {
+            return new Statement.Change(name, tokens.next().is("+=") ? 1 : -1, exprs.expr());
+        }
+        if (tokens.at("++") || tokens.at("--")) {
+            return new Statement.Change(name, tokens.next().is("++") ? 1 : -1, new Expr.Constant(Value.of(1)));
+        }
+        if (tokens.match("switch")) {
+            return new Statement.Power(name, null);
+        }
+        if (tokens.peek().is(TokenKind.NUMBER)) {
+            return new Statement.Power(name, tokens.next().number());
+        }
+        return new Statement.Evaluate(new Expr.Variable(name));
+    }
+
+    private Statement declaration() throws SyntaxError {
+        tokens.next();
+        Name name = exprs.name();
+        return tokens.match("=")
+                ? new Statement.Assign(name, exprs.expr(), modifiers(), true)
+                : new Statement.Declare(name);
+    }
+
+    private Statement echo() throws SyntaxError {
+        tokens.next();
+        return new Statement.Echo(exprs.expr(), modifiers());
+    }
+
+    private Statement control() throws SyntaxError {
+        String word = tokens.next().text();
+        return new Statement.Control(word, tokens.expectName().text());
+    }
+
+    private Statement giveBack() throws SyntaxError {
+        tokens.next();
+        return new Statement.Return(atEnd(0) ? null : exprs.expr());
+    }
+
+    private Statement undefine() throws SyntaxError {
+        tokens.next();
+        return new Statement.Undefine(exprs.name());
+    }
+
+    private Statement grouping() throws SyntaxError {
+        int mark = tokens.mark();
+        String word = tokens.next().text();
+        String group = tokens.expect(TokenKind.IDENTIFIER).text();
+        if (!tokens.match("{")) {
+            tokens.reset(mark);
+            return new Statement.Evaluate(exprs.expr());
+        }
+        List<String> members = new ArrayList<>();
+        do {
+            members.add(tokens.expectName().text());
+        } while (tokens.match(","));
+        tokens.expect("}");
+        return new Statement.Grouping(word, group, List.copyOf(members));
+    }
+
+    private List<Modifier> modifiers() throws SyntaxError {
+        List<Modifier> modifiers = new ArrayList<>();
+        while (tokens.peek().is(TokenKind.IDENTIFIER) && tokens.peek(1).is(":")) {
+            String name = tokens.next().text();
+            tokens.next();
+            modifiers.add(new Modifier(name, exprs.expr()));
+        }
+        return List.copyOf(modifiers);
+    }
+}
