@@ -1,0 +1,35 @@
+package majicsim.aibo;
+
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+
+/** What happens when several assignments act on one variable (URBI sheet, section 6). */
+enum Blend {
+    NORMAL,
+    MIX,
+    ADD,
+    DISCARD,
+    QUEUE,
+    CANCEL;
+
+    static @Nullable Blend named(String name) {
+        for (Blend blend : values()) {
+            if (blend.word().equals(name)) {
+                return blend;
+            }
+        }
+        return null;
+    }
+
+    String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    double combine(double last, double sum, int writers) {
+        return switch (this) {
+            case MIX -> sum / writers;
+            case ADD -> sum;
+            case NORMAL, DISCARD, QUEUE, CANCEL -> last;
+        };
+    }
+}

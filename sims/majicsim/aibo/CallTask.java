@@ -1,0 +1,52 @@
+package majicsim.aibo;
+
+import java.util.List;
+
+/** A call of a function whose body is commands; it ends with the body or with a return in it. */
+final class CallTask extends Task {
+    private static final int MAX_DEPTH = 64;
+
+    private final Expr.Call call;
+    private final Task body;
+    private final Frame frame;
+
+    private CallTask(Context context, Expr.Call call, Frame frame, Task body) {
+        super(context);
+        this.call = call;
+        this.frame = frame;
+        this.body = body;
+    }
+
+    static CallTask of(Context context, Expr.Call call, Evaluator evaluator) throws Failure {
+        Frame frame = new Frame(context.frame());
+        if (frame.depth() > MAX_DEPTH) {
+            throw Failure.of("Stack overflow");
+        }
+        List<Value> arguments = evaluator.values(call.parts());
+        Task body = context.kernel().functions().start(context.withFrame(frame), call.function(), arguments);
+        return new CallTask(context, call, frame, body);
+    }
+
+    Expr.Call call() {
+        return call;
+    }
+
+    Value result() {
+        return frame.result();
+    }
+
+    @Override
+    protected boolean advance() {
+        boolean ended = body.step();
+        if (frame.hasReturned() && !ended) {
+            body.kill();
+            return true;
+        }
+        return ended;
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return List.of(body);
+    }
+}

@@ -1,0 +1,181 @@
+package majicsim.aibo;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import majicsim.net.Line;
+import org.jspecify.annotations.Nullable;
+
+/** One client: its command stream, its identity and what is on the way to it. */
+final class Connection {
+    /** The stick's CLIENT.INI has run in the connection before the client's first line (URBI sheet, section 11). */
+    private static final Place FIRST_PLACE = new Place(19, 1);
+
+    private static final int MAX_PREFIX = 1024;
+    private static final int MAX_WAITING = 20_000;
+    private static final int MAX_BINARY = 4 << 20;
+
+    private final Kernel kernel;
+    private final String id;
+    private final @Nullable Line line;
+    private final Splitter splitter = new Splitter();
+    private final Stream stream;
+    private final ByteArrayOutputStream output = new ByteArrayOutputStream();
+    private Place place = FIRST_PLACE;
+    private Statement.@Nullable AssignBinary binary;
+    private boolean closing;
+
+    /** @param line the client, or null for the kernel's own connection */
+    Connection(Kernel kernel, String id, @Nullable Line line) {
+        this.kernel = kernel;
+        this.id = id;
+        this.line = line;
+        stream = new Stream(context());
+    }
+
+    Kernel kernel() {
+        return kernel;
+    }
+
+    String id() {
+        return id;
+    }
+
+    @Nullable
+    Line line() {
+        return line;
+    }
+
+    Stream stream() {
+        return stream;
+    }
+
+    Context context() {
+        return new Context(this, null, Parser.NO_TAG);
+    }
+
+    String describe() {
+        String peer = line == null ? "0.0.0.0" : line.peer();
+        int port = peer.lastIndexOf(':');
+        return id + " (" + (port < 0 ? peer : peer.substring(0, port)) + ")";
+    }
+
+    /** Takes what the client sent; complete commands start if nothing holds them back. */
+    void received(byte[] bytes) {
+        splitter.feed(bytes);
+        boolean more = true;
+        while (more && !closing) {
+            more = binary != null ? takeBinary(binary) : takeCommand();
+        }
+        flush();
+    }
+
+    private boolean takeCommand() {
+        String text = splitter.next();
+        if (splitter.overflowed()) {
+            send("error", "!!! Receive buffer full");
+            send("error", "!!! Receive buffer corrupted");
+        }
+        if (text == null) {
+            return false;
+        }
+        parse(text);
+        return true;
+    }
+
+    private boolean takeBinary(Statement.AssignBinary waiting) {
+        byte[] bytes = splitter.take(waiting.size());
+        if (bytes == null) {
+            return false;
+        }
+        binary = null;
+        Statement filled = waiting.filled(new String(bytes, StandardCharsets.ISO_8859_1));
+        run(new Step(new Statement.Tagged(Parser.NO_TAG, List.of(), filled), false));
+        return true;
+    }
+
+    private void parse(String text) {
+        Place start = place;
+        Lexer lexer = new Lexer(text, start, (at, problem) -> send("error", "!!! " + at + ": " + problem));
+        Parser parser = new Parser(lexer.tokens());
+        try {
+            Step step = parser.command();
+            place = lexer.end();
+            if (step.statement() instanceof Statement.AssignBinary announced) {
+                announce(announced);
+            } else {
+                run(step);
+            }
+        } catch (SyntaxError error) {
+            // The real kernel goes on counting behind a command only if it had understood a part of it (captures A to
+            // C).
+            place = error.afterCommand() ? lexer.end() : start;
+            send("error", "!!! " + error.span() + ": " + error.getMessage());
+        }
+    }
+
+    private void announce(Statement.AssignBinary announced) {
+        if (announced.size() > MAX_BINARY) {
+            send("error", "!!! Receive buffer full");
+        } else {
+            binary = announced;
+        }
+    }
+
+    private void run(Step step) {
+        if (stream.waiting() >= MAX_WAITING) {
+            send("error", "!!! Out of memory");
+        } else if (!(step.statement() instanceof Statement.Empty)) {
+            stream.add(step);
+        }
+    }
+
+    /** Lets something run in the background that the client did not ask for. */
+    void watch(Task task) {
+        stream.adopt(new TaggedTask(task.context, List.of(), task));
+    }
+
+    /** Steps everything that runs in this connection. */
+    void cycle() {
+        stream.step();
+        flush();
+    }
+
+    /** Answers with a value; a binary has no line end behind its bytes. */
+    void reply(String tag, Value value) {
+        write(prefix(tag) + value.print() + (value instanceof Value.Binary ? "" : "\n"));
+    }
+
+    /** Sends one line. */
+    void send(String tag, String body) {
+        write(prefix(tag) + body + "\n");
+    }
+
+    /** Closes it from the server's side, after what was sent. */
+    void quit() {
+        closing = true;
+        stream.kill();
+        flush();
+        if (line != null) {
+            line.close();
+        }
+        kernel.remove(this);
+    }
+
+    void flush() {
+        if (output.size() > 0 && line != null && line.isOpen()) {
+            line.send(output.toByteArray());
+        }
+        output.reset();
+    }
+
+    private String prefix(String tag) {
+        String prefix = String.format(Locale.ROOT, "[%08d:%s] ", (long) kernel.timestampMs(), tag);
+        return prefix.length() > MAX_PREFIX ? prefix.substring(0, MAX_PREFIX) : prefix;
+    }
+
+    private void write(String text) {
+        output.writeBytes(text.getBytes(StandardCharsets.ISO_8859_1));
+    }
+}

@@ -1,0 +1,45 @@
+package majicsim.aibo;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * On whose behalf a command runs: its connection, the function call it belongs to (null outside of one) and the tag of its replies.
+ */
+record Context(Connection connection, @Nullable Frame frame, String tag) {
+    Context withTag(String other) {
+        return new Context(connection, frame, other);
+    }
+
+    Context withFrame(Frame other) {
+        return new Context(connection, other, tag);
+    }
+
+    Kernel kernel() {
+        return connection.kernel();
+    }
+
+    double nowMs() {
+        return kernel().nowMs();
+    }
+
+    /** Whether the function that this is a part of has returned, so that nothing further of it may run. */
+    boolean isLeft() {
+        return frame != null && frame.hasReturned();
+    }
+
+    void reply(Value value) {
+        connection.reply(tag, value);
+    }
+
+    void info(String text) {
+        connection.send(tag, "*** " + text);
+    }
+
+    void error(String text) {
+        connection.send(tag, "!!! " + text);
+    }
+
+    void report(Failure failure) {
+        failure.lines().forEach(this::error);
+    }
+}

@@ -1,0 +1,101 @@
+package majicsim.aibo;
+
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** What the commands that take no time do; each gives the task that goes on, or null. */
+final class Effects {
+    private Effects() {}
+
+    static @Nullable Task reply(Context context, Value value) {
+        if (!(value instanceof Value.Void)) {
+            context.reply(value);
+        }
+        return null;
+    }
+
+    static @Nullable Task change(Context context, Statement.Change change, Value amount) throws Failure {
+        Variable variable = variable(context, change.target());
+        double sum = Operators.number(variable.target()) + change.sign() * Operators.number(amount);
+        variable.submit(sum, context.kernel().pass());
+        return null;
+    }
+
+    static @Nullable Task declare(Context context, Name name) throws Failure {
+        if (context.frame() != null) {
+            context.frame().declare(name.text(), Value.VOID);
+        } else {
+            context.kernel().variables().targets(context, name);
+        }
+        return null;
+    }
+
+    static @Nullable Task power(Context context, Statement.Power power) throws Failure {
+        Name load = Name.of(power.device().text() + ".load");
+        for (Variable variable : context.kernel().variables().targets(context, load)) {
+            boolean isOn = variable.read().isTrue();
+            double wanted = power.load() == null ? (isOn ? 0 : 1) : power.load();
+            variable.write(Value.of(wanted));
+        }
+        return null;
+    }
+
+    static @Nullable Task choose(Context context, Statement.If choice, Value test) {
+        Statement chosen = test.isTrue() ? choice.then() : choice.otherwise();
+        return chosen == null ? null : chosen.start(context);
+    }
+
+    static @Nullable Task define(Context context, Statement.Define definition) throws Failure {
+        context.kernel().functions().define(context, definition);
+        return null;
+    }
+
+    static @Nullable Task giveBack(Context context, List<Value> values) {
+        if (context.frame() != null) {
+            context.frame().giveBack(values.isEmpty() ? Value.VOID : values.get(0));
+        }
+        return null;
+    }
+
+    static @Nullable Task undefine(Context context, Name name) throws Failure {
+        String key = new Evaluator(context, Map.of()).key(name);
+        context.kernel().functions().remove(context, name);
+        context.kernel().variables().remove(context, key);
+        return null;
+    }
+
+    static @Nullable Task group(Context context, Statement.Grouping grouping) {
+        Groups groups = context.kernel().groups();
+        switch (grouping.word()) {
+            case "addgroup" -> groups.add(grouping.group(), grouping.members());
+            case "delgroup" -> groups.remove(grouping.group(), grouping.members());
+            default -> groups.define(grouping.group(), grouping.members());
+        }
+        return null;
+    }
+
+    static @Nullable Task echo(Context context, Value value, List<Modifier> options) throws Failure {
+        String audience = "";
+        for (Modifier option : options) {
+            if (option.name().equals("connection")) {
+                audience =
+                        option.value().value(new Evaluator(context, Map.of())).join();
+            }
+        }
+        for (Connection connection : context.kernel().audience(context.connection(), audience)) {
+            connection.send(context.tag(), "*** " + value.show());
+        }
+        return null;
+    }
+
+    private static Variable variable(Context context, Name name) throws Failure {
+        String key = new Evaluator(context, Map.of()).key(name);
+        Variable variable = context.kernel().variables().find(context, key);
+        if (variable == null) {
+            throw Failure.of(
+                    "Unknown identifier: " + context.kernel().variables().fullName(context, key));
+        }
+        return variable;
+    }
+}

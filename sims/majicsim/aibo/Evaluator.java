@@ -1,0 +1,107 @@
+package majicsim.aibo;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** Gives expressions their values on behalf of one command; changes nothing. */
+final class Evaluator {
+    private final Context context;
+    private final Map<Expr.Call, Value> results;
+
+    /** @param results what the calls that take time have given */
+    Evaluator(Context context, Map<Expr.Call, Value> results) {
+        this.context = context;
+        this.results = results;
+    }
+
+    List<Value> values(List<Expr> exprs) throws Failure {
+        List<Value> values = new ArrayList<>();
+        for (Expr expr : exprs) {
+            values.add(expr.value(this));
+        }
+        return values;
+    }
+
+    Value variable(Name name) throws Failure {
+        String key = key(name);
+        return suffixed(known(key, key), name.suffix());
+    }
+
+    Value property(Expr.Property property) throws Failure {
+        String key = key(property.name());
+        return known(key, key).properties().read(property.property());
+    }
+
+    Value items(Expr.Items list) throws Failure {
+        return new Value.Items(values(list.parts()));
+    }
+
+    Value members(String group) {
+        List<String> leaves = context.kernel().groups().leaves(group);
+        return new Value.Items(leaves.stream().map(Value::of).toList());
+    }
+
+    Value binary(Expr.Binary expr) throws Failure {
+        return Operators.apply(
+                expr.operator(), expr.left().value(this), expr.right().value(this));
+    }
+
+    Value unary(Expr.Unary expr) throws Failure {
+        Value operand = expr.operand().value(this);
+        return expr.operator().equals("!") ? Value.of(!operand.isTrue()) : Value.of(-Operators.number(operand));
+    }
+
+    Value call(Expr.Call call) throws Failure {
+        Value result = results.get(call);
+        if (result != null) {
+            return result;
+        }
+        String function = context.kernel().functions().key(context, call.function());
+        boolean asksOfName = function.equals("isdef") || function.equals("isvoid");
+        if (asksOfName && call.parts().size() == 1 && call.parts().get(0) instanceof Expr.Variable variable) {
+            return about(function, variable.name());
+        }
+        return context.kernel().functions().builtIn(context, call.function(), values(call.parts()));
+    }
+
+    /** The key under which a name's variable is stored. */
+    String key(Name name) throws Failure {
+        String text = name.computed() == null
+                ? name.text()
+                : name.computed().value(this).join();
+        StringBuilder key = new StringBuilder(text);
+        for (Value index : values(name.index())) {
+            key.append("__").append(index.join());
+        }
+        return key.toString();
+    }
+
+    private Value about(String function, Name name) throws Failure {
+        Variable variable = context.kernel().variables().find(context, key(name));
+        boolean isVoid = variable == null || variable.read() instanceof Value.Void;
+        return Value.of(function.equals("isdef") ? variable != null : isVoid);
+    }
+
+    private Variable known(String key, String shown) throws Failure {
+        Variable variable = context.kernel().variables().find(context, key);
+        if (variable == null) {
+            throw Failure.of(
+                    "Unknown identifier: " + context.kernel().variables().fullName(context, shown));
+        }
+        return variable;
+    }
+
+    private static Value suffixed(Variable variable, String suffix) throws Failure {
+        return switch (suffix) {
+            case "" -> variable.read();
+            case "'n" -> Value.of(variable.normalized());
+            case "'" -> Value.of(variable.profile().speed());
+            case "''" -> Value.of(variable.profile().acceleration());
+            case "'d" -> Value.of(variable.measured().speed());
+            case "'dd" -> Value.of(variable.measured().acceleration());
+            case "'e" -> Value.of(Operators.number(variable.target()) - Operators.number(variable.read()));
+            default -> throw Failure.inExpression();
+        };
+    }
+}

@@ -1,0 +1,44 @@
+package majicsim.aibo;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** One call of a function: its local variables and what it returned. */
+final class Frame {
+    private final Map<String, Variable> locals = new HashMap<>();
+    private final int depth;
+    private Value result = Value.VOID;
+    private boolean returned;
+
+    Frame(@Nullable Frame caller) {
+        depth = caller == null ? 1 : caller.depth + 1;
+    }
+
+    /** How many calls are inside each other here. */
+    int depth() {
+        return depth;
+    }
+
+    @Nullable
+    Variable local(String name) {
+        return locals.get(name);
+    }
+
+    void declare(String name, Value value) {
+        locals.put(name, new Variable(name, value));
+    }
+
+    void giveBack(Value value) {
+        result = value;
+        returned = true;
+    }
+
+    boolean hasReturned() {
+        return returned;
+    }
+
+    Value result() {
+        return result;
+    }
+}

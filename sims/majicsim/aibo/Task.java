@@ -1,0 +1,100 @@
+package majicsim.aibo;
+
+import java.util.List;
+
+/**
+ * A command that runs. The kernel steps it once a cycle until it has ended; time is counted from its first step, and stands
+ * still while it is frozen.
+ */
+abstract class Task {
+    protected final Context context;
+    private double startMs = Double.NaN;
+    private double frozenAtMs = Double.NaN;
+    private boolean over;
+
+    protected Task(Context context) {
+        this.context = context;
+    }
+
+    /** Does what is due now; true when the command has ended by itself. */
+    protected abstract boolean advance();
+
+    /** The running parts of this command. */
+    protected List<Task> parts() {
+        return List.of();
+    }
+
+    /** Called once when it ends, by itself or killed; what it holds must be let go. */
+    protected void ended() {}
+
+    /** Called when its time stands still (true) and when it goes on (false). */
+    protected void halted(boolean frozen) {}
+
+    /** Steps it; true when it has ended, however. */
+    final boolean step() {
+        if (over || isFrozen()) {
+            return over;
+        }
+        if (Double.isNaN(startMs)) {
+            startMs = context.nowMs();
+        }
+        if (advance() && !over) {
+            over = true;
+            ended();
+        }
+        return over;
+    }
+
+    final void kill() {
+        if (over) {
+            return;
+        }
+        over = true;
+        List.copyOf(parts()).forEach(Task::kill);
+        ended();
+    }
+
+    final void freeze() {
+        if (!over && !isFrozen()) {
+            frozenAtMs = context.nowMs();
+            parts().forEach(Task::freeze);
+            halted(true);
+        }
+    }
+
+    final void thaw() {
+        if (!over && isFrozen()) {
+            startMs += context.nowMs() - frozenAtMs;
+            frozenAtMs = Double.NaN;
+            parts().forEach(Task::thaw);
+            halted(false);
+        }
+    }
+
+    final boolean isOver() {
+        return over;
+    }
+
+    final boolean isFrozen() {
+        return !Double.isNaN(frozenAtMs);
+    }
+
+    /** When it was stepped first, later by the time it was frozen. */
+    final double startMs() {
+        return startMs;
+    }
+
+    final double elapsedMs() {
+        return context.nowMs() - startMs;
+    }
+
+    /** A command that ends at once and does nothing. */
+    static Task done(Context context) {
+        return new Task(context) {
+            @Override
+            protected boolean advance() {
+                return true;
+            }
+        };
+    }
+}
