@@ -1,0 +1,110 @@
+package majicsim.aibo;
+
+import majicsim.net.Firmware;
+import majicsim.net.Line;
+import majicsim.world.Body;
+import majicsim.world.Noise;
+import majicsim.world.Pose;
+import majicsim.world.World;
+
+/**
+ * A simulated Aibo ERS-7 with an URBI 1.0 server, for any number of clients. Its motors are loose until {@code motors on}. It lives
+ * on lab time: the kernel's cycle is 32 ms, and a command that nothing holds back runs as soon as it comes. Guarded by the lab's lock.
+ */
+public final class AiboRobot implements Firmware {
+    private static final double FRONT_MM = 150;
+    private static final double REAR_MM = 120;
+    private static final double HALF_WIDTH_MM = 70;
+    private static final double ROUNDING_MS = 1e-6;
+
+    private final Kernel kernel = new Kernel();
+    private final Battery battery = new Battery();
+    private final Body body;
+    private final Devices devices;
+    private final Sensors sensors;
+    private final Gait gait;
+    private double stepMs = 4;
+    private double nextCycleMs = Kernel.CYCLE_MS;
+
+    /**
+     * Puts a dog into a room.
+     *
+     * @param world where it lives; its body is added
+     * @param start where it lies first
+     * @param noise exact for a dog that keeps to the sheet's tables
+     */
+    public AiboRobot(World world, Pose start, Noise noise) {
+        Noise own = noise.fork("aibo");
+        body = Body.box("aibo", FRONT_MM, REAR_MM, HALF_WIDTH_MM, start);
+        world.add(body);
+        devices = new Devices(kernel.variables(), kernel.groups());
+        sensors = new Sensors(world, body, own.fork("sensors"));
+        gait = new Gait(body, devices.legs(), own.fork("gait"));
+        install(own);
+    }
+
+    /**
+     * Its body in the room.
+     *
+     * @return the body that the gait moves
+     */
+    public Body body() {
+        return body;
+    }
+
+    /**
+     * Touches the dog, or lets go of it.
+     *
+     * @param sensor a touch sensor's URBI name, such as backSensorM
+     * @param value what it feels from now on, in its own unit; 0 is nothing
+     * @throws IllegalArgumentException if there is no such touch sensor; nothing changes
+     */
+    public void touch(String sensor, double value) {
+        sensors.touch(sensor, value);
+    }
+
+    @Override
+    public void connected(Line line) {
+        Connection connection = kernel.connect(line);
+        connection.watch(new PowerMonitor(connection.context().withTag("power"), battery));
+    }
+
+    @Override
+    public void received(Line line, byte[] bytes) {
+        kernel.received(line, bytes);
+        gait.drive(kernel.nowMs(), stepMs);
+    }
+
+    @Override
+    public void disconnected(Line line) {
+        kernel.disconnected(line);
+        gait.drive(kernel.nowMs(), stepMs);
+    }
+
+    @Override
+    public void step(double seconds) {
+        stepMs = seconds * 1000;
+        double before = kernel.nowMs();
+        kernel.advanceTo(before + stepMs);
+        gait.count(before, stepMs);
+        devices.joints().values().forEach(joint -> joint.step(seconds));
+        battery.drain(seconds);
+        if (kernel.nowMs() >= nextCycleMs - ROUNDING_MS) {
+            nextCycleMs += Kernel.CYCLE_MS;
+            kernel.cycle();
+        }
+        gait.drive(kernel.nowMs(), stepMs);
+    }
+
+    private void install(Noise noise) {
+        BuiltIns.install(kernel, noise.fork("random"));
+        sensors.install(kernel.variables(), devices.joints(), devices.legs());
+        Functions functions = kernel.functions();
+        functions.lasting("robot.walk", 1, GaitTask.function(gait, false));
+        functions.lasting("robot.turn", 1, GaitTask.function(gait, true));
+        functions.builtIn(
+                "robot.MyguessPosition", arguments -> Value.of(devices.legs().guess()));
+        functions.builtIn("power", arguments -> Value.of(battery.percent() / 100.0));
+        kernel.load(StickScript.PROGRAM);
+    }
+}

@@ -1,0 +1,22 @@
+package majicsim.aibo;
+
+/** The charge of the dog: an hour and a half from full to empty. */
+final class Battery {
+    private static final double FIRST = 0.87;
+    private static final double LASTS_SEC = 5400;
+
+    private double charge = FIRST;
+
+    /** From 0 to 1. */
+    double charge() {
+        return charge;
+    }
+
+    int percent() {
+        return (int) Math.floor(charge * 100 + 1e-9);
+    }
+
+    void drain(double seconds) {
+        charge = Math.max(0, charge - seconds / LASTS_SEC);
+    }
+}

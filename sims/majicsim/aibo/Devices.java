@@ -1,0 +1,107 @@
+package majicsim.aibo;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/** The dog's devices and their groups (URBI sheet, section 13). */
+final class Devices {
+    private static final List<String> BACK_LEDS = List.of("ledBFC", "ledBFW", "ledBMC", "ledBMW", "ledBRC", "ledBRW");
+    private static final List<String> HEAD_LEDS = List.of("ledHC", "ledHW", "modeR", "modeG", "modeB", "ledWIFI");
+    private static final List<String> LEG_NAMES = List.of("RF", "RH", "LF", "LH");
+
+    private final Map<String, Joint> joints = new LinkedHashMap<>();
+    private final Variables variables;
+    private final Groups groups;
+
+    Devices(Variables variables, Groups groups) {
+        this.variables = variables;
+        this.groups = groups;
+        Stream.concat(JointType.HEAD_AND_TAIL.stream(), JointType.LEGS.stream()).forEach(this::joint);
+        JointType.LEGS.forEach(type -> joint(type.name()).angle().properties().blend(Blend.MIX));
+        faceLeds().forEach(this::lamp);
+        Stream.concat(BACK_LEDS.stream(), HEAD_LEDS.stream()).forEach(this::lamp);
+        List.of("earL", "earR").forEach(this::lamp);
+        group();
+        legGroups();
+    }
+
+    Map<String, Joint> joints() {
+        return joints;
+    }
+
+    Legs legs() {
+        return new Legs(JointType.LEGS.stream().map(type -> joint(type.name())).toList());
+    }
+
+    private void joint(JointType type) {
+        Joint joint = new Joint(type);
+        joints.put(type.name(), joint);
+        variables.put(joint.angle());
+        variables.put(joint.load());
+        variables.put(new Variable(type.name() + ".force", Value.of(0)));
+    }
+
+    private Joint joint(String name) {
+        return Objects.requireNonNull(joints.get(name), name);
+    }
+
+    /** A lamp or an ear: it shows what it is told, within 0 to 1. */
+    private void lamp(String name) {
+        Variable variable = new Variable(name + ".val", Value.of(0));
+        variable.properties().range(0, 1);
+        variables.put(variable);
+    }
+
+    private void group() {
+        groups.define("head", List.of("neck", "headPan", "headTilt", "mouth"));
+        groups.define("tail", List.of("tailPan", "tailTilt"));
+        groups.define("ears", List.of("earL", "earR"));
+        groups.define("bimotors", List.of("ears"));
+        groups.define("ledF", faceLeds());
+        groups.define("ledBW", List.of("ledBFW", "ledBMW", "ledBRW"));
+        groups.define("ledBC", List.of("ledBFC", "ledBMC", "ledBRC"));
+        groups.define("ledHead", List.of("ledHC", "ledHW"));
+        groups.define(
+                "leds",
+                Stream.of(faceLeds(), BACK_LEDS, HEAD_LEDS)
+                        .flatMap(List::stream)
+                        .toList());
+        groups.define("legs", LEG_NAMES.stream().map(leg -> "leg" + leg).toList());
+        groups.define("motors", List.of("head", "tail", "legs"));
+        groups.define("motor", List.of("motors"));
+        groups.define("hardware", List.of("motors", "bimotors", "leds"));
+        groups.define("objects", List.of("hardware"));
+        groups.define("body", List.of("hardware"));
+    }
+
+    private void legGroups() {
+        for (String leg : LEG_NAMES) {
+            groups.define("leg" + leg, joints(List.of(leg), List.of(1, 2, 3)));
+        }
+        for (int joint = 1; joint <= 3; joint++) {
+            List<Integer> number = List.of(joint);
+            groups.define("leg" + joint, joints(LEG_NAMES, number));
+            groups.define("legF" + joint, joints(List.of("RF", "LF"), number));
+            groups.define("legH" + joint, joints(List.of("RH", "LH"), number));
+            groups.define("legR" + joint, joints(List.of("RF", "RH"), number));
+            groups.define("legL" + joint, joints(List.of("LF", "LH"), number));
+            groups.define("legE" + joint, joints(List.of("RF", "LH"), number));
+            groups.define("legO" + joint, joints(List.of("LF", "RH"), number));
+        }
+    }
+
+    private static List<String> joints(List<String> legs, List<Integer> numbers) {
+        List<String> names = new ArrayList<>();
+        legs.forEach(leg -> numbers.forEach(number -> names.add("leg" + leg + number)));
+        return names;
+    }
+
+    private static List<String> faceLeds() {
+        return IntStream.rangeClosed(1, 14).mapToObj(i -> "ledF" + i).toList();
+    }
+}

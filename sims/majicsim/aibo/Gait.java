@@ -1,0 +1,89 @@
+package majicsim.aibo;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import majicsim.world.Body;
+import majicsim.world.Noise;
+
+/**
+ * What walking and turning do to the body. Nominal: 83.333 mm/s and 36 deg/s at one gait cycle a second (URBI sheet, section 15,
+ * calibration); walks under way at once are averaged, as the legs are blended. A real dog's steps differ and drift, and backward it is
+ * slower; an exact lab has none of that.
+ */
+final class Gait {
+    static final double MM_PER_CYCLE = 83.333;
+    static final double DEG_PER_CYCLE = 36;
+
+    private static final double STEP_SPREAD = 0.04;
+    private static final double BACKWARD_SHARE = 0.8;
+
+    private final Body body;
+    private final Noise noise;
+    private final Legs legs;
+    private final double driftDegPerMm;
+    private final List<GaitTask> active = new ArrayList<>();
+    private double stepFactor = 1;
+    private double cycles;
+
+    Gait(Body body, Legs legs, Noise noise) {
+        this.body = body;
+        this.legs = legs;
+        this.noise = noise;
+        double side = noise.isExact() ? 0 : noise.chance(0.5) ? 1 : -1;
+        driftDegPerMm = side * noise.uniform(3, 5) / 1000;
+    }
+
+    Noise noise() {
+        return noise;
+    }
+
+    void add(GaitTask task) {
+        active.add(task);
+    }
+
+    void remove(GaitTask task) {
+        active.remove(task);
+    }
+
+    /** How far into its gait cycles the dog is. */
+    double cycles() {
+        return cycles;
+    }
+
+    /** Moves the legs; called once a kernel cycle while somebody walks. */
+    void swing(GaitTask task, long pass) {
+        Map<Variable, Double> angles = legs.swing(task.isTurn(), Math.signum(task.cyclesPerMs()), cycles);
+        angles.forEach((joint, degrees) -> joint.submit(degrees, pass));
+    }
+
+    /** Gives the body the mean velocity of the lab step that begins now: motions that end within it count for their share. */
+    void drive(double nowMs, double stepMs) {
+        double ahead = 0;
+        double turn = 0;
+        int count = 0;
+        for (GaitTask task : active) {
+            double share = task.overlapMs(nowMs, stepMs);
+            if (share > 0) {
+                ahead += task.isTurn() ? 0 : share * task.cyclesPerMs() * MM_PER_CYCLE;
+                turn += task.isTurn() ? share * task.cyclesPerMs() * DEG_PER_CYCLE : 0;
+                count++;
+            }
+        }
+        boolean moves = count > 0 && legs.carry();
+        double perSec = moves ? 1000 / stepMs / count : 0;
+        double mmPerSec = ahead * perSec * stepFactor * (ahead < 0 && !noise.isExact() ? BACKWARD_SHARE : 1);
+        body.velocity(mmPerSec, turn * perSec * stepFactor + Math.abs(mmPerSec) * driftDegPerMm);
+    }
+
+    /** Counts the gait cycles of the lab step that has passed; each half of one is a step with a length of its own. */
+    void count(double fromMs, double stepMs) {
+        double before = cycles;
+        for (GaitTask task : active) {
+            cycles += Math.abs(task.cyclesPerMs()) * task.overlapMs(fromMs, stepMs) / active.size();
+        }
+        if (Math.floor(2 * before) != Math.floor(2 * cycles)) {
+            stepFactor = noise.scale(STEP_SPREAD);
+        }
+    }
+}

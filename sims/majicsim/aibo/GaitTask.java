@@ -1,0 +1,79 @@
+package majicsim.aibo;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * One walk or turn of a given time. The body moves from its first step on for exactly that time in an exact lab, and up to two kernel
+ * cycles longer otherwise, as it was measured (URBI sheet, section 3); the command ends at the cycle after.
+ */
+final class GaitTask extends Task {
+    private final Gait gait;
+    private final boolean turn;
+    private final double durationMs;
+    private final double cyclesPerMs;
+    private boolean begun;
+
+    GaitTask(Context context, Gait gait, boolean turn, double ms, double cycleMs) {
+        super(context);
+        this.gait = gait;
+        this.turn = turn;
+        double late = gait.noise().isExact() || ms == 0 ? 0 : gait.noise().uniform(0, 2 * Kernel.CYCLE_MS);
+        durationMs = Math.abs(ms) + late;
+        cyclesPerMs = Math.signum(ms) / Math.max(1, Math.abs(cycleMs));
+    }
+
+    /** {@code robot.walk} or {@code robot.turn} under the tag by which the stick's own functions stop it. */
+    static Functions.Lasting function(Gait gait, boolean turn) {
+        String word = turn ? "turn" : "walk";
+        return (context, arguments) -> {
+            double ms = Operators.number(arguments.get(0));
+            Name speed = Name.of("robot." + word + "speed");
+            double cycleMs = Operators.number(new Evaluator(context, Map.of()).variable(speed));
+            return new TaggedTask(context.withTag(word), List.of(), new GaitTask(context, gait, turn, ms, cycleMs));
+        };
+    }
+
+    boolean isTurn() {
+        return turn;
+    }
+
+    /** Gait cycles a millisecond, negative backward or clockwise. */
+    double cyclesPerMs() {
+        return cyclesPerMs;
+    }
+
+    /** How much of a lab step it moves. */
+    double overlapMs(double fromMs, double stepMs) {
+        double begin = Math.max(fromMs, startMs());
+        double end = Math.min(fromMs + stepMs, startMs() + durationMs);
+        return Math.max(0, end - begin);
+    }
+
+    @Override
+    protected boolean advance() {
+        if (!begun) {
+            begun = true;
+            gait.add(this);
+        }
+        boolean over = elapsedMs() >= durationMs;
+        if (!over) {
+            gait.swing(this, context.kernel().pass());
+        }
+        return over;
+    }
+
+    @Override
+    protected void ended() {
+        gait.remove(this);
+    }
+
+    @Override
+    protected void halted(boolean frozen) {
+        if (frozen) {
+            gait.remove(this);
+        } else if (begun) {
+            gait.add(this);
+        }
+    }
+}

@@ -1,0 +1,32 @@
+package majicsim.aibo;
+
+import java.util.List;
+
+/**
+ * A motor of the ERS-7 as the sheet's section 13 lists it.
+ *
+ * @param restDeg where it lies before the motors are switched on
+ */
+record JointType(String name, double minDeg, double maxDeg, double restDeg) {
+    /** The twelve joints of the legs, in the order of the groups. */
+    static final List<JointType> LEGS = java.util.stream.Stream.of("RF", "RH", "LF", "LH")
+            .flatMap(leg -> java.util.stream.Stream.of(
+                    leg.startsWith("R") ? leg(leg, 1, -134, 120) : leg(leg, 1, -120, 134),
+                    leg(leg, 2, -9, 91),
+                    leg(leg, 3, -29, 119)))
+            .toList();
+
+    /** Head and tail. */
+    static final List<JointType> HEAD_AND_TAIL = List.of(
+            new JointType("neck", -79, 2, 0),
+            new JointType("headPan", -91, 91, 0),
+            new JointType("headTilt", -16, 44, 0),
+            new JointType("mouth", -58, -3, -3),
+            new JointType("tailPan", -59, 59, 0),
+            new JointType("tailTilt", 2, 63, 2));
+
+    private static JointType leg(String leg, int joint, double minDeg, double maxDeg) {
+        double rest = Posture.LAY.angleDeg(leg.endsWith("F"), joint);
+        return new JointType("leg" + leg + joint, minDeg, maxDeg, Math.max(minDeg, Math.min(maxDeg, rest)));
+    }
+}

@@ -1,0 +1,75 @@
+package majicsim.aibo;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The twelve joints of the legs together: the swing of a gait, whether they carry, and the posture they are in. */
+final class Legs {
+    /** Half of the legs' stiffness is needed to stand on them. */
+    private static final double CARRYING_LOAD = 0.5;
+
+    private static final double GUESS_TOLERANCE_DEG = 12;
+    private static final double GAIT_TOLERANCE_DEG = 35;
+    private static final double SECOND_HARMONIC = 0.2;
+    private static final double[][] WALK_SWING_DEG = {{29, 4.4, 27}, {29, 4.7, 23}};
+    private static final double[][] TURN_SWING_DEG = {{15, 16, 22}, {12, 13, 21}};
+    private static final double[][] TURN_MEAN_DEG = {{-19.4, 17.8, 82.2}, {-20.0, 12.8, 89.3}};
+
+    private final List<Joint> joints;
+
+    Legs(List<Joint> joints) {
+        this.joints = joints;
+    }
+
+    /** Whether the motors are stiff enough for the gait to move the body. */
+    boolean carry() {
+        return joints.stream().mapToDouble(Joint::stiffness).average().orElse(0) >= CARRYING_LOAD;
+    }
+
+    /** The commands of a gait: first and second harmonic about its mean (URBI sheet, section 15). */
+    Map<Variable, Double> swing(boolean turn, double direction, double cycles) {
+        Map<Variable, Double> angles = new HashMap<>();
+        for (Joint joint : joints) {
+            int row = isFront(joint) ? 0 : 1;
+            int column = number(joint) - 1;
+            double mean = turn ? TURN_MEAN_DEG[row][column] : Posture.WALKING.angleDeg(row == 0, column + 1);
+            double swing = (turn ? TURN_SWING_DEG : WALK_SWING_DEG)[row][column];
+            double phase = 2 * Math.PI * (direction * cycles + shift(joint, row) + 0.25 * column);
+            double wave = Math.sin(phase) + SECOND_HARMONIC * Math.sin(2 * phase);
+            angles.put(joint.angle(), mean + swing * wave / (1 + SECOND_HARMONIC));
+        }
+        return angles;
+    }
+
+    /** {@code stand}, {@code sit}, {@code lay} or {@code unknown}, by the measured angles. */
+    String guess() {
+        for (Posture posture : Posture.values()) {
+            double tolerance = posture == Posture.WALKING ? GAIT_TOLERANCE_DEG : GUESS_TOLERANCE_DEG;
+            if (joints.stream().allMatch(joint -> isNear(joint, posture, tolerance))) {
+                return posture.guess();
+            }
+        }
+        return "unknown";
+    }
+
+    private static boolean isNear(Joint joint, Posture posture, double toleranceDeg) {
+        double asked = posture.angleDeg(isFront(joint), number(joint));
+        double reachable = Math.max(joint.type().minDeg(), Math.min(joint.type().maxDeg(), asked));
+        return Math.abs(joint.degrees() - reachable) <= toleranceDeg;
+    }
+
+    /** Left and right go in antiphase, and so do front and hind of one side. */
+    private static double shift(Joint joint, int row) {
+        boolean left = joint.type().name().startsWith("legL");
+        return (left ? 0.5 : 0) + (row == 1 ? 0.5 : 0);
+    }
+
+    private static boolean isFront(Joint joint) {
+        return joint.type().name().charAt(4) == 'F';
+    }
+
+    private static int number(Joint joint) {
+        return joint.type().name().charAt(5) - '0';
+    }
+}

@@ -1,0 +1,44 @@
+package majicsim.aibo;
+
+/**
+ * The programs on the simulated memory stick: what the stick's functions do and how long they take (URBI sheet, section 15), in
+ * words of our own.
+ */
+final class StickScript {
+    static final String PROGRAM = """
+            robot.walkspeed = 1000; robot.turnspeed = 1000;
+            system.name = "ERS-7"; global.name = "ERS-7";
+            function robot.stopwalk() { stop walk };
+            function robot.stopturn() { stop turn };
+            function robot.pose(n, f1, f2, f3, h1, h2, h3, ms) {
+              { neck.val = n time:1000 & headPan.val = 0 time:1000 & headTilt.val = 0 time:1000 & tailPan.val = 0 time:1000 }
+              | robot.place(f1, f2, f3, h1, h2, h3, ms)
+            };
+            function robot.place(f1, f2, f3, h1, h2, h3, ms) {
+              legF1.val = f1 time:ms & legF2.val = f2 time:ms & legF3.val = f3 time:ms &
+              legH1.val = h1 time:ms & legH2.val = h2 time:ms & legH3.val = h3 time:ms
+            };
+            function robot.stand() { robot.pose(0, -20, 25, 90, -25, 10, 80, 2000) };
+            function robot.sit() { robot.pose(-40, -45, -10, 10, -75, 15, 120, 2000) };
+            function robot.beg() { robot.pose(-25, -20, 5, 115, -55, -10, 115, 2000) };
+            function robot.lay() { robot.place(0, -5, 40, -120, 0, 120, 2000) };
+            function robot.stretch() { robot.place(60, 0, 20, -20, 10, 60, 2000) };
+            function robot.initial() { robot.stretch() | robot.place(55, -5, 40, -120, 0, 120, 1900) };
+            function robot.StandUp() {
+              if (robot.MyguessPosition() == "stand") wait(300)
+              else { robot.pose(-25, -6, 3.5, 30, -6, 3.5, 30, 6000) | headTilt.val = 22 time:300 }
+            };
+            function robot.SitDown() {
+              if (robot.MyguessPosition() == "sit") wait(300)
+              else { robot.pose(-40, -26, -6, 20, -80, 19, 110, 10500) | headTilt.val = 5 time:300 }
+            };
+            function robot.LayDown() {
+              if (robot.MyguessPosition() == "lay") wait(300)
+              else robot.pose(0, 0, -5, 40, -120, 0, 120, 3200)
+            };
+            anim: { ledF12.val = 1 & ledBFW.val = 0.5 sin:4s ampli:0.5 & ledBMW.val = 0.5 sin:4s ampli:0.5 phase:-1
+              & ledBRW.val = 0.5 sin:4s ampli:0.5 phase:-2 },
+            """;
+
+    private StickScript() {}
+}
