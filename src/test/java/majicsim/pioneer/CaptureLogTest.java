@@ -29,9 +29,8 @@ class CaptureLogTest {
     void everythingTheClientSaidIsUnderstood() {
         PacketReader reader = new PacketReader();
         List<Packet> packets = reader.feed(said("C>"));
-        assertThat(packets)
-                .hasSizeGreaterThan(100)
-                .allMatch(packet -> Command.of(packet.id()).isPresent());
+        assertThat(packets).hasSizeGreaterThan(80);
+        assertThat(packets).allMatch(packet -> Command.of(packet.id()).isPresent());
         assertThat(reader.skippedBytes()).isZero();
     }
 
