@@ -18,6 +18,7 @@ final class Board {
 
     private final PioneerModel model;
     private final String name;
+    private final World world;
     private final Body body;
     private final Pose start;
     private final Drive drive;
@@ -30,6 +31,7 @@ final class Board {
     Board(World world, Body body, PioneerModel model, String name, Noise noise) {
         this.model = model;
         this.name = name;
+        this.world = world;
         this.body = body;
         this.start = body.pose();
         this.drive = new Drive(body, model, noise.fork("wheels"));
@@ -89,8 +91,12 @@ final class Board {
         analogPort = port;
     }
 
-    /** SIM_SET_POSE: puts the robot elsewhere in the room; where there is no room it stays. Odometry does not notice. */
+    /** SIM_SET_POSE: puts the robot elsewhere in the room; where it does not fit it stays. Odometry does not notice. */
     void place(Pose pose) {
+        if (!world.room().bounds().contains(pose.xMm(), pose.yMm())) {
+            LOG.log(System.Logger.Level.INFO, "pioneer stays where it is: {0} is outside the room", pose);
+            return;
+        }
         try {
             body.place(pose);
         } catch (IllegalArgumentException e) {
@@ -111,7 +117,13 @@ final class Board {
     }
 
     byte[] config() {
-        return new ConfigReport(name, model, MotionLimits.tops(model), drive.limits(), sonar.cycleMs(), TICKS_PER_MM)
+        return new ConfigReport(
+                        name,
+                        model,
+                        MotionLimits.tops(model),
+                        drive.limits(),
+                        Math.min(255, sonar.cycleMs()),
+                        TICKS_PER_MM)
                 .toBytes();
     }
 

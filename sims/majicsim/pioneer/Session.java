@@ -120,9 +120,10 @@ final class Session {
         drive().wheels(left * unit, right * unit);
     }
 
-    /** SIM_MESSAGE. */
+    /** SIM_MESSAGE: into the log, without what would upset a terminal. */
     void show(String text) {
-        LOG.log(System.Logger.Level.INFO, "pioneer: message from the client: {0}", text);
+        String printable = text.replaceAll("[^\\x20-\\x7E]", "?");
+        LOG.log(System.Logger.Level.INFO, "pioneer: message from the client: {0}", printable);
     }
 
     void send(byte[] packet) {

@@ -81,8 +81,13 @@ final class Rig {
 
     /** Sends a command with these bytes behind its number. */
     Rig packet(int id, String data) {
+        return packet(id, Hex.bytes(data));
+    }
+
+    /** Sends a command with these bytes behind its number. */
+    Rig packet(int id, byte[] data) {
         PacketWriter packet = new PacketWriter(id);
-        for (byte b : Hex.bytes(data)) {
+        for (byte b : data) {
             packet.uint8(b);
         }
         robot.received(line, packet.toBytes());
