@@ -94,13 +94,13 @@ final class Board {
     /** SIM_SET_POSE: puts the robot elsewhere in the room; where it does not fit it stays. Odometry does not notice. */
     void place(Pose pose) {
         if (!world.room().bounds().contains(pose.xMm(), pose.yMm())) {
-            LOG.log(System.Logger.Level.INFO, "pioneer stays where it is: {0} is outside the room", pose);
+            LOG.log(System.Logger.Level.DEBUG, "pioneer stays where it is: {0} is outside the room", pose);
             return;
         }
         try {
             body.place(pose);
         } catch (IllegalArgumentException e) {
-            LOG.log(System.Logger.Level.INFO, "pioneer stays where it is: {0}", e.getMessage());
+            LOG.log(System.Logger.Level.DEBUG, "pioneer stays where it is: {0}", e.getMessage());
         }
     }
 

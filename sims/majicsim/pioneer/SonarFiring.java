@@ -45,7 +45,7 @@ final class SonarFiring {
     /** SONAR: bit 0 on or off; the bits above choose one array, counted from 1, or all with 0. */
     void switchArrays(int argument) {
         int array = argument >> 1;
-        if (array > ARRAYS) {
+        if (array < 0 || array > ARRAYS) {
             return;
         }
         int mask = array == 0 ? (1 << ARRAYS) - 1 : 1 << (array - 1);

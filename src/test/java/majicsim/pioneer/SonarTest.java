@@ -47,6 +47,8 @@ class SonarTest {
         rig.nextSip();
         assertThat(rig.nextSip().flags()).isEqualTo(0x1A);
         assertThat(rig.nextSip().sonar().keySet()).allMatch(disc -> disc < 8);
+        assertThat(rig.command(SONAR, 5 << 1).command(SONAR, -5).nextSip().flags())
+                .isEqualTo(0x1A);
     }
 
     @ParameterizedTest
