@@ -171,18 +171,4 @@ class SessionTest {
         Rig rig = Rig.open().packet(224, "3B 88 13 00 00 00 00 00 00 00 00 00 00");
         assertThat(rig.pose()).isEqualTo(new Pose(0, 0, 0));
     }
-
-    @Test
-    void aSerialLineStaysOpenAfterCloseAndShakesHandsAgain() {
-        Rig rig = Rig.silent();
-        rig.robot.disconnected(rig.line);
-        FakeLine serial = new FakeLine();
-        byte[] hands = Hex.bytes("57 4D 53 32 0D FA FB 03 00 00 00 FA FB 03 01 00 01 FA FB 03 02 00 02");
-        for (int i = 0; i < 2; i++) {
-            rig.robot.serialPort().received(serial, hands);
-            assertThat(serial.take()).hasSize(3);
-            rig.robot.serialPort().received(serial, Hex.bytes("FA FB 03 01 00 01 FA FB 03 02 00 02"));
-            assertThat(serial.isOpen()).isTrue();
-        }
-    }
 }
