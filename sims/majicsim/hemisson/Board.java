@@ -1,0 +1,43 @@
+package majicsim.hemisson;
+
+import java.util.Arrays;
+
+/** What sits on the robot's board and keeps a state: LEDs, buzzer, switches as last read, TV code, pins. */
+final class Board {
+    static final int LEDS = 4;
+    static final int PINS = 3;
+
+    final boolean[] leds = new boolean[LEDS];
+    final boolean[] pins = new boolean[PINS];
+    boolean buzzer;
+    int tvCode;
+    private String switches;
+    private String switchesSeen;
+
+    Board(String switches) {
+        this.switches = switches;
+        this.switchesSeen = switches;
+    }
+
+    /** Somebody moves the switches; the firmware sees it with its next round. */
+    void moveSwitches(String to) {
+        switches = to;
+    }
+
+    void readSwitches() {
+        switchesSeen = switches;
+    }
+
+    /** Four characters in the order of command I. */
+    String switches() {
+        return switchesSeen;
+    }
+
+    void reset() {
+        Arrays.fill(leds, false);
+        Arrays.fill(pins, false);
+        buzzer = false;
+        tvCode = 0;
+        readSwitches();
+    }
+}

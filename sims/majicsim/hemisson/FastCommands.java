@@ -1,0 +1,59 @@
+package majicsim.hemisson;
+
+/** The binary commands {@code !}, {@code &} and {@code *} (sheet 4.3). Their bytes travel as Latin-1 characters. */
+final class FastCommands {
+    private static final char VERSION = 1;
+    private static final char REVISION = 50;
+
+    private final CommandBuffer buffer;
+    private final Motors motors;
+    private final InfraRed infraRed;
+    private final Board board;
+    private final Power power;
+
+    FastCommands(CommandBuffer buffer, Motors motors, InfraRed infraRed, Board board, Power power) {
+        this.buffer = buffer;
+        this.motors = motors;
+        this.infraRed = infraRed;
+        this.board = board;
+        this.power = power;
+    }
+
+    String fresh() {
+        return "!" + (infraRed.takeFresh() ? '\1' : '\0') + Commands.EOL;
+    }
+
+    /** Speeds, proximity, light, switches, TV code, version and revision: 22 bytes between the letter and the line end. */
+    String read() {
+        StringBuilder reply = new StringBuilder("&");
+        reply.append(byteOf(motors.left())).append(byteOf(motors.right()));
+        for (int i = 0; i < Eyes.COUNT; i++) {
+            reply.append(byteOf(infraRed.proximity(i)));
+        }
+        for (int i = 0; i < Eyes.COUNT; i++) {
+            reply.append(byteOf(infraRed.ambient(i)));
+        }
+        reply.append(switchBits()).append(byteOf(board.tvCode));
+        return reply.append(VERSION).append(REVISION).append(Commands.EOL).toString();
+    }
+
+    String write() {
+        power.drive((byte) buffer.at(1), (byte) buffer.at(2));
+        for (int i = 0; i < Board.LEDS; i++) {
+            board.leds[i] = (buffer.at(3) >> i & 1) == 1;
+        }
+        return "*" + Commands.EOL;
+    }
+
+    private char switchBits() {
+        int bits = 0;
+        for (int i = 0; i < board.switches().length(); i++) {
+            bits |= board.switches().charAt(i) == '1' ? 1 << i : 0;
+        }
+        return (char) bits;
+    }
+
+    private static char byteOf(int value) {
+        return (char) (value & 0xFF);
+    }
+}

@@ -1,0 +1,13 @@
+package majicsim.hemisson;
+
+/** What a command may do to the whole robot. */
+interface Power {
+    /** Sets the motors, unless the running mode holds them. */
+    void drive(int left, int right);
+
+    /** Processor reset: motors 0, switches read anew, greeting. */
+    void reset();
+
+    /** Nothing is heard any more until the power is switched off and on. */
+    void deafen();
+}

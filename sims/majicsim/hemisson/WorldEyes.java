@@ -1,0 +1,88 @@
+package majicsim.hemisson;
+
+import majicsim.world.Body;
+import majicsim.world.Hit;
+import majicsim.world.Noise;
+import majicsim.world.Point;
+import majicsim.world.World;
+
+/** Infra-red sensors that look into the world: six around, a beam of some 30° each, and two at the ground. */
+final class WorldEyes implements Eyes {
+    private static final double[] LOOKS_TO_DEG = {0, -38, 38, -90, 90, 180};
+
+    /** Sheet 6; the rear one drawn in to the rim of the disc that stands for the body. */
+    private static final double[][] PLACES_MM = {
+        {57.5, 0}, {51, -31}, {51, 31}, {10, -49}, {10, 49}, {-59.5, 0}, {57, -5}, {57, 5}
+    };
+
+    private static final double[] BEAM_DEG = {-12, 0, 12};
+
+    private static final double[] CURVE_MM = {0, 10, 20, 30, 40, 50, 60, 80, 100};
+    private static final double[] CURVE_VALUE = {250, 150, 48, 20, 13, 8, 5, 4, 2};
+    private static final double FARTHEST_MM = 100;
+    private static final double MOST_STRAY = 4;
+
+    /** White floor a few millimetres below the ground sensors. */
+    private static final double WHITE_FLOOR = 165;
+
+    /** The ambient reading falls from 255 (dark) to some 22 in the brightest light, and is 220 far from lamps. */
+    private static final double AMBIENT_FALL = 35 / 0.15;
+
+    private static final double RESPONSE_NOISE = 0.045;
+    private static final double READING_NOISE = 0.8;
+
+    private final World world;
+    private final Body body;
+    private final Noise noise;
+
+    WorldEyes(World world, Body body, Noise noise) {
+        this.world = world;
+        this.body = body;
+        this.noise = noise;
+    }
+
+    @Override
+    public void look(int[] ambient, int[] response) {
+        for (int i = 0; i < COUNT; i++) {
+            Point place = body.pose().toWorld(PLACES_MM[i][0], PLACES_MM[i][1]);
+            ambient[i] = byteOf(255 - AMBIENT_FALL * world.ambientLight(place.xMm(), place.yMm()) + reading());
+            double ideal = i < LOOKS_TO_DEG.length ? beam(place, LOOKS_TO_DEG[i]) : floor(place);
+            response[i] = (int) Math.round(ideal * noise.scale(RESPONSE_NOISE) + reading());
+        }
+    }
+
+    private double floor(Point place) {
+        return WHITE_FLOOR * world.floorReflectivity(place.xMm(), place.yMm());
+    }
+
+    /** The strongest echo of a few rays, or some stray light. */
+    private double beam(Point from, double directionDeg) {
+        double strongest = noise.uniform(0, MOST_STRAY);
+        for (double aside : BEAM_DEG) {
+            double direction = body.pose().toWorldDeg(directionDeg + aside);
+            Hit hit = world.ray(body, from.xMm(), from.yMm(), direction, FARTHEST_MM);
+            if (hit.found()) {
+                strongest = Math.max(strongest, curve(hit.distanceMm()) * hit.reflectivity());
+            }
+        }
+        return strongest;
+    }
+
+    static double curve(double distanceMm) {
+        for (int i = 1; i < CURVE_MM.length; i++) {
+            if (distanceMm <= CURVE_MM[i]) {
+                double part = (distanceMm - CURVE_MM[i - 1]) / (CURVE_MM[i] - CURVE_MM[i - 1]);
+                return CURVE_VALUE[i - 1] + part * (CURVE_VALUE[i] - CURVE_VALUE[i - 1]);
+            }
+        }
+        return CURVE_VALUE[CURVE_VALUE.length - 1];
+    }
+
+    private double reading() {
+        return noise.gaussian(READING_NOISE);
+    }
+
+    private static int byteOf(double value) {
+        return (int) Math.max(0, Math.min(255, Math.round(value)));
+    }
+}
