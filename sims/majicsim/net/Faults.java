@@ -147,7 +147,17 @@ public final class Faults {
         return damaged;
     }
 
+    /** Waits until reading may go on again, at most so long. */
+    synchronized void awaitReading(long timeoutMs) throws InterruptedException {
+        if (!isReading()) {
+            wait(timeoutMs);
+        }
+    }
+
     private void changed() {
+        synchronized (this) {
+            notifyAll();
+        }
         watchers.forEach(Runnable::run);
     }
 }

@@ -1,5 +1,6 @@
 package majicsim.net;
 
+import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
@@ -7,6 +8,8 @@ import java.util.concurrent.atomic.AtomicLong;
  * subclass writes bytes and ends the connection.
  */
 abstract class RobotLine implements Line {
+    private static final System.Logger LOG = System.getLogger(RobotLine.class.getName());
+
     private final String peer;
     private final Wiring wiring;
     private final Lane out;
@@ -51,11 +54,14 @@ abstract class RobotLine implements Line {
         return open;
     }
 
-    /** Hands bytes to the firmware, or shelves them; the reader's thread, without the lock. */
+    /** Hands bytes to the firmware, or shelves them; the reader's thread, without the lock. A fault of the firmware is logged, and the
+     * line lives on, as would a robot's. */
     final void receive(byte[] bytes) {
         wiring.lock().lock();
         try {
             in.enter(bytes);
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "the simulated robot could not deal with what " + peer + " sent", e);
         } finally {
             wiring.lock().unlock();
         }
@@ -77,6 +83,10 @@ abstract class RobotLine implements Line {
     final void cut() {
         open = false;
         peerLeft = true;
+        loseWhatIsUnderWay();
+    }
+
+    final void loseWhatIsUnderWay() {
         out.clear();
         in.clear();
     }

@@ -154,6 +154,7 @@ class TcpPortTest {
     void aPeerThatStopsReadingStillTalks() throws Exception {
         try (Client client = new Client(port.address())) {
             client.read(2);
+            awaitCount(new LineCount(client.key(), 0, 2, true, false));
             faults.stopReading();
             assertThat(port.lines()).extracting(LineCount::deaf).containsExactly(true);
             client.send("unread");

@@ -1,0 +1,116 @@
+package majicsim.net;
+
+import com.sun.jna.LastErrorException;
+import com.sun.jna.Memory;
+import com.sun.jna.Native;
+import com.sun.jna.Platform;
+import java.lang.System.Logger.Level;
+import java.util.Arrays;
+
+/**
+ * A pseudo-terminal in raw mode. We keep its client side open ourselves, so that it stays raw and alive while clients come and go.
+ * Linux and macOS.
+ */
+final class PseudoTerminal {
+    private static final System.Logger LOG = System.getLogger(PseudoTerminal.class.getName());
+    private static final int O_RDWR = 2;
+    private static final int O_NOCTTY = Platform.isMac() ? 0x20000 : 0x100;
+    private static final int O_NONBLOCK = Platform.isMac() ? 0x4 : 0x800;
+    private static final int F_SETFL = 4;
+    private static final int TCSANOW = 0;
+    private static final int TERMIOS_AT_MOST_BYTES = 256;
+    private static final int POLLFD_BYTES = 8;
+    private static final int POLLIN = 1;
+    private static final int EINTR = 4;
+
+    private final CLibrary c;
+    private final int master;
+    private final int slave;
+    private final String path;
+
+    private PseudoTerminal(CLibrary c, int master, int slave, String path) {
+        this.c = c;
+        this.master = master;
+        this.slave = slave;
+        this.path = path;
+    }
+
+    static PseudoTerminal open() throws LastErrorException {
+        CLibrary c = Native.load("c", CLibrary.class);
+        int master = c.posix_openpt(O_RDWR | O_NOCTTY);
+        try {
+            c.grantpt(master);
+            c.unlockpt(master);
+            c.fcntl(master, F_SETFL, O_RDWR | O_NONBLOCK);
+            String path = c.ptsname(master);
+            int slave = c.open(path, O_RDWR | O_NOCTTY | O_NONBLOCK);
+            makeRaw(c, slave);
+            return new PseudoTerminal(c, master, slave, path);
+        } catch (LastErrorException e) {
+            c.close(master);
+            throw e;
+        }
+    }
+
+    String path() {
+        return path;
+    }
+
+    /** Waits for bytes at most so long; empty if none came. */
+    byte[] read(int timeoutMs) throws LastErrorException {
+        try (Memory descriptor = new Memory(POLLFD_BYTES)) {
+            descriptor.setInt(0, master);
+            descriptor.setShort(4, (short) POLLIN);
+            descriptor.setShort(6, (short) 0);
+            if (poll(descriptor, timeoutMs) <= 0 || (descriptor.getShort(6) & POLLIN) == 0) {
+                return new byte[0];
+            }
+        }
+        byte[] chunk = new byte[1024];
+        return Arrays.copyOf(chunk, Math.max(0, c.read(master, chunk, chunk.length)));
+    }
+
+    /** A signal to the process ends the wait early; that is no failure. */
+    private int poll(Memory descriptor, int timeoutMs) throws LastErrorException {
+        try {
+            return c.poll(descriptor, 1, timeoutMs);
+        } catch (LastErrorException e) {
+            if (e.getErrorCode() == EINTR) {
+                return 0;
+            }
+            throw e;
+        }
+    }
+
+    /** Writes what there is room for; says how many bytes that was. */
+    int write(byte[] bytes) {
+        try {
+            return Math.max(0, c.write(master, bytes, bytes.length));
+        } catch (LastErrorException e) {
+            return 0;
+        }
+    }
+
+    /** Ends a wait in {@link #read} from another thread, by a byte that nobody sent. */
+    void wake() {
+        try {
+            c.write(slave, new byte[1], 1);
+        } catch (LastErrorException e) {
+            LOG.log(Level.DEBUG, "{0} is full, so its reader is awake already: {1}", path, e.getMessage());
+        }
+    }
+
+    void close() {
+        c.close(slave);
+        c.close(master);
+    }
+
+    /** The structure's layout differs between systems, so it is passed through unread. */
+    private static void makeRaw(CLibrary c, int descriptor) throws LastErrorException {
+        try (Memory termios = new Memory(TERMIOS_AT_MOST_BYTES)) {
+            c.tcgetattr(descriptor, termios);
+            c.cfmakeraw(termios);
+            c.tcsetattr(descriptor, TCSANOW, termios);
+        }
+    }
+}

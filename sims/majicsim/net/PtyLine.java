@@ -1,0 +1,25 @@
+package majicsim.net;
+
+/** The one line of a pseudo-terminal. What nobody reads fills the system's buffer and is then lost, as on a real serial wire. */
+final class PtyLine extends RobotLine {
+    private final PseudoTerminal terminal;
+
+    PtyLine(PseudoTerminal terminal, Wiring wiring) {
+        super(terminal.path(), wiring);
+        this.terminal = terminal;
+    }
+
+    @Override
+    int write(byte[] bytes) {
+        return terminal.write(bytes);
+    }
+
+    @Override
+    boolean isFlushed() {
+        return true;
+    }
+
+    /** A serial wire cannot be hung up from the robot's side. */
+    @Override
+    public void close() {}
+}
