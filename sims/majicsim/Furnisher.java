@@ -1,0 +1,93 @@
+package majicsim;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.BindException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Function;
+import majicsim.hemisson.HemissonRobot;
+import majicsim.net.Clients;
+import majicsim.net.Faults;
+import majicsim.net.Firmware;
+import majicsim.net.PtyPort;
+import majicsim.net.TcpPort;
+import majicsim.net.Wiring;
+import majicsim.world.Body;
+import majicsim.world.Noise;
+import majicsim.world.Pose;
+import majicsim.world.World;
+
+/** Puts the robots into the room, in the order of their numbers, and opens their ports. For one use. */
+final class Furnisher {
+    private static final System.Logger LOG = System.getLogger(Furnisher.class.getName());
+    private static final double JITTER_FROM_MS = 5;
+    private static final double JITTER_TO_MS = 50;
+
+    private final LabOptions options;
+    private final World world;
+    private final ReentrantLock lock;
+    private final Noise noise;
+    private final List<Station> stations = new ArrayList<>();
+
+    Furnisher(LabOptions options, World world, ReentrantLock lock) {
+        this.options = options;
+        this.world = world;
+        this.lock = lock;
+        this.noise = options.exact() ? Noise.exact() : Noise.seeded(options.seed());
+    }
+
+    /** All stations in order; after a failure none is left open. */
+    List<Station> furnish() throws IOException {
+        try {
+            add("hemisson", HemissonRobot::new, HemissonRobot::body, new Door(options.hemissonPort(), Clients.ONE));
+            addPty("hemisson");
+            return List.copyOf(stations);
+        } catch (IllegalArgumentException e) {
+            stations.forEach(Station::close);
+            throw new IOException("the room cannot hold the robots: " + e.getMessage(), e);
+        } catch (IOException e) {
+            stations.forEach(Station::close);
+            throw e;
+        }
+    }
+
+    private <R extends Firmware> void add(String name, Maker<R> maker, Function<R, Body> body, Door door)
+            throws IOException {
+        Pose home = world.room().home(stations.size() + 1);
+        Noise own = noise.fork(name);
+        R robot = maker.make(world, home, own);
+        Faults faults = new Faults(own.fork("line"));
+        if (options.jitter()) {
+            faults.jitter(JITTER_FROM_MS, JITTER_TO_MS);
+        }
+        Station station = new Station(name, body.apply(robot), new Wiring(lock, robot, faults), new ArrayList<>());
+        stations.add(station);
+        station.ports().add(open(name, door, station.wiring()));
+    }
+
+    private void addPty(String name) {
+        stations.stream()
+                .filter(station -> station.name().equals(name))
+                .forEach(station -> PtyPort.open(station.wiring()).ifPresent(station.ports()::add));
+    }
+
+    private static TcpPort open(String name, Door door, Wiring wiring) throws IOException {
+        try {
+            return TcpPort.open(door.port(), door.clients(), wiring);
+        } catch (BindException e) {
+            if (door.port() != LabOptions.AIBO_PORT && door.port() != LabOptions.PIONEER_PORT) {
+                throw new IOException("port " + door.port() + " for the " + name + " is taken; 0 takes a free one", e);
+            }
+            LOG.log(Level.INFO, "port {0} is taken, so the {1} takes a free one", String.valueOf(door.port()), name);
+            return TcpPort.open(0, door.clients(), wiring);
+        }
+    }
+
+    private interface Maker<R> {
+        R make(World world, Pose start, Noise noise);
+    }
+
+    private record Door(int port, Clients clients) {}
+}
