@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
+import majicsim.aibo.AiboRobot;
 import majicsim.hemisson.HemissonRobot;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
@@ -14,6 +15,7 @@ import majicsim.net.Firmware;
 import majicsim.net.PtyPort;
 import majicsim.net.TcpPort;
 import majicsim.net.Wiring;
+import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
@@ -41,6 +43,8 @@ final class Furnisher {
     /** All stations in order; after a failure none is left open. */
     List<Station> furnish() throws IOException {
         try {
+            add("aibo", AiboRobot::new, AiboRobot::body, new Door(options.aiboPort(), Clients.MANY));
+            add("pioneer", PioneerRobot::new, PioneerRobot::body, new Door(options.pioneerPort(), Clients.ONE));
             add("hemisson", HemissonRobot::new, HemissonRobot::body, new Door(options.hemissonPort(), Clients.ONE));
             addPty("hemisson");
             return List.copyOf(stations);

@@ -80,6 +80,13 @@ abstract class RobotLine implements Line {
         out.clear();
     }
 
+    /** Somebody waits for the place of a client that has left: what is shelved from it is delivered now. */
+    final void hurryIfPeerLeft() {
+        if (peerLeft) {
+            in.hurry();
+        }
+    }
+
     final void cut() {
         open = false;
         peerLeft = true;

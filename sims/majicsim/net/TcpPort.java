@@ -183,6 +183,10 @@ public final class TcpPort implements Port {
         if (!server.isOpen()) {
             return;
         }
+        if (clients == Clients.ONE) {
+            lines.forEach(line -> locked(line::hurryIfPeerLeft));
+            endThoseThatAreOver();
+        }
         for (SocketChannel channel = server.accept(); channel != null; channel = server.accept()) {
             if (clients == Clients.ONE && !lines.isEmpty()) {
                 LOG.log(Level.DEBUG, "a second client of {0} is turned away", address());

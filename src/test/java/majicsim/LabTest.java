@@ -85,6 +85,12 @@ class LabTest {
     }
 
     @Test
+    void theRobotsComeInTheOrderOfTheirNumbers() {
+        assertThat(lab.truePoses().keySet()).containsExactly("aibo", "pioneer", "hemisson");
+        assertThat(lab.addresses().keySet()).startsWith("aibo", "pioneer", "hemisson");
+    }
+
+    @Test
     void everyRobotIsDrawn() {
         assertThat(lab.outlines().keySet()).isEqualTo(lab.truePoses().keySet());
         assertThat(lab.outlines().values()).allMatch(corners -> corners.size() >= 4);

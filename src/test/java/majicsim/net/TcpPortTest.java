@@ -197,6 +197,22 @@ class TcpPortTest {
         awaitEvent("disconnected");
     }
 
+    @Test
+    void aClientThatLeftMakesPlaceThoughItsLastBytesAreStillUnderWay() throws Exception {
+        faults.delay(10);
+        try (Client first = new Client(port.address())) {
+            first.send("stop");
+            awaitCount(new LineCount(first.key(), 4, 0, true, false));
+        }
+        try (Client second = new Client(port.address())) {
+            awaitEvent("received stop");
+            awaitEvent("disconnected");
+            awaitEvent("connected");
+            step(10 * MS);
+            assertThat(second.read(2)).isEqualTo("hi");
+        }
+    }
+
     private TcpPort open(Clients clients) {
         try {
             return TcpPort.open(0, clients, new Wiring(lock, firmware, faults));
