@@ -1,0 +1,18 @@
+package majic.hemisson;
+
+import java.io.IOException;
+
+/** Hears how a conversation goes, on the thread of the reader or of whoever looks for overdue answers. */
+interface ConversationListener {
+    /** An exchange came to its good end. */
+    void answered(Exchange exchange);
+
+    /** A question was not answered, or was refused; it may be asked again. */
+    void missed(Exchange exchange);
+
+    /** The robot was switched on or reset in mid session; it stands. */
+    void wasReset();
+
+    /** The link is dead. */
+    void broken(IOException cause);
+}

@@ -1,0 +1,54 @@
+package majic.hemisson;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Iterator;
+import org.jspecify.annotations.Nullable;
+
+/** The questions that wait for their turn. Guarded by its owner. */
+final class ExchangeQueue {
+    private final Deque<Exchange> waiting = new ArrayDeque<>();
+
+    void add(Exchange exchange) {
+        waiting.addLast(exchange);
+    }
+
+    /** For what must be asked before anything else. */
+    void addFirst(Exchange exchange) {
+        waiting.addFirst(exchange);
+    }
+
+    /** Puts a stop before everything, and throws away what was to move the robot. */
+    void stop() {
+        discard(Question.Purpose.MOTION, "stopped");
+        if (!holds(Question.Purpose.STOP)) {
+            addFirst(new Exchange(Question.STOP));
+        }
+    }
+
+    @Nullable
+    Exchange next() {
+        return waiting.pollFirst();
+    }
+
+    boolean holds(Question.Purpose purpose) {
+        return waiting.stream().anyMatch(exchange -> exchange.purpose() == purpose);
+    }
+
+    /** Ends the waiting of all questions for one purpose. */
+    void discard(Question.Purpose purpose, String why) {
+        for (Iterator<Exchange> all = waiting.iterator(); all.hasNext(); ) {
+            Exchange exchange = all.next();
+            if (exchange.purpose() == purpose) {
+                all.remove();
+                exchange.failed(why);
+            }
+        }
+    }
+
+    /** Ends the waiting of all. */
+    void discardAll(String why) {
+        waiting.forEach(exchange -> exchange.failed(why));
+        waiting.clear();
+    }
+}

@@ -1,0 +1,109 @@
+package majic.hemisson;
+
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import majic.bot.BotException;
+import majic.bot.Signal;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a connection begins (Hemisson sheet 11): wait for quiet, end what somebody else left half said, ask who is there
+ * and in which mode it runs, tell it to stand. Moves nothing.
+ */
+final class Handshake {
+    /** The four modes in which the factory firmware answers every command, remote control first (sheet 7). */
+    private static final List<List<Integer>> SOUND_MODES = List.of(
+            List.of(1, 1, 1, 1), List.of(1, 1, 1, 0), List.of(1, 1, 0, 1), List.of(1, 0, 1, 1), List.of(0, 1, 1, 1));
+
+    private static final double LONGEST_GREETING_S = 1;
+
+    private final Session session;
+    private final Signal changes;
+
+    Handshake(Session session, Signal changes) {
+        this.session = session;
+        this.changes = changes;
+    }
+
+    /**
+     * Goes through it, on the thread that connects.
+     *
+     * @return who answered
+     * @throws BotException if nobody does, or not a Hemisson; with what to try
+     */
+    Identity run() {
+        waitForQuiet();
+        refuseDeadLine();
+        ask(Question.NOTHING);
+        Reply version = ask(Question.VERSION);
+        refuseDeadLine();
+        if (version == null) {
+            throw new BotException("no Hemisson answered within "
+                    + 2 * session.timeoutSeconds()
+                    + " s; is it the right port, and is the robot on and not in Pgm mode? If so it may have gone deaf: "
+                    + "switch it off, wait 5 s and switch it on again");
+        }
+        Reply switches = ask(Question.SWITCHES);
+        Reply speeds = ask(Question.SPEEDS);
+        Identity identity =
+                new Identity(version.rest(), switches == null ? List.of() : switches.numbers(), speeds != null);
+        letStand(identity, speeds);
+        return identity;
+    }
+
+    /** A robot started in an unknown mode would be deafened by a long command; its motors are held anyway (sheet 7). */
+    private void letStand(Identity identity, @Nullable Reply speeds) {
+        boolean held = speeds != null && speeds.numbers().stream().allMatch(speed -> speed == 0);
+        if (held && !SOUND_MODES.contains(identity.switches())) {
+            return;
+        }
+        session.conversation().stop();
+        if (!await(() -> session.conversation().isStanding())) {
+            throw new BotException("it answers, but does not confirm a stop within " + patience()
+                    + " s; lift it, switch it off, wait 5 s and switch it on again");
+        }
+    }
+
+    private void waitForQuiet() {
+        await(() -> session.conversation().isQuiet(), Conversation.QUIET_NANOS / 1e9);
+        double waited = 0;
+        while (!session.conversation().isQuiet() && waited < LONGEST_GREETING_S) {
+            waited += Conversation.QUIET_NANOS / 1e9;
+            await(() -> session.conversation().isQuiet(), Conversation.QUIET_NANOS / 1e9);
+        }
+    }
+
+    private void refuseDeadLine() {
+        if (session.isClosed()) {
+            throw new BotException("the connection was lost at once: " + session.end());
+        }
+        if (session.isTelnet()) {
+            throw new BotException(
+                    "what answers there speaks telnet (RFC 2217), not a raw serial line; set the serial server to raw TCP");
+        }
+    }
+
+    private @Nullable Reply ask(Question question) {
+        Exchange exchange = session.conversation().ask(question);
+        await(exchange::isDone);
+        return exchange.reply();
+    }
+
+    private boolean await(BooleanSupplier condition) {
+        return await(() -> condition.getAsBoolean() || session.isClosed() || session.isTelnet(), patience());
+    }
+
+    /** Long enough for both tries and the quiet between them. */
+    private double patience() {
+        return 3 * session.timeoutSeconds() + 0.5;
+    }
+
+    private boolean await(BooleanSupplier condition, double seconds) {
+        try {
+            return changes.await(condition, seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new BotException("connecting was interrupted");
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package majic.hemisson;
+
+import java.util.List;
+import majic.bot.BotEnvironment;
+import majic.bot.BotType;
+import majic.bot.MajicBot;
+
+/** K-Team's Hemisson, on a serial port or behind a serial server. */
+public final class HemissonType implements BotType {
+    /** Used by the service loader. */
+    public HemissonType() {}
+
+    @Override
+    public String name() {
+        return "hemisson";
+    }
+
+    @Override
+    public String label() {
+        return "Hemisson";
+    }
+
+    @Override
+    public String make() {
+        return "K-Team Hemisson";
+    }
+
+    @Override
+    public List<Reach> reaches() {
+        return List.of(Reach.SERIAL, Reach.TCP);
+    }
+
+    /** Serial servers have no usual port. */
+    @Override
+    public int defaultPort() {
+        return 0;
+    }
+
+    @Override
+    public MajicBot create(String address, BotEnvironment environment) {
+        return new MajicHemisson(address, environment);
+    }
+
+    @Override
+    public String advice() {
+        return "Is the robot on, in the Exec position, with all four top switches to the same side, and is it this port? "
+                + "A Hemisson that was talked to too fast hears nothing any more: switch it off, wait 5 s and switch it on.";
+    }
+}

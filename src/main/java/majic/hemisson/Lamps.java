@@ -1,0 +1,41 @@
+package majic.hemisson;
+
+import java.util.function.UnaryOperator;
+
+/** The lamps and the buzzer: switched together, and never told by the robot, so their state is kept here. Thread-safe. */
+final class Lamps {
+    private final MajicHemisson bot;
+    private volatile Leds leds = Leds.OFF;
+    private volatile boolean buzzing;
+
+    Lamps(MajicHemisson bot) {
+        this.bot = bot;
+    }
+
+    Leds leds() {
+        return leds;
+    }
+
+    boolean isBuzzing() {
+        return buzzing;
+    }
+
+    /** Changes the lamps and waits for the robot to confirm. */
+    void light(UnaryOperator<Leds> change) {
+        Leds wanted = change.apply(leds);
+        bot.ask(Question.leds(wanted));
+        leds = wanted;
+    }
+
+    /** Switches the buzzer and waits for the robot to confirm. */
+    void buzz(boolean on) {
+        bot.ask(Question.buzzer(on));
+        buzzing = on;
+    }
+
+    /** After a reset all is off. */
+    void forget() {
+        leds = Leds.OFF;
+        buzzing = false;
+    }
+}

@@ -1,0 +1,288 @@
+package majic.hemisson;
+
+import java.io.IOException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import majic.bot.BotAddress;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.BotProfile;
+import majic.bot.BotState;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.Motion;
+import majic.bot.MotionFailed;
+import majic.bot.MotionStopped;
+import majic.bot.Pose;
+import majic.bot.Range;
+import majic.bot.Value;
+import majic.link.Link;
+import majic.link.Links;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A K-Team Hemisson. It has neither encoders nor a watchdog: motions are timed, positions are estimates, and a robot
+ * whose link is lost keeps driving. Therefore it is asked something all the while it moves, told to stand again and
+ * again from the first missed answer, and told to stand at every close.
+ *
+ * <p>Conventions as in {@link MajicBot}; safe from any thread.
+ */
+public final class MajicHemisson extends MajicBot {
+    /** What a person can do about a robot that moves and does not hear. */
+    static final String HELP = "if it still moves, lift it, or press 5 on a TV remote control";
+
+    private static final int BAUD = 115_200;
+    private static final int OPEN_TIMEOUT_MS = 3000;
+    private static final double CRUISE_MM_PER_S = 42;
+    private static final double CRUISE_TURN_DEG_PER_S = 53;
+    private static final double NEAR_MM = 40;
+
+    /** The longest wait for an answer: two tries over Bluetooth, and somebody else's before it, seconds. */
+    private static final double LONGEST_ANSWER_S = 4;
+
+    /** How often overdue answers are looked for, and how often a moving robot is asked what it sees, seconds. */
+    private static final double TICK_S = 0.05;
+
+    private final Calibration calibration;
+    private final String address;
+    private final Overseer overseer;
+    private final Lamps lamps = new Lamps(this);
+    private volatile @Nullable Session session;
+    private volatile Identity identity = Identity.NOBODY;
+
+    /**
+     * Makes a driver that lives by the system's clock and remembers nothing.
+     *
+     * @param address as a user types it: {@code hemisson:/dev/ttyUSB0}, {@code hemisson://host:port}
+     * @throws BotException if the address is none
+     */
+    public MajicHemisson(String address) {
+        this(BotAddress.parse(address).rest(), BotEnvironment.plain());
+    }
+
+    /**
+     * Makes a driver, without touching the robot.
+     *
+     * @param address the name of a serial port, {@code tcp://host:port} or {@code //host:port}
+     * @param environment its clock, and the settings its calibration is kept in
+     * @throws BotException if the address is none; the message says what one looks like
+     */
+    public MajicHemisson(String address, BotEnvironment environment) {
+        super(new HemissonType(), profileFor(SpeedTable.USUAL), environment);
+        this.address = address;
+        newLink();
+        this.calibration = new Calibration(settings(), address);
+        this.overseer = new Overseer(this, Track.standing(Pose.START, nanos(), calibration.table()));
+        profile(profileFor(calibration.table()));
+        HemissonParameters.describe(table(), this);
+    }
+
+    private static BotProfile profileFor(SpeedTable table) {
+        double fastest = table.fastestMmPerSec();
+        double fastestSpin = table.spinDegPerSec(Wheels.MAX);
+        return new BotProfile(
+                Clearance.HULL_MM,
+                new Range(-fastest, fastest),
+                new Range(-fastestSpin, fastestSpin),
+                CRUISE_MM_PER_S,
+                CRUISE_TURN_DEG_PER_S,
+                NEAR_MM,
+                true);
+    }
+
+    private Link newLink() {
+        try {
+            return Links.of(address, 0, BAUD);
+        } catch (IllegalArgumentException e) {
+            throw new BotException("hemisson:" + e.getMessage(), e);
+        }
+    }
+
+    @Override
+    protected void open() {
+        endSession();
+        Link link = newLink();
+        try {
+            link.open(OPEN_TIMEOUT_MS);
+        } catch (IOException e) {
+            throw new BotException(e.getMessage(), e);
+        }
+        Session opened = new Session(link, time(), overseer);
+        session = opened;
+        overseer.begin(opened);
+        opened.start();
+        every("hemisson line", TICK_S, overseer::tick);
+        try {
+            identity = new Handshake(opened, changes()).run();
+        } catch (BotException e) {
+            endSession();
+            throw e;
+        }
+        overseer.watch();
+        warnOfMode();
+    }
+
+    private void warnOfMode() {
+        if (!identity.isRemoteControlled()) {
+            notice("its switches read " + identity.switches()
+                    + ", so it does not run in remote control mode and may do "
+                    + "as it likes; put all four to the side that reads 1 and switch it off and on");
+        }
+    }
+
+    @Override
+    protected void shut() {
+        Session open = session;
+        if (open != null) {
+            Farewell.say(open, changes());
+        }
+        endSession();
+    }
+
+    private void endSession() {
+        Session open = session;
+        session = null;
+        if (open != null) {
+            open.close();
+        }
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        return new OpenLoop(this, overseer, motion).run(Leg.straight(mm, cruiseMmPerSec(), calibration.table()));
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        return new OpenLoop(this, overseer, motion).run(Leg.spin(degrees, cruiseTurnDegPerSec(), calibration.table()));
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        overseer.driveBeginsOrGoesOn();
+        Wheels wheels = calibration.table().curve(mmPerSec, degPerSec);
+        String failure = conversation().ask(Question.wheels(wheels)).failure();
+        if (failure != null) {
+            throw new MotionFailed(failure);
+        }
+    }
+
+    @Override
+    protected void halt() {
+        Session open = session;
+        if (open != null) {
+            open.conversation().stop();
+        }
+    }
+
+    @Override
+    protected void confirmHalt() {
+        Session open = session;
+        if (open == null) {
+            return;
+        }
+        double patience = 2 * open.timeoutSeconds() + 0.9;
+        try {
+            if (!changes().await(() -> open.conversation().isStanding() || !isConnected(), patience)) {
+                throw new BotException("the stop was not confirmed within " + patience + " s; " + HELP);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public JComponent display() {
+        return HemissonPanel.create(this);
+    }
+
+    /** The conversation with the robot, if there is one. */
+    Conversation conversation() {
+        Session open = session;
+        if (open == null) {
+            throw new LinkLost("not connected");
+        }
+        return open.conversation();
+    }
+
+    /** Asks one question and waits for the answer, whoever else talks. */
+    Reply ask(Question question) {
+        Exchange exchange = conversation().ask(question);
+        await(exchange::isDone);
+        Reply reply = exchange.reply();
+        if (reply == null) {
+            String failure = exchange.failure();
+            throw new BotException(failure == null ? "no answer" : failure);
+        }
+        return reply;
+    }
+
+    /** Waits for what an answer brings, as long as one may take with its repetition and others before it. */
+    void await(BooleanSupplier condition) {
+        try {
+            changes().await(() -> condition.getAsBoolean() || !isConnected(), LONGEST_ANSWER_S);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new MotionStopped("interrupted");
+        }
+    }
+
+    long nanos() {
+        return time().nanos();
+    }
+
+    boolean isLost() {
+        return connection() == Connection.LOST;
+    }
+
+    void raise() {
+        changes().raise();
+    }
+
+    void say(String message) {
+        notice(message);
+    }
+
+    void lose(LinkLost cause) {
+        lost(cause);
+    }
+
+    void publishTrack(Track track) {
+        long now = nanos();
+        publish(new BotState(
+                track.at(now),
+                track.speedMmPerSec(),
+                track.turnDegPerSec(),
+                !track.wheels().isStill(),
+                now));
+    }
+
+    Overseer overseer() {
+        return overseer;
+    }
+
+    Lamps lamps() {
+        return lamps;
+    }
+
+    Identity identity() {
+        return identity;
+    }
+
+    SpeedTable speeds() {
+        return calibration.table();
+    }
+
+    /** Changes the calibration, for all motions from the next one on. */
+    void recalibrate(Consumer<Calibration> change) {
+        change.accept(calibration);
+        overseer.use(calibration.table());
+    }
+
+    /** How well the line works; nothing counted while there is none. */
+    LinkQuality quality() {
+        Session open = session;
+        return open == null ? LinkQuality.NONE : open.conversation().quality();
+    }
+}

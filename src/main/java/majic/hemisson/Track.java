@@ -1,0 +1,35 @@
+package majic.hemisson;
+
+import majic.bot.Pose;
+
+/**
+ * Where the robot should be by what its wheels were told: dead reckoning without any measurement. Immutable.
+ *
+ * @param from where the present wheel values began
+ * @param sinceNanos when they began
+ * @param wheels the present wheel values
+ * @param table what they mean
+ */
+record Track(Pose from, long sinceNanos, Wheels wheels, SpeedTable table) {
+    static Track standing(Pose pose, long nowNanos, SpeedTable table) {
+        return new Track(pose, nowNanos, Wheels.STILL, table);
+    }
+
+    Pose at(long nanos) {
+        double seconds = Math.max(0, nanos - sinceNanos) / 1e9;
+        return from.after(table.speedMmPerSec(wheels) * seconds, table.turnDegPerSec(wheels) * seconds);
+    }
+
+    /** Goes on with other wheel values from a moment on. */
+    Track then(Wheels next, long nanos) {
+        return new Track(at(nanos), Math.max(nanos, sinceNanos), next, table);
+    }
+
+    double speedMmPerSec() {
+        return table.speedMmPerSec(wheels);
+    }
+
+    double turnDegPerSec() {
+        return table.turnDegPerSec(wheels);
+    }
+}
