@@ -173,7 +173,9 @@ class MajicHemissonTest {
         bot.connect();
         robot.answer('N', command -> robot.count("D,3,3") == 1 && robot.count("D,0,0") == 1 ? "noise" : far());
 
-        assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(MotionFailed.class).hasMessageContaining("missed");
+        assertThatThrownBy(() -> bot.move(1000))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("missed");
 
         assertThat(afterMotion()).containsSubsequence("D,0,0", "E");
         assertThat(bot.isConnected()).isTrue();
@@ -232,7 +234,9 @@ class MajicHemissonTest {
         });
         resetter.start();
 
-        assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(MotionFailed.class).hasMessageContaining("reset");
+        assertThatThrownBy(() -> bot.move(1000))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("reset");
     }
 
     @Test
