@@ -195,7 +195,9 @@ final class Conversation {
             }
         }
         sendNext();
-        if (refused.failure() != null) {
+        if (refused.reply() != null || refused.purpose() == Purpose.VERIFY) {
+            listener.answered(refused);
+        } else {
             listener.missed(refused);
         }
     }
