@@ -1,0 +1,97 @@
+package majic.pioneer;
+
+import java.util.Arrays;
+import java.util.function.Consumer;
+
+/**
+ * Finds packets in a stream of bytes that may come in any pieces and with anything between them (ARCOS sheet 2, 14.1).
+ * After a wrong checksum the search goes on right behind the header, so a packet inside the damaged one is not lost. Has
+ * no socket, thread or clock.
+ */
+final class FrameDecoder {
+    static final int HEADER_1 = 0xFA;
+    static final int HEADER_2 = 0xFB;
+
+    /** Type and checksum. */
+    private static final int SMALLEST_COUNT = 3;
+
+    private byte[] bytes = new byte[2048];
+    private int filled;
+    private long noiseBytes;
+    private long badChecksums;
+
+    /** Takes the first {@code count} bytes of a chunk and hands on every packet that is now complete. */
+    void feed(byte[] chunk, int count, Consumer<Packet> sink) {
+        if (filled + count > bytes.length) {
+            bytes = Arrays.copyOf(bytes, filled + count);
+        }
+        System.arraycopy(chunk, 0, bytes, filled, count);
+        filled += count;
+        scan(0, sink);
+    }
+
+    /** Gives up waiting for the rest of a packet; what has come of it is searched for others. */
+    void dropFragment(Consumer<Packet> sink) {
+        if (filled > 0) {
+            noiseBytes++;
+            scan(1, sink);
+        }
+    }
+
+    private void scan(int from, Consumer<Packet> sink) {
+        int at = header(from);
+        while (isWhole(at)) {
+            int count = count(at);
+            if (count < SMALLEST_COUNT) {
+                noiseBytes++;
+                at = header(at + 1);
+            } else if (isIntact(at, count)) {
+                sink.accept(new Packet(bytes[at + 3] & 0xFF, bytes, at + 4, at + count + 1));
+                at = header(at + count + 3);
+            } else {
+                badChecksums++;
+                at = header(at + 2);
+            }
+        }
+        System.arraycopy(bytes, at, bytes, 0, filled - at);
+        filled -= at;
+    }
+
+    /** The next place where a packet may begin; a last FA may be the first half of a header. */
+    private int header(int from) {
+        int at = from;
+        while (at < filled && !mayBegin(at)) {
+            at++;
+            noiseBytes++;
+        }
+        return at;
+    }
+
+    private boolean mayBegin(int at) {
+        return (bytes[at] & 0xFF) == HEADER_1 && (at + 1 == filled || (bytes[at + 1] & 0xFF) == HEADER_2);
+    }
+
+    private boolean isWhole(int at) {
+        return filled - at >= 3 && (count(at) < SMALLEST_COUNT || filled - at >= count(at) + 3);
+    }
+
+    private int count(int at) {
+        return bytes[at + 2] & 0xFF;
+    }
+
+    private boolean isIntact(int at, int count) {
+        int sumAt = at + count + 1;
+        int sum = (bytes[sumAt] & 0xFF) << 8 | bytes[sumAt + 1] & 0xFF;
+        return Checksum.of(bytes, at + 3, sumAt) == sum;
+    }
+
+    /** Bytes skipped because no packet begins with them. */
+    long noiseBytes() {
+        return noiseBytes;
+    }
+
+    /** Headers whose packet did not fit its checksum. */
+    long badChecksums() {
+        return badChecksums;
+    }
+}
