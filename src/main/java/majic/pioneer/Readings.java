@@ -1,0 +1,36 @@
+package majic.pioneer;
+
+/** The sonar readings that came new with one SIP, in its order (ARCOS sheet 8.2). Immutable. */
+final class Readings {
+    static final Readings NONE = new Readings(new int[0]);
+
+    private final int[] packed;
+
+    private Readings(int[] packed) {
+        this.packed = packed;
+    }
+
+    /** Reads that many disc numbers and ranges. */
+    static Readings read(Fields fields, int count) {
+        int[] packed = new int[count];
+        for (int index = 0; index < count; index++) {
+            int disc = fields.ubyte();
+            packed[index] = disc << 16 | fields.uint();
+        }
+        return new Readings(packed);
+    }
+
+    int count() {
+        return packed.length;
+    }
+
+    /** The number of a disc, 0 to 255; only those the model has mean anything. */
+    int disc(int index) {
+        return packed[index] >> 16;
+    }
+
+    /** Its range as sent, in the model's unit. */
+    int range(int index) {
+        return packed[index] & 0xFFFF;
+    }
+}
