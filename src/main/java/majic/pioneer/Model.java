@@ -1,0 +1,44 @@
+package majic.pioneer;
+
+import java.util.List;
+import majic.bot.BotProfile;
+import majic.bot.Range;
+
+/**
+ * What the driver knows of one model of robot. Immutable.
+ *
+ * @param subclass how it announces itself
+ * @param known whether it is in the table; if not, careful values stand in
+ * @param hull its outline
+ * @param discs its sonars; none where they are not known
+ * @param scaling of its SIPs
+ * @param topSpeedMmPerSec the fastest this driver sends it
+ * @param topTurnDegPerSec the fastest this driver turns it
+ * @param frontBumpers segments it has from the factory
+ * @param rearBumpers segments it has from the factory
+ */
+record Model(
+        String subclass,
+        boolean known,
+        Hull hull,
+        List<SonarDisc> discs,
+        Scaling scaling,
+        double topSpeedMmPerSec,
+        double topTurnDegPerSec,
+        int frontBumpers,
+        int rearBumpers) {
+    private static final double CRUISE_MM_PER_SEC = 300;
+    private static final double CRUISE_TURN_DEG_PER_SEC = 50;
+    private static final double NEAR_MM = 500;
+
+    BotProfile profile() {
+        return new BotProfile(
+                hull.swingMm(),
+                new Range(-topSpeedMmPerSec, topSpeedMmPerSec),
+                new Range(-topTurnDegPerSec, topTurnDegPerSec),
+                Math.min(CRUISE_MM_PER_SEC, topSpeedMmPerSec),
+                Math.min(CRUISE_TURN_DEG_PER_SEC, topTurnDegPerSec),
+                NEAR_MM,
+                false);
+    }
+}
