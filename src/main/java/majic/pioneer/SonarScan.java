@@ -1,0 +1,53 @@
+package majic.pioneer;
+
+import java.util.Arrays;
+
+/** The last range of every disc and when it came. Immutable. */
+final class SonarScan {
+    /** As many discs as the protocol can number. */
+    static final int DISCS = 32;
+
+    /** What a disc sends that hears nothing, mm. */
+    static final int NOTHING_MM = 5000;
+
+    static final SonarScan EMPTY = new SonarScan(new int[DISCS], new long[DISCS]);
+
+    private final int[] rangesMm;
+    private final long[] atNanos;
+
+    private SonarScan(int[] rangesMm, long[] atNanos) {
+        this.rangesMm = rangesMm;
+        this.atNanos = atNanos;
+    }
+
+    /** This scan with the new readings in it; readings of discs beyond the last one are dropped. */
+    SonarScan with(Readings readings, double mmPerCount, long nanos) {
+        if (readings.count() == 0) {
+            return this;
+        }
+        int[] ranges = Arrays.copyOf(rangesMm, DISCS);
+        long[] times = Arrays.copyOf(atNanos, DISCS);
+        for (int index = 0; index < readings.count(); index++) {
+            int disc = readings.disc(index);
+            if (disc < DISCS) {
+                ranges[disc] = (int) Math.round(readings.range(index) * mmPerCount);
+                times[disc] = nanos == 0 ? 1 : nanos;
+            }
+        }
+        return new SonarScan(ranges, times);
+    }
+
+    boolean hasHeard(int disc) {
+        return atNanos[disc] != 0;
+    }
+
+    /** mm from the disc's surface; {@link #NOTHING_MM} or more when it heard nothing. */
+    int rangeMm(int disc) {
+        return rangesMm[disc];
+    }
+
+    /** When the disc last fired, on the driver's clock. */
+    long atNanos(int disc) {
+        return atNanos[disc];
+    }
+}

@@ -1,0 +1,48 @@
+package majic.pioneer;
+
+import majic.bot.Pose;
+
+/** Makes a state of each SIP of one session: adds up odometry, keeps sonar readings, counts packets. For one thread. */
+final class Tracker {
+    /** How much one new interval counts in the packet rate. */
+    private static final double RATE_SMOOTHING = 0.1;
+
+    private final Model model;
+    private final Odometry odometry;
+    private final Surroundings surroundings;
+    private SonarScan scan = SonarScan.EMPTY;
+    private double periodS;
+    private long lastNanos;
+
+    Tracker(Model model, Pose start) {
+        this.model = model;
+        this.odometry = new Odometry(model.scaling(), start);
+        this.surroundings = new Surroundings(model);
+    }
+
+    PioneerState track(Sip sip, long nanos) {
+        odometry.add(sip);
+        Pose pose = odometry.pose();
+        scan = scan.with(sip.sonar(), model.scaling().mmPerRangeCount(), nanos);
+        surroundings.hear(scan, sip.sonar(), pose, nanos);
+        time(nanos);
+        return new PioneerState(
+                sip,
+                pose,
+                odometry.turnedDeg(),
+                model.scaling().speedMmPerSec(sip),
+                model.scaling().turnRateDegPerSec(sip),
+                scan,
+                surroundings.gaps(scan, pose, nanos),
+                periodS > 0 ? 1 / periodS : 0,
+                nanos);
+    }
+
+    private void time(long nanos) {
+        if (lastNanos != 0) {
+            double interval = (nanos - lastNanos) / 1e9;
+            periodS = periodS == 0 ? interval : periodS + RATE_SMOOTHING * (interval - periodS);
+        }
+        lastNanos = nanos;
+    }
+}
