@@ -1,0 +1,145 @@
+package majic.pioneer;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.HexFormat;
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.TimeSource;
+import majic.link.Link;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One connection's packets: those to the robot, each in one write, from any thread; those from it on the reader's thread,
+ * one after the other. Ends once, in the reader.
+ */
+final class ArcosLine {
+    private static final Logger LOG = System.getLogger(ArcosLine.class.getName());
+    private static final int OPEN_TIMEOUT_MS = 5000;
+
+    /** A packet whose rest has not come after so long will not become whole (ARCOS sheet 14.1), seconds. */
+    private static final double FRAGMENT_S = 0.3;
+
+    private final Link link;
+    private final TimeSource time;
+    private final FrameDecoder decoder = new FrameDecoder();
+    private volatile long sentNanos;
+    private volatile @Nullable LinkLost end;
+
+    /** Who hears of a line. */
+    interface Listener {
+        /** A packet came. Quick, and never waiting on the clock. */
+        void received(Packet packet);
+
+        /** The line is dead, for good. */
+        void ended(LinkLost cause);
+    }
+
+    ArcosLine(Link link, TimeSource time) {
+        this.link = link;
+        this.time = time;
+    }
+
+    /**
+     * Opens the link and starts reading.
+     *
+     * @throws BotException if it cannot be opened; the message says why
+     */
+    void open(Listener listener) {
+        try {
+            link.open(OPEN_TIMEOUT_MS);
+        } catch (IOException e) {
+            throw new BotException(String.valueOf(e.getMessage()), e);
+        }
+        Thread reader = new Thread(() -> read(listener), "pioneer reader " + link.address());
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    private void read(Listener listener) {
+        LinkLost cause = readToTheEnd(listener::received);
+        end = cause;
+        link.close();
+        listener.ended(cause);
+    }
+
+    private LinkLost readToTheEnd(Consumer<Packet> sink) {
+        byte[] chunk = new byte[1024];
+        long lastNanos = time.nanos();
+        try {
+            for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
+                if (time.secondsSince(lastNanos) > FRAGMENT_S) {
+                    decoder.dropFragment(sink);
+                }
+                lastNanos = time.nanos();
+                decoder.feed(chunk, count, packet -> hand(packet, sink));
+            }
+            return new LinkLost("connection lost: the robot closed it");
+        } catch (IOException e) {
+            return new LinkLost("connection lost: " + e.getMessage(), e);
+        }
+    }
+
+    private static void hand(Packet packet, Consumer<Packet> sink) {
+        LOG.log(Level.TRACE, () -> "< " + packet);
+        sink.accept(packet);
+    }
+
+    /**
+     * Sends packets, each in a write of its own.
+     *
+     * @throws LinkLost if the line is dead or takes nothing for a second
+     */
+    void send(byte[]... packets) {
+        for (byte[] packet : packets) {
+            LOG.log(Level.TRACE, () -> "> " + HexFormat.of().formatHex(packet));
+            try {
+                link.write(packet);
+            } catch (IOException e) {
+                throw new LinkLost("connection lost: " + e.getMessage(), e);
+            }
+            sentNanos = time.nanos();
+        }
+    }
+
+    /** Sends packets if the line still takes any. */
+    void sendIfPossible(byte[]... packets) {
+        try {
+            send(packets);
+        } catch (LinkLost e) {
+            LOG.log(Level.DEBUG, () -> "could not send to " + address() + ": " + e.getMessage());
+        }
+    }
+
+    /** When the last packet was sent, on the driver's clock; 0 before the first. */
+    long sentNanos() {
+        return sentNanos;
+    }
+
+    /** Why the line is dead; null while it lives. */
+    @Nullable
+    LinkLost end() {
+        return end;
+    }
+
+    boolean hasEnded() {
+        return end != null;
+    }
+
+    /** How a person would write where it leads. */
+    String address() {
+        return link.address();
+    }
+
+    /** Ends the line after what was sent. */
+    void close() {
+        link.close();
+    }
+
+    /** Ends the line at once; what was not delivered yet is thrown away, lest the robot acts on it later. */
+    void abort() {
+        link.abort();
+    }
+}

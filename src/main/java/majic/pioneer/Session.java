@@ -1,0 +1,297 @@
+package majic.pioneer;
+
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.MotionStopped;
+import majic.bot.Pose;
+import majic.bot.Signal;
+import majic.bot.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One session with a robot, from the opened link to the closed one. Packets are handled on the line's reader thread;
+ * everything else may be called from any thread.
+ */
+final class Session implements ArcosLine.Listener {
+    private static final double FIRST_SIP_S = 2;
+    private static final double CONFIG_S = 0.2;
+    private static final int CONFIG_TRIES = 5;
+    private static final double SONAR_CYCLE_S = 1;
+    private static final double GOODBYE_S = 0.1;
+
+    /** The controller was reset (ARCOS sheet 11.6). */
+    private static final int RESET_FROM = 0xFE;
+
+    private final ArcosLine line;
+    private final Wheels wheels;
+    private final Inbox inbox;
+    private final TimeSource time;
+    private final Signal changes;
+    private final Owner owner;
+    private volatile boolean shakingHands = true;
+    private volatile Model model = Models.USUAL;
+    private volatile @Nullable Identity identity;
+    private volatile @Nullable Config config;
+    private volatile @Nullable PioneerState state;
+    private volatile @Nullable Tracker tracker;
+
+    /** Whose session it is. */
+    interface Owner {
+        /** New readings, on the reader's thread. */
+        void heard(Session session, PioneerState state);
+
+        /** The session is over for good; not called while it is still being opened. */
+        void lost(Session session, LinkLost cause);
+
+        /** Whether nobody wants the connection any more. */
+        boolean hasGivenUp();
+    }
+
+    Session(ArcosLine line, TimeSource time, Signal changes, Owner owner) {
+        this.line = line;
+        this.wheels = new Wheels(line);
+        this.time = time;
+        this.changes = changes;
+        this.owner = owner;
+        this.inbox = new Inbox(changes, owner::hasGivenUp);
+    }
+
+    /**
+     * Makes the connection as far as the robot's name. Leaves nothing open when it throws.
+     *
+     * @throws Handshake.SessionClosed if a second try will do
+     * @throws BotException if there is no such robot
+     */
+    Identity shakeHands() {
+        line.open(this);
+        try {
+            Identity known = new Handshake(line, inbox, time).run();
+            identity = known;
+            model = Models.of(known.subclass());
+            return known;
+        } catch (BotException e) {
+            line.close();
+            throw e;
+        }
+    }
+
+    /**
+     * Starts the SIPs, without moving anything. Leaves nothing open when it throws.
+     *
+     * @param start where the robot is to be said to stand
+     * @throws BotException if no SIP comes
+     */
+    void begin(Pose start) {
+        tracker = new Tracker(model, start);
+        shakingHands = false;
+        try {
+            line.send(Command.OPEN.packet(1));
+            require(() -> state != null, FIRST_SIP_S, "answered the handshake, but sends no data within 2 s");
+            for (int tries = 0; tries < CONFIG_TRIES && config == null; tries++) {
+                line.send(Command.CONFIG.packet(1));
+                await(() -> config != null, CONFIG_S);
+            }
+            setPace();
+            line.send(Command.SONAR.packet(1));
+            await(this::seesAllAround, SONAR_CYCLE_S);
+            require(() -> !line.hasEnded(), 0, "closed the connection right after the handshake");
+        } catch (BotException e) {
+            line.sendIfPossible(Command.CLOSE.packet(1));
+            line.close();
+            throw e;
+        }
+    }
+
+    private void setPace() {
+        line.send(
+                Command.SETV.packet((int) model.topSpeedMmPerSec()),
+                Command.SETA.packet(Ramps.ACCELERATION),
+                Command.SETA.packet(-Ramps.DECELERATION),
+                Command.SETRV.packet((int) model.topTurnDegPerSec()),
+                Command.SETRA.packet(Ramps.TURN_ACCELERATION),
+                Command.SETRA.packet(-Ramps.TURN_ACCELERATION));
+    }
+
+    private boolean seesAllAround() {
+        PioneerState now = state;
+        return now != null
+                && Arrays.stream(Side.values())
+                        .filter(side -> model.discs().stream().anyMatch(side::isWatchedBy))
+                        .allMatch(now.gaps()::containsKey);
+    }
+
+    private void require(BooleanSupplier condition, double seconds, String complaint) {
+        if (!await(condition, seconds)) {
+            throw new BotException(line.address() + " " + complaint);
+        }
+    }
+
+    private boolean await(BooleanSupplier condition, double seconds) {
+        try {
+            changes.await(() -> condition.getAsBoolean() || line.hasEnded() || owner.hasGivenUp(), seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new BotException("interrupted while connecting", e);
+        }
+        if (owner.hasGivenUp()) {
+            throw new BotException("closed while connecting");
+        }
+        return condition.getAsBoolean();
+    }
+
+    @Override
+    public void received(Packet packet) {
+        if (shakingHands) {
+            inbox.put(packet);
+        } else if (packet.isSip()) {
+            heard(Sip.decode(packet));
+        } else if (packet.type() == Config.TYPE) {
+            config = Config.decode(packet);
+            changes.raise();
+        } else if (packet.type() >= RESET_FROM) {
+            end(new LinkLost("connection lost: the robot's controller was reset"));
+        }
+    }
+
+    private void heard(@Nullable Sip sip) {
+        Tracker tracking = tracker;
+        if (sip != null && tracking != null) {
+            PioneerState now = tracking.track(sip, time.nanos());
+            state = now;
+            if (!now.isMoving()) {
+                wheels.release();
+            }
+            owner.heard(this, now);
+        }
+    }
+
+    @Override
+    public void ended(LinkLost cause) {
+        if (shakingHands) {
+            inbox.end(cause);
+        } else {
+            changes.raise();
+            owner.lost(this, cause);
+        }
+    }
+
+    /** Does what the silence on either end asks for; to be called every {@link LinkWatch#PERIOD_S}. */
+    void watch() {
+        PioneerState now = state;
+        if (now == null || line.hasEnded()) {
+            return;
+        }
+        double silence = time.secondsSince(now.atNanos());
+        boolean moving = now.isMoving() || wheels.areDriven() || wheels.areHeld();
+        switch (LinkWatch.judge(silence, time.secondsSince(line.sentNanos()), moving)) {
+            case WAIT -> {}
+            case PULSE -> line.send(Command.PULSE.packet());
+            case HOLD -> holdOnce();
+            case GIVE_UP ->
+                end(new LinkLost("connection lost: the robot has been silent for "
+                        + (int) (moving ? LinkWatch.LOST_MOVING_S : LinkWatch.LOST_STANDING_S) + " s"));
+        }
+    }
+
+    private void holdOnce() {
+        if (!wheels.areHeld()) {
+            wheels.hold();
+            changes.raise();
+        }
+    }
+
+    private void end(LinkLost cause) {
+        owner.lost(this, cause);
+        line.abort();
+    }
+
+    /** Stops the robot, switches its motors off, says good-bye and closes the link; bounded by little over a second. */
+    void finish() {
+        line.sendIfPossible(
+                Command.STOP.packet(), Command.VEL.packet(0), Command.RVEL.packet(0), Command.ENABLE.packet(0));
+        linger();
+        line.sendIfPossible(Command.CLOSE.packet(1));
+        linger();
+        line.close();
+    }
+
+    /** Gives the robot the time it needs, or to hang up by itself. */
+    private void linger() {
+        try {
+            changes.await(line::hasEnded, GOODBYE_S);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /**
+     * Waits for the robot to stand, as a SIP tells that is yet to come.
+     *
+     * @return whether it was seen to stand in time
+     * @throws BotException if the thread is interrupted meanwhile
+     */
+    boolean awaitStanding(double seconds) {
+        PioneerState before = state;
+        return awaitState(now -> now != before && !now.isMoving(), seconds);
+    }
+
+    /**
+     * Waits until the robot says something.
+     *
+     * @return whether it said so in time
+     * @throws BotException if the thread is interrupted meanwhile
+     */
+    boolean awaitState(Predicate<PioneerState> what, double seconds) {
+        BooleanSupplier said = () -> {
+            PioneerState now = state;
+            return now != null && what.test(now);
+        };
+        try {
+            changes.await(() -> line.hasEnded() || said.getAsBoolean(), seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new MotionStopped("interrupted");
+        }
+        return said.getAsBoolean();
+    }
+
+    boolean hasSpoken() {
+        return state != null;
+    }
+
+    void send(byte[] packet) {
+        line.send(packet);
+    }
+
+    Wheels wheels() {
+        return wheels;
+    }
+
+    Model model() {
+        return model;
+    }
+
+    /** Who it is; null during the handshake. */
+    @Nullable
+    Identity identity() {
+        return identity;
+    }
+
+    /** Null until it has come; some robots never send it. */
+    @Nullable
+    Config config() {
+        return config;
+    }
+
+    /** What the robot last said; there is something once the session has begun. */
+    PioneerState state() {
+        PioneerState now = state;
+        if (now == null) {
+            throw new BotException("no reading yet");
+        }
+        return now;
+    }
+}
