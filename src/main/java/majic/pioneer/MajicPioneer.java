@@ -1,0 +1,217 @@
+package majic.pioneer;
+
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JComponent;
+import majic.bot.BotAddress;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.BotState;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.Motion;
+import majic.bot.Pose;
+import majic.bot.Value;
+import majic.link.Link;
+import majic.link.Links;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A MobileRobots Pioneer over TCP or a serial port, by the ARCOS protocol and without the maker's library. Straight and
+ * turning motions are steered here at every packet of the robot, about ten times a second, and end within 10 mm and 1
+ * degree by its odometry. Speeds it is told are whole mm/s and deg/s.
+ *
+ * <p>When the robot falls silent for 0.5 s while it moves it is told to stand and hears no more; after 1 s (3 s when it
+ * stands) the connection is given up. The robot's own watchdog stops it 2 s after the last packet.
+ */
+public final class MajicPioneer extends MajicBot {
+    /** A Pioneer's serial port after power-up (ARCOS sheet 1). */
+    private static final int BAUD = 9600;
+
+    /** Long enough to brake from the highest speed. */
+    private static final double HALT_S = 3;
+
+    private final String address;
+    private final AtomicReference<@Nullable Session> session = new AtomicReference<>();
+    private volatile @Nullable Motors motors;
+    private final PioneerParameters parameters;
+    private volatile @Nullable Model adopted;
+    private volatile Pose lastPose = Pose.START;
+
+    /**
+     * Makes the driver for a robot, with the system's clock and no settings.
+     *
+     * @param address as users type it: {@code pioneer://10.0.0.5}, {@code pioneer:/dev/ttyS0}
+     * @throws BotException if it is no such address
+     */
+    public MajicPioneer(String address) {
+        this(BotAddress.parse(address).rest(), BotEnvironment.plain());
+    }
+
+    /**
+     * Makes the driver for a robot.
+     *
+     * @param address what follows {@code pioneer:} — {@code //host}, {@code //host:port}, or a serial port
+     * @param environment the clock and settings to use
+     * @throws BotException if it is no such address
+     */
+    public MajicPioneer(String address, BotEnvironment environment) {
+        super(new PioneerType(), Models.USUAL.profile(), environment);
+        this.address = address;
+        link();
+        this.parameters = new PioneerParameters(table(), session::get);
+        parameters.describe(new Switches(session::get, time(), this::notice));
+        every("link watch", LinkWatch.PERIOD_S, this::watch);
+    }
+
+    private Link link() {
+        try {
+            return Links.of(address, PioneerType.PORT, BAUD);
+        } catch (IllegalArgumentException e) {
+            throw new BotException("pioneer:" + e.getMessage(), e);
+        }
+    }
+
+    @Override
+    protected void open() {
+        try {
+            openOnce();
+        } catch (Handshake.SessionClosed e) {
+            openOnce();
+        }
+    }
+
+    private void openOnce() {
+        Session opening = new Session(new ArcosLine(link(), time()), time(), changes(), new Owner());
+        session.set(opening);
+        Identity identity = opening.shakeHands();
+        adopt(opening.model(), identity);
+        motors = new Motors(opening, time(), this::notice);
+        opening.begin(lastPose);
+    }
+
+    private void adopt(Model model, Identity identity) {
+        if (!model.known()) {
+            notice("it calls itself " + identity.subclass()
+                    + ", a model that is not known here; it is driven slowly, and its distances cannot be told");
+        }
+        if (!model.equals(adopted)) {
+            adopted = model;
+            profile(model.profile());
+            parameters.describeSonars(model);
+        }
+    }
+
+    @Override
+    protected void shut() {
+        Session open = session.get();
+        if (open != null) {
+            open.finish();
+        }
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        Session open = current();
+        Troubles.Heading heading = mm < 0 ? Troubles.Heading.BACK : Troubles.Heading.AHEAD;
+        return maneuver(open, new Way.Straight(open.state()), Approach.straight(cruiseMmPerSec()), mm, heading, motion);
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        Session open = current();
+        Approach approach = Approach.turning(cruiseTurnDegPerSec());
+        return maneuver(open, new Way.Turning(open.state()), approach, degrees, Troubles.Heading.AROUND, motion);
+    }
+
+    private Value maneuver(
+            Session open, Way way, Approach approach, double target, Troubles.Heading heading, Motion motion) {
+        if (!motion.pause(0)) {
+            return way.value(open.state());
+        }
+        motors().switchOn(motion);
+        Bumpers bumpers = Bumpers.of(open.model(), open.config());
+        return new Maneuver(open, way, approach, target, new Troubles(bumpers, heading, open.state())).run(motion);
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        motors().switchOnSoon();
+        current().wheels().drive(mmPerSec, degPerSec);
+    }
+
+    @Override
+    protected void halt() {
+        current().wheels().stop();
+    }
+
+    @Override
+    protected void confirmHalt() {
+        if (!current().awaitStanding(HALT_S)) {
+            throw new BotException(name() + " has not been seen to stand within " + (int) HALT_S + " s of the stop");
+        }
+    }
+
+    @Override
+    public JComponent display() {
+        return PioneerPanel.create(this);
+    }
+
+    /** The session, which there is from the first connect on. */
+    private Session current() {
+        Session open = session.get();
+        if (open == null) {
+            throw new BotException(name() + " is not connected");
+        }
+        return open;
+    }
+
+    private Motors motors() {
+        Motors known = motors;
+        if (known == null) {
+            throw new BotException(name() + " is not connected");
+        }
+        return known;
+    }
+
+    private void watch() {
+        Session open = session.get();
+        if (open != null && isConnected()) {
+            open.watch();
+        }
+    }
+
+    /** What the panel draws; null before the first connect. */
+    @Nullable
+    Session session() {
+        return session.get();
+    }
+
+    private void publish(Session from, PioneerState state) {
+        if (from == session.get()) {
+            lastPose = state.pose();
+            boolean moving = state.isMoving() || from.wheels().areDriven();
+            publish(new BotState(
+                    state.pose(), state.speedMmPerSec(), state.turnRateDegPerSec(), moving, state.atNanos()));
+        }
+    }
+
+    /** Hears of the session. */
+    private final class Owner implements Session.Owner {
+        @Override
+        public void heard(Session from, PioneerState state) {
+            publish(from, state);
+        }
+
+        @Override
+        public void lost(Session from, LinkLost cause) {
+            if (from == session.get()) {
+                MajicPioneer.this.lost(cause);
+            }
+        }
+
+        @Override
+        public boolean hasGivenUp() {
+            return connection() == Connection.CLOSED;
+        }
+    }
+}

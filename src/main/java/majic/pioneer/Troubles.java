@@ -1,0 +1,65 @@
+package majic.pioneer;
+
+import org.jspecify.annotations.Nullable;
+
+/** What ends a motion from the robot's side: stall, bumper, motors off, the STOP button. For one motion. */
+final class Troubles {
+    /** Stall bits from before may stand until the wheels turn again (ARCOS sheet 7.5), seconds. */
+    private static final double OLD_STALL_S = 1;
+
+    private final Bumpers bumpers;
+    private final Heading heading;
+    private final PioneerState start;
+    private boolean seenFree;
+
+    /** Which way the robot goes. */
+    enum Heading {
+        /** Ahead. */
+        AHEAD,
+        /** Backward. */
+        BACK,
+        /** On the spot. */
+        AROUND
+    }
+
+    Troubles(Bumpers bumpers, Heading heading, PioneerState start) {
+        this.bumpers = bumpers;
+        this.heading = heading;
+        this.start = start;
+    }
+
+    /**
+     * Looks at a state that came in the motion.
+     *
+     * @param seconds since the motion began
+     * @return the reason to end it, as half a sentence; null if there is none
+     */
+    @Nullable
+    String look(PioneerState now, double seconds) {
+        seenFree |= !now.stalled();
+        if (now.stopButton()) {
+            return "STOP button pressed";
+        }
+        if (!now.motorsOn()) {
+            return "motors switched off";
+        }
+        if (now.stalled() && (seenFree || seconds > OLD_STALL_S)) {
+            return "stalled";
+        }
+        return bumped(now);
+    }
+
+    private @Nullable String bumped(PioneerState now) {
+        boolean front = bumpers.front(now) != 0;
+        boolean rear = bumpers.rear(now) != 0;
+        return switch (heading) {
+            case AHEAD -> front ? "front bumper touched" : null;
+            case BACK -> rear ? "rear bumper touched" : null;
+            case AROUND -> isNewlyTouched(now) ? "bumper touched" : null;
+        };
+    }
+
+    private boolean isNewlyTouched(PioneerState now) {
+        return (bumpers.front(now) & ~bumpers.front(start)) != 0 || (bumpers.rear(now) & ~bumpers.rear(start)) != 0;
+    }
+}

@@ -1,0 +1,101 @@
+package majic.pioneer;
+
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** A way to be covered from where the robot is now: straight or turning on the spot. */
+sealed interface Way {
+
+    /** How much of it is covered, in its unit, signed. */
+    double covered(PioneerState now);
+
+    /** How fast it is being covered. */
+    double rate(PioneerState now);
+
+    /** Tells the wheels to cover it at a rate. */
+    void go(Wheels wheels, double rate, PioneerState now);
+
+    /** What it is measured in. */
+    Unit unit();
+
+    /** How far off the robot may come to stand without another try. */
+    double acceptable();
+
+    /** The part covered, as answers show it. */
+    default Value value(PioneerState now) {
+        return Value.of(covered(now), unit());
+    }
+
+    /**
+     * Straight on, with the heading kept.
+     *
+     * @param start where it begins
+     */
+    record Straight(PioneerState start) implements Way {
+        /** deg/s for each degree off the heading. */
+        private static final double HEADING_GAIN = 1.5;
+
+        private static final double MOST_DEG_PER_SEC = 8;
+
+        @Override
+        public double covered(PioneerState now) {
+            double heading = Math.toRadians(start.pose().headingDeg());
+            return (now.pose().xMm() - start.pose().xMm()) * Math.cos(heading)
+                    + (now.pose().yMm() - start.pose().yMm()) * Math.sin(heading);
+        }
+
+        @Override
+        public double rate(PioneerState now) {
+            return now.speedMmPerSec();
+        }
+
+        @Override
+        public void go(Wheels wheels, double rate, PioneerState now) {
+            double off = start.turnedDeg() - now.turnedDeg();
+            double correction = Math.max(-MOST_DEG_PER_SEC, Math.min(MOST_DEG_PER_SEC, HEADING_GAIN * off));
+            wheels.drive(rate, rate == 0 ? 0 : correction);
+        }
+
+        @Override
+        public Unit unit() {
+            return Unit.MM;
+        }
+
+        @Override
+        public double acceptable() {
+            return 8;
+        }
+    }
+
+    /**
+     * On the spot; full turns count.
+     *
+     * @param start where it begins
+     */
+    record Turning(PioneerState start) implements Way {
+        @Override
+        public double covered(PioneerState now) {
+            return now.turnedDeg() - start.turnedDeg();
+        }
+
+        @Override
+        public double rate(PioneerState now) {
+            return now.turnRateDegPerSec();
+        }
+
+        @Override
+        public void go(Wheels wheels, double rate, PioneerState now) {
+            wheels.drive(0, rate);
+        }
+
+        @Override
+        public Unit unit() {
+            return Unit.DEG;
+        }
+
+        @Override
+        public double acceptable() {
+            return 0.9;
+        }
+    }
+}

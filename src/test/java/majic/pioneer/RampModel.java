@@ -1,0 +1,72 @@
+package majic.pioneer;
+
+/** A robot that follows its set-points along straight ramps, for tests of what steers it. */
+final class RampModel {
+    private final double acceleration;
+    private final double deceleration;
+    private final double turnAcceleration;
+    private double wantedSpeed;
+    private double wantedRate;
+    private double speed;
+    private double rate;
+    private double x;
+    private double y;
+    private double heading;
+
+    RampModel(double acceleration, double deceleration, double turnAcceleration) {
+        this.acceleration = acceleration;
+        this.deceleration = deceleration;
+        this.turnAcceleration = turnAcceleration;
+    }
+
+    void speed(int mmPerSec) {
+        wantedSpeed = mmPerSec;
+    }
+
+    void rate(int degPerSec) {
+        wantedRate = degPerSec;
+    }
+
+    void step(double seconds) {
+        double ramp = Math.abs(wantedSpeed) < Math.abs(speed) ? deceleration : acceleration;
+        speed = toward(wantedSpeed, speed, ramp * seconds);
+        rate = toward(wantedRate, rate, turnAcceleration * seconds);
+        heading += rate * seconds;
+        x += speed * seconds * Math.cos(Math.toRadians(heading));
+        y += speed * seconds * Math.sin(Math.toRadians(heading));
+    }
+
+    private static double toward(double wanted, double now, double most) {
+        return now + Math.max(-most, Math.min(most, wanted - now));
+    }
+
+    double x() {
+        return x;
+    }
+
+    double heading() {
+        return heading;
+    }
+
+    boolean stands() {
+        return speed == 0 && rate == 0;
+    }
+
+    /** Its SIP, with motors on. */
+    Sip sip() {
+        return Bytes.sip(Bytes.hex(Peer.packet(0x32, sipData(1, 0))));
+    }
+
+    byte[] sipData(int flags, int stallBits) {
+        double difference = Math.toRadians(rate) / 0.0056;
+        int units = (int) Math.round(heading / Scaling.DEG_PER_UNIT);
+        SipBytes data = new SipBytes();
+        for (int disc = 0; disc < 16; disc++) {
+            data.sonar(disc, 5000);
+        }
+        return data.pose((int) Math.round(x), (int) Math.round(y), units)
+                .wheels((int) Math.round(speed - difference), (int) Math.round(speed + difference))
+                .state(stallBits, flags)
+                .bytes();
+    }
+}
