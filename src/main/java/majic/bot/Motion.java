@@ -43,16 +43,17 @@ public final class Motion {
      * @throws MotionFailed if the guard cannot be told
      */
     public boolean await(BooleanSupplier done, double seconds) {
-        double deadline = seconds() + seconds;
+        long deadlineNanos = bot.time().nanos() + (long) Math.ceil(seconds * 1e9);
         while (true) {
             check();
             if (done.getAsBoolean()) {
                 return true;
             }
-            if (lookAtGuard() || seconds() >= deadline) {
+            long leftNanos = deadlineNanos - bot.time().nanos();
+            if (lookAtGuard() || leftNanos <= 0) {
                 return false;
             }
-            pause(done, deadline - seconds());
+            pause(done, leftNanos / 1e9);
         }
     }
 

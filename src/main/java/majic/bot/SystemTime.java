@@ -42,7 +42,7 @@ final class SystemTime implements TimeSource {
 
         @Override
         public boolean await(BooleanSupplier condition, double seconds) throws InterruptedException {
-            long deadline = seconds == FOR_EVER ? Long.MAX_VALUE : System.nanoTime() + (long) (seconds * 1e9);
+            long deadline = seconds == FOR_EVER ? Long.MAX_VALUE : System.nanoTime() + (long) Math.ceil(seconds * 1e9);
             while (true) {
                 long seen = raises();
                 if (condition.getAsBoolean()) {

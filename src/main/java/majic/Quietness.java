@@ -1,0 +1,70 @@
+package majic;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import majic.link.Traffic;
+import majicsim.net.LineCount;
+
+/**
+ * Tells whether nothing is under way between the drivers and the robots of one lab: every byte that either end wrote has
+ * been dealt with at the other. Asked by one thread.
+ *
+ * <p>Counts only grow, so two equal looks in a row mean that nothing moved between them.
+ */
+final class Quietness implements BooleanSupplier {
+    private final Supplier<List<Traffic>> drivers;
+    private final Supplier<List<LineCount>> robots;
+    private final Set<String> robotAddresses;
+    private final Set<String> met = new HashSet<>();
+
+    /**
+     * Compares both ends.
+     *
+     * @param drivers the traffic of all links in this program
+     * @param robots the lines of this lab
+     * @param robotAddresses where this lab's robots listen, so that links to others do not count
+     */
+    Quietness(Supplier<List<Traffic>> drivers, Supplier<List<LineCount>> robots, Set<String> robotAddresses) {
+        this.drivers = drivers;
+        this.robots = robots;
+        this.robotAddresses = robotAddresses;
+    }
+
+    @Override
+    public boolean getAsBoolean() {
+        List<Traffic> links = ours();
+        List<LineCount> lines = robots.get();
+        return agree(links, lines)
+                && Set.copyOf(links).equals(Set.copyOf(ours()))
+                && Set.copyOf(lines).equals(Set.copyOf(robots.get()));
+    }
+
+    private List<Traffic> ours() {
+        return drivers.get().stream()
+                .filter(link -> robotAddresses.contains(link.remote()))
+                .toList();
+    }
+
+    private boolean agree(List<Traffic> links, List<LineCount> lines) {
+        Map<String, LineCount> byPeer = new HashMap<>();
+        lines.forEach(line -> byPeer.put(line.peer(), line));
+        met.retainAll(byPeer.keySet());
+        for (Traffic link : links) {
+            met.add(link.local());
+            LineCount line = byPeer.remove(link.local());
+            if (line == null || !agree(link, line)) {
+                return false;
+            }
+        }
+        return byPeer.values().stream().noneMatch(line -> met.contains(line.peer()) && line.open() && !line.deaf());
+    }
+
+    private static boolean agree(Traffic link, LineCount line) {
+        return line.open() && link.consumed() == line.written() && (line.deaf() || line.consumed() == link.written());
+    }
+}

@@ -1,0 +1,139 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import majic.bot.Signal;
+import majic.bot.TimeSource.Membership;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class LabClockTest {
+    private static final long STEP_NANOS = 4_000_000;
+
+    private final AtomicLong labNanos = new AtomicLong();
+    private final AtomicBoolean quiet = new AtomicBoolean(true);
+    private final LabClock clock = new LabClock(
+            new LabClock.Steps() {
+                @Override
+                public void step() {
+                    labNanos.addAndGet(STEP_NANOS);
+                }
+
+                @Override
+                public long nanos() {
+                    return labNanos.get();
+                }
+            },
+            Pacing.stepped(quiet::get));
+    private Membership membership = () -> {};
+
+    @BeforeEach
+    void joinTheClock() {
+        membership = clock.join();
+        clock.start();
+    }
+
+    @AfterEach
+    void leaveTheClock() {
+        membership.close();
+        clock.close();
+    }
+
+    @Test
+    void hoursPassWhileEverybodySleeps() throws InterruptedException {
+        clock.sleep(7200);
+
+        assertThat(clock.nanos()).isBetween(7_200_000_000_000L, 7_200_004_000_000L);
+    }
+
+    @Test
+    void standsStillWhileAMemberRuns() throws InterruptedException {
+        clock.sleep(1);
+        long before = clock.nanos();
+        long busy = 0;
+        for (int round = 0; round < 5_000_000; round++) {
+            busy += clock.nanos() - before;
+        }
+
+        assertThat(busy).isZero();
+    }
+
+    @Test
+    void threadsWakeInTheOrderOfTheirTimes() throws InterruptedException {
+        List<Double> order = Collections.synchronizedList(new ArrayList<>());
+        Signal done = clock.signal();
+        for (double seconds : new double[] {0.5, 0.1, 0.3}) {
+            clock.thread("sleeper " + seconds, () -> {
+                        sleep(seconds);
+                        order.add(seconds);
+                        done.raise();
+                    })
+                    .start();
+        }
+        assertThat(done.await(() -> order.size() == 3, 10)).isTrue();
+
+        assertThat(order).containsExactly(0.1, 0.3, 0.5);
+        assertThat(clock.nanos()).isEqualTo(500_000_000);
+    }
+
+    @Test
+    void aRaisedMemberCountsAsRunningAtOnce() throws InterruptedException {
+        AtomicBoolean ready = new AtomicBoolean();
+        AtomicLong wokenAt = new AtomicLong(-1);
+        Signal signal = clock.signal();
+        Signal done = clock.signal();
+        clock.thread("waiter", () -> {
+                    await(signal, ready);
+                    wokenAt.set(clock.nanos());
+                    done.raise();
+                })
+                .start();
+        clock.sleep(1);
+        ready.set(true);
+        signal.raise();
+        long raisedAt = clock.nanos();
+        done.await(() -> wokenAt.get() >= 0, 10);
+
+        assertThat(wokenAt).hasValue(raisedAt);
+    }
+
+    @Test
+    void waitsForTheLinesToBecomeQuiet() throws InterruptedException {
+        quiet.set(false);
+        Thread hush = new Thread(() -> {
+            for (int spin = 0; spin < 1000; spin++) {
+                Thread.onSpinWait();
+            }
+            quiet.set(true);
+        });
+        hush.start();
+        clock.sleep(0.004);
+        hush.join();
+
+        assertThat(clock.nanos()).isEqualTo(STEP_NANOS);
+    }
+
+    private static void await(Signal signal, AtomicBoolean ready) {
+        try {
+            signal.await(ready::get, Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void sleep(double seconds) {
+        try {
+            clock.sleep(seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,163 @@
+package majic.bot;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot that is made up for tests. It moves at its cruise speed on its own clock, reads every 100 ms, and keeps a list
+ * of what was sent to it.
+ */
+public final class FakeBot extends MajicBot {
+    private static final double READING_S = 0.1;
+
+    private final List<String> sent = new CopyOnWriteArrayList<>();
+    private volatile double ahead = Double.POSITIVE_INFINITY;
+    private volatile double headPanDeg;
+    private volatile boolean light;
+    private volatile double stallAfterMm = Double.POSITIVE_INFINITY;
+    private volatile @Nullable BotException refusal;
+    private volatile double connectSeconds;
+    private volatile boolean stuck;
+    private volatile Pose pose = Pose.START;
+
+    /** A robot on a clock. */
+    public FakeBot(BotType type, BotEnvironment environment) {
+        super(
+                type,
+                new BotProfile(200, new Range(-1000, 1000), new Range(-180, 180), 300, 90, 500, false),
+                environment);
+        table().add(
+                        Parameter.number("distanceFront", Unit.MM, "what is ahead"),
+                        () -> Double.isInfinite(ahead) ? Value.CLEAR : Value.of(ahead, Unit.MM));
+        table().add(
+                        Parameter.number("headPan", Unit.DEG, "where the head looks, left positive")
+                                .within(-91, 91)
+                                .with(Parameter.number("time", Unit.S, "how long it takes")
+                                        .within(0, 10)),
+                        () -> Value.of(headPanDeg, Unit.DEG))
+                .moves((values, motion) -> motion.send(() -> {
+                    sent.add("headPan " + Value.plain(values.get(0).number()));
+                    headPanDeg = values.get(0).number();
+                }));
+        table().add(Parameter.onOff("light", "to find out which one it is"), () -> Value.onOff(light))
+                .writes(values -> light = values.get(0).isYes());
+        table().add(Parameter.number("voltage", Unit.V, "of the battery"), () -> Value.of(12.6, Unit.V));
+        table().add(Parameter.yesNo("bumped", "whether it touches something"), () -> Value.yesNo(false));
+        add(new BotCommand(
+                "wag",
+                List.of(Parameter.number("times", Unit.NONE, "how often").within(1, 10)),
+                true,
+                "wags the tail",
+                (arguments, motion) -> "wagged " + arguments.get(0)));
+    }
+
+    /** A fake robot of a fake type, ready to connect. */
+    public static FakeBot on(TimeSource time) {
+        return new FakeBot(new FakeType(), new BotEnvironment(time, Settings.inMemory()));
+    }
+
+    /** What was sent so far, in order. */
+    public List<String> sent() {
+        return List.copyOf(sent);
+    }
+
+    /** How far the next thing ahead is, mm; shrinks as the robot drives. */
+    public void putObstacle(double mm) {
+        ahead = mm;
+    }
+
+    /** Makes the next moves stall after a distance, mm. */
+    public void stallAfter(double mm) {
+        stallAfterMm = mm;
+    }
+
+    /** Makes connecting fail. */
+    public void refuse(BotException problem) {
+        refusal = problem;
+    }
+
+    /** Makes connecting take time. */
+    public void connectIn(double seconds) {
+        connectSeconds = seconds;
+    }
+
+    /** Makes the robot's line take nothing any more, without saying so. */
+    public void getStuck() {
+        stuck = true;
+    }
+
+    /** Cuts the robot's line. */
+    public void cut() {
+        lost(new LinkLost("connection lost"));
+    }
+
+    @Override
+    protected void open() {
+        try {
+            time().sleep(connectSeconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        BotException problem = refusal;
+        if (problem != null) {
+            throw problem;
+        }
+        report(0, false);
+    }
+
+    @Override
+    protected void shut() {
+        sent.add("close");
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        double goal = Math.min(Math.abs(mm), stallAfterMm);
+        double speed = Math.copySign(cruiseMmPerSec(), mm);
+        motion.send(() -> sent.add("move " + Value.plain(mm)));
+        double done = 0;
+        while (done < goal && motion.pause(Math.min(READING_S, (goal - done) / cruiseMmPerSec()))) {
+            double step = Math.min(READING_S * cruiseMmPerSec(), goal - done);
+            done += step;
+            ahead -= Math.copySign(step, mm);
+            pose = pose.after(Math.copySign(step, mm), 0);
+            report(speed, true);
+        }
+        report(0, false);
+        if (stallAfterMm < Math.abs(mm)) {
+            throw new MotionFailed("stalled after " + Value.plain(done) + " mm");
+        }
+        return Value.of(Math.copySign(done, mm), Unit.MM);
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        motion.send(() -> sent.add("turn " + Value.plain(degrees)));
+        motion.pause(Math.abs(degrees) / cruiseTurnDegPerSec());
+        pose = pose.after(0, degrees);
+        report(0, false);
+        return Value.of(degrees, Unit.DEG);
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        sent.add("drive " + Value.plain(mmPerSec) + " " + Value.plain(degPerSec));
+    }
+
+    @Override
+    protected void halt() {
+        sent.add("halt");
+    }
+
+    @Override
+    protected void confirmHalt() {
+        if (stuck) {
+            throw new LinkLost("takes no more data");
+        }
+    }
+
+    private void report(double speed, boolean moving) {
+        publish(new BotState(pose, speed, 0, moving, time().nanos()));
+    }
+}

@@ -1,0 +1,71 @@
+package majic.bot;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+
+/** A type of robot that is made up for tests: {@code fake://anything}. */
+public final class FakeType implements BotType {
+    private final String name;
+    private final Map<String, FakeBot> made = new ConcurrentHashMap<>();
+    private volatile Consumer<FakeBot> preparation = bot -> {};
+
+    public FakeType() {
+        this("fake");
+    }
+
+    public FakeType(String name) {
+        this.name = name;
+    }
+
+    /** What happens to every robot before it is handed out, for instance to make its connection hang. */
+    public FakeType prepare(Consumer<FakeBot> newPreparation) {
+        preparation = newPreparation;
+        return this;
+    }
+
+    /** The robot that was made for an address. */
+    public FakeBot made(String address) {
+        return made.get(address);
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public String label() {
+        return name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1);
+    }
+
+    @Override
+    public String make() {
+        return "Made-up " + label();
+    }
+
+    @Override
+    public List<Reach> reaches() {
+        return List.of(Reach.TCP, Reach.SERIAL);
+    }
+
+    @Override
+    public int defaultPort() {
+        return 1234;
+    }
+
+    @Override
+    public MajicBot create(String address, BotEnvironment environment) {
+        FakeBot bot = new FakeBot(this, environment);
+        preparation.accept(bot);
+        made.put(address, bot);
+        return bot;
+    }
+
+    @Override
+    public String advice() {
+        return "Imagine it harder.";
+    }
+}

@@ -1,0 +1,190 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.concurrent.atomic.AtomicReference;
+import majic.TestClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class MajicBotTest {
+    private final TestClock clock = new TestClock();
+    private final FakeBot bot = FakeBot.on(clock.time());
+
+    @BeforeEach
+    void connect() {
+        bot.connect();
+    }
+
+    @AfterEach
+    void close() {
+        bot.close();
+        clock.close();
+    }
+
+    @Test
+    void connectingSendsNothingThatMoves() {
+        assertThat(bot.sent()).isEmpty();
+        assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
+    void moveReturnsWhenTheRobotStandsAgain() {
+        MotionReport report = bot.move(600);
+
+        assertThat(report).hasToString("600 mm, 2.0 s");
+        assertThat(bot.state().moving()).isFalse();
+    }
+
+    @Test
+    void aGuardEndsAMoveEarly() {
+        bot.putObstacle(1000);
+
+        MotionReport report = bot.move(2000, () -> bot.get("distanceFront").number() < 500);
+
+        assertThat(report.amount()).isEqualTo(Value.of(510, Unit.MM));
+    }
+
+    @Test
+    void aGuardThatCannotBeToldFailsTheMoveAndHalts() {
+        assertThatThrownBy(() -> bot.move(500, () -> {
+                    throw new BotException("sonar: no reading yet");
+                }))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessage("sonar: no reading yet");
+        assertThat(bot.sent()).endsWith("halt");
+    }
+
+    @Test
+    void aStopEndsAMoveOfAnotherThread() throws InterruptedException {
+        AtomicReference<BotException> thrown = new AtomicReference<>();
+        Signal done = clock.time().signal();
+        Thread mover = clock.time().thread("mover", () -> {
+            try {
+                bot.move(5000);
+            } catch (BotException e) {
+                thrown.set(e);
+            }
+            done.raise();
+        });
+        mover.start();
+        clock.time().sleep(1);
+
+        bot.stop();
+
+        assertThat(done.await(() -> thrown.get() != null, 1)).isTrue();
+        assertThat(thrown.get()).isInstanceOf(MotionStopped.class);
+        assertThat(bot.sent()).endsWith("halt");
+    }
+
+    @Test
+    void nothingBegunBeforeAStopCanMoveTheRobotAfterIt() {
+        Permit before = bot.permit();
+
+        bot.stop();
+
+        assertThatThrownBy(() -> bot.move(100, Guard.NEVER, before)).isInstanceOf(MotionStopped.class);
+        assertThat(bot.sent()).containsOnly("halt");
+    }
+
+    @Test
+    void aDriveThatIsNotRenewedEndsAfter600Ms() throws InterruptedException {
+        bot.drive(200, 0);
+        clock.time().sleep(0.5);
+        assertThat(bot.sent()).containsExactly("drive 200 0");
+
+        clock.time().sleep(0.2);
+
+        assertThat(bot.sent()).containsExactly("drive 200 0", "halt");
+    }
+
+    @Test
+    void aRenewedDriveGoesOn() throws InterruptedException {
+        for (int renewal = 0; renewal < 5; renewal++) {
+            bot.drive(200, 0);
+            clock.time().sleep(0.4);
+        }
+
+        assertThat(bot.sent()).doesNotContain("halt");
+    }
+
+    @Test
+    void aTimedDriveLastsItsTime() {
+        MotionReport report = bot.drive(200, 30, 1, Guard.NEVER);
+
+        assertThat(report.seconds()).isBetween(1.0, 1.02);
+        assertThat(bot.sent()).startsWith("drive 200 30").endsWith("halt");
+    }
+
+    @Test
+    void aLostLinkEndsAMoveWithItsCause() throws InterruptedException {
+        clock.time()
+                .thread("cutter", () -> {
+                    pause(0.5);
+                    bot.cut();
+                })
+                .start();
+
+        assertThatThrownBy(() -> bot.move(5000)).isInstanceOf(LinkLost.class).hasMessage("connection lost");
+        assertThatThrownBy(() -> bot.turn(90)).isInstanceOf(LinkLost.class);
+    }
+
+    private void pause(double seconds) {
+        try {
+            clock.time().sleep(seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Test
+    void motionsOfTwoCallersFollowOneAnother() throws InterruptedException {
+        Signal done = clock.time().signal();
+        AtomicReference<MotionReport> other = new AtomicReference<>();
+        clock.time()
+                .thread("other", () -> {
+                    other.set(bot.move(300));
+                    done.raise();
+                })
+                .start();
+        clock.time().sleep(0.1);
+
+        bot.turn(90);
+
+        assertThat(other.get()).isNotNull();
+        assertThat(bot.sent()).containsExactly("move 300", "turn 90");
+    }
+
+    @Test
+    void aMoveBeyondMaxMoveIsRefused() {
+        assertThatThrownBy(() -> bot.move(6000))
+                .isInstanceOf(ParameterException.class)
+                .hasMessage("move 6000: longer than maxMove, 5000 mm; set maxMove higher to allow it");
+        assertThat(bot.sent()).isEmpty();
+    }
+
+    @Test
+    void aWrongParameterIsNamedWithASuggestion() {
+        assertThatThrownBy(() -> bot.get("headPam"))
+                .hasMessage("headPam: the Fake has no such parameter; did you mean headPan?");
+    }
+
+    @Test
+    void aValueOutsideItsRangeIsRefused() {
+        assertThatThrownBy(() -> bot.set("headPan", 120)).hasMessage("headPan 120: outside -91 … 91 deg");
+    }
+
+    @Test
+    void aLatchedRobotRefusesMotionAndMovingSettingsButNotReading() {
+        bot.latch();
+
+        assertThatThrownBy(() -> bot.move(100)).hasMessageContaining("STOP is latched");
+        assertThatThrownBy(() -> bot.set("headPan", 10)).hasMessageContaining("STOP is latched");
+        assertThatThrownBy(() -> bot.drive(100, 0)).hasMessageContaining("STOP is latched");
+        assertThat(bot.get("voltage")).hasToString("12.6 V");
+    }
+}

@@ -1,0 +1,239 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalInt;
+import majic.TestClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class TeamTest {
+    private final TestClock clock = new TestClock();
+    private final Team team = new Team(clock.time());
+    private final List<String> said = Collections.synchronizedList(new ArrayList<>());
+
+    @AfterEach
+    void close() {
+        team.close();
+        clock.close();
+    }
+
+    private FakeBot join() {
+        FakeBot bot = FakeBot.on(clock.time());
+        bot.connect();
+        team.add(bot, OptionalInt.empty());
+        return bot;
+    }
+
+    private void listen() {
+        team.addListener(new TeamListener() {
+            @Override
+            public void answered(Answer answer) {
+                said.add(answer.text());
+            }
+        });
+    }
+
+    private static Order move(double mm) {
+        String text = "move " + Value.plain(mm);
+        return new Order(text, true, robot -> List.of(text + ": done (" + robot.move(mm) + ")"));
+    }
+
+    private boolean awaitIdle(int robot) throws InterruptedException {
+        return team.changes().await(() -> team.member(robot).isIdle(), 100);
+    }
+
+    @Test
+    void robotsGetTheLowestNumberThatWasNeverUsed() {
+        join();
+        join();
+        team.remove(1);
+        join();
+
+        assertThat(team.members()).extracting(Member::number).containsExactly(2, 3);
+    }
+
+    @Test
+    void aRemovedNumberComesBackWhenAskedFor() {
+        join();
+        team.remove(1);
+        FakeBot bot = FakeBot.on(clock.time());
+        bot.connect();
+
+        assertThat(team.add(bot, OptionalInt.of(1)).number()).isEqualTo(1);
+    }
+
+    @Test
+    void aTeamIsNeverLargerThanItsMaximum() {
+        Team pair = new Team(clock.time(), 2);
+        pair.add(FakeBot.on(clock.time()), OptionalInt.empty());
+        pair.add(FakeBot.on(clock.time()), OptionalInt.empty());
+
+        assertThatThrownBy(() -> pair.add(FakeBot.on(clock.time()), OptionalInt.empty()))
+                .hasMessageContaining("the team is full (2 robots)");
+    }
+
+    @Test
+    void aMissingRobotIsNamedWithThoseThereAre() {
+        join();
+
+        assertThatThrownBy(() -> team.member(7)).hasMessage("7: there is no robot 7 (robots: 1 Fake)");
+    }
+
+    @Test
+    void ordersToOneRobotRunInOrder() throws InterruptedException {
+        join();
+        listen();
+        team.member(1).submit(move(300), null);
+        team.member(1).submit(move(600), null);
+        awaitIdle(1);
+
+        assertThat(said).containsExactly("1 move 300: done (300 mm, 1.0 s)", "1 move 600: done (600 mm, 2.0 s)");
+    }
+
+    @Test
+    void whatWasQueuedBehindAFailureIsNotRunAndSaysSo() throws InterruptedException {
+        join().stallAfter(120);
+        listen();
+        team.member(1).submit(move(300), null);
+        team.member(1).submit(move(100), null);
+        awaitIdle(1);
+
+        assertThat(said)
+                .containsExactly("1 move 300: failed: stalled after 120 mm", "1 move 100: not run: 1 move 300 failed");
+    }
+
+    @Test
+    void aStopEndsTheMotionAndEmptiesTheQueue() throws InterruptedException {
+        FakeBot bot = join();
+        listen();
+        team.member(1).submit(move(3000), null);
+        team.member(1).submit(move(100), null);
+        clock.time().sleep(1);
+
+        team.stop(List.of(team.member(1)), null);
+        awaitIdle(1);
+
+        assertThat(said)
+                .containsExactlyInAnyOrder("1 move 3000: stopped", "1 move 100: not run: stopped", "1 stop: done");
+        assertThat(bot.sent()).containsExactly("move 3000", "halt");
+    }
+
+    @Test
+    void anOrderGivenAfterAStopRunsAfterIt() throws InterruptedException {
+        FakeBot bot = join();
+        team.member(1).submit(move(3000), null);
+        clock.time().sleep(1);
+
+        team.stop(List.of(team.member(1)), null);
+        team.member(1).submit(move(50), null);
+        awaitIdle(1);
+
+        assertThat(bot.sent()).containsExactly("move 3000", "halt", "move 50");
+    }
+
+    @Test
+    void stopLatchesUntilReleased() {
+        join();
+        team.stopAll();
+
+        assertThatThrownBy(() -> team.member(1).submit(move(100), null)).hasMessageContaining("STOP is latched");
+        team.release();
+        assertThat(team.member(1).submit(move(100), null)).isNotNull();
+    }
+
+    @Test
+    void aRobotThatJoinsWhileStopIsLatchedIsLatchedToo() {
+        team.stopAll();
+        FakeBot bot = join();
+
+        assertThatThrownBy(() -> bot.move(100)).hasMessageContaining("STOP is latched");
+    }
+
+    @Test
+    void stopConfirmsEachRobotAndNamesTheStuckOne() throws InterruptedException {
+        join().getStuck();
+        join();
+        listen();
+
+        team.stopAll();
+        team.changes().await(() -> said.size() >= 2, 5);
+
+        assertThat(said).containsExactlyInAnyOrder("1 stop: failed: takes no more data", "2 stop: done");
+    }
+
+    @Test
+    void anOwnedRobotRefusesMotionFromElsewhere() {
+        join();
+        Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
+        team.member(1).claim(act);
+
+        assertThatThrownBy(() -> team.member(1).submit(move(100), null))
+                .hasMessage("1 is running WanderDog; \"1 stop\" ends it");
+    }
+
+    @Test
+    void aStopEndsTheOwner() {
+        join();
+        List<String> ended = new ArrayList<>();
+        team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", () -> ended.add("WanderDog")));
+
+        team.stop(team.members(), null);
+
+        assertThat(ended).containsExactly("WanderDog");
+    }
+
+    @Test
+    void aRevokedLeaseLeavesItsHolderPowerless() {
+        FakeBot bot = join();
+        Permit lease = new Permit();
+        BotControl held = team.member(1).control(lease);
+        lease.revoke(() -> new MotionStopped("revoked"));
+
+        assertThatThrownBy(() -> held.move(100)).hasMessage("revoked");
+        assertThat(bot.sent()).isEmpty();
+        assertThat(held.get("voltage")).hasToString("12.6 V");
+    }
+
+    @Test
+    void aFullQueueRefusesAndSaysWhatEmptiesIt() {
+        join();
+        for (int order = 0; order <= Member.QUEUE_DEPTH; order++) {
+            if (team.member(1).hasRoom()) {
+                team.member(1).submit(move(5000), null);
+            }
+        }
+        while (team.member(1).hasRoom()) {
+            team.member(1).submit(move(5000), null);
+        }
+
+        assertThatThrownBy(() -> team.member(1).submit(move(1), null)).hasMessageContaining("its queue is full (100");
+    }
+
+    @Test
+    void aHandThatFallsSilentLeavesTheRobotStanding() throws InterruptedException {
+        FakeBot bot = join();
+        Hand hand = new Hand(team.member(1));
+        hand.drive(200, 0);
+        clock.time().sleep(1);
+
+        assertThat(bot.sent()).containsExactly("drive 200 0", "halt");
+        hand.close();
+        assertThat(team.changes().await(() -> team.member(1).owner() == null, 1))
+                .isTrue();
+    }
+
+    @Test
+    void aHandIsRefusedWhileTheRobotIsBusy() {
+        join();
+        team.member(1).submit(move(3000), null);
+
+        assertThatThrownBy(() -> new Hand(team.member(1))).hasMessage("1 is busy; \"1 stop\" ends it");
+    }
+}
