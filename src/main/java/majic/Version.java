@@ -1,0 +1,16 @@
+package majic;
+
+import picocli.CommandLine.IVersionProvider;
+
+/** Which MAJIC this is, from the jar's manifest. */
+final class Version implements IVersionProvider {
+    static String text() {
+        String version = Version.class.getPackage().getImplementationVersion();
+        return "MAJIC " + (version == null ? "(not from a jar)" : version);
+    }
+
+    @Override
+    public String[] getVersion() {
+        return new String[] {text(), "Java " + Runtime.version()};
+    }
+}
