@@ -1,0 +1,124 @@
+# What ./majic and ./check share: finding or installing tools, building, starting. Sourced, not run.
+
+say() {
+    echo "majic: $*" >&2
+}
+
+is_debian() {
+    command -v apt-get >/dev/null 2>&1
+}
+
+# Runs a command as root, or explains how.
+as_root() {
+    if [ "$(id -u)" = 0 ]; then
+        "$@"
+    else
+        sudo "$@"
+    fi
+}
+
+may_install() {
+    is_debian && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null || [ -t 0 ] && command -v sudo >/dev/null 2>&1; }
+}
+
+# install_or_name WHY PACKAGE...: installs Debian packages after one line that says so, or names the command.
+install_or_name() {
+    why=$1
+    shift
+    if may_install; then
+        say "$why is missing; installing $*"
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq update >/dev/null 2>&1 || true
+        if as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends "$@" >/dev/null 2>&1; then
+            return 0
+        fi
+        say "installing failed; try: apt-get update && apt-get install $*"
+        exit 1
+    fi
+    if is_debian; then
+        say "$why is missing; as root type: apt-get install $*"
+    elif command -v brew >/dev/null 2>&1; then
+        say "$why is missing; type: brew install openjdk maven"
+    elif command -v dnf >/dev/null 2>&1; then
+        say "$why is missing; type: sudo dnf install java-latest-openjdk-devel maven"
+    elif command -v pacman >/dev/null 2>&1; then
+        say "$why is missing; type: sudo pacman -S jdk-openjdk maven"
+    else
+        say "$why is missing; install a JDK (17 or newer) and Maven (3.8 or newer), and put both on the PATH"
+    fi
+    exit 1
+}
+
+# The major version of a java program, 0 if there is none.
+java_major() {
+    version=$("$1" -version 2>&1 | sed -n 's/.*version "\([0-9]*\).*/\1/p' | head -n 1)
+    echo "${version:-0}"
+}
+
+# Chooses the java to use: JAVA_HOME's, else the one on the PATH; sets java.
+find_java() {
+    if [ -n "${JAVA_HOME:-}" ] && [ -x "$JAVA_HOME/bin/java" ]; then
+        java=$JAVA_HOME/bin/java
+    else
+        java=$(command -v java || true)
+    fi
+}
+
+has_jdk() {
+    find_java
+    [ -n "$java" ] && [ "$(java_major "$java")" -ge 17 ] && { [ -x "$(dirname "$java")/javac" ] || command -v javac >/dev/null 2>&1; }
+}
+
+need_java_and_maven() {
+    has_jdk || install_or_name "a JDK (17 or newer)" default-jdk
+    find_java
+    command -v mvn >/dev/null 2>&1 || install_or_name Maven maven
+}
+
+# Builds the jar, saying once that it does and what it is at.
+build_majic() {
+    say "building; the first time this fetches libraries and takes a minute or two"
+    log=$1/target/build.log
+    mkdir -p "$1/target"
+    if [ -t 2 ]; then
+        (cd "$1" && mvn -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip package 2>&1) | tee "$log" |
+            awk '/Downloaded from/ { n++; printf "\rmajic: %d files fetched", n > "/dev/stderr" }
+                 /^\[INFO\] --- / { sub(/^\[INFO\] --- /, ""); sub(/ @.*/, ""); printf "\rmajic: %-60s", $0 > "/dev/stderr" }
+                 END { printf "\r%-70s\r", "" > "/dev/stderr" }'
+    else
+        (cd "$1" && mvn -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip package >"$log" 2>&1) || true
+    fi
+    if ! grep -q 'BUILD SUCCESS' "$log"; then
+        grep '^\[ERROR\]' "$log" | head -n 5 >&2
+        say "the build failed; all of it stands in $log"
+        exit 1
+    fi
+    touch "$1/target/majic.jar"
+}
+
+# Where class data is kept that makes the next start faster; belongs to one jar and one JDK.
+cache_folder() {
+    echo "${XDG_CACHE_HOME:-$HOME/.cache}/majic"
+}
+
+exec_majic() {
+    root=$1
+    shift
+    jar=$root/target/majic.jar
+    set -- -jar "$jar" "$@"
+    major=$(java_major "$java")
+    if [ "$major" -ge 22 ]; then
+        set -- --enable-native-access=ALL-UNNAMED "$@"
+    fi
+    folder=$(cache_folder)
+    if [ "$major" -ge 19 ] && mkdir -p "$folder" 2>/dev/null; then
+        set -- -XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=$folder/majic-$major.jsa" "$@"
+    elif mkdir -p "$folder" 2>/dev/null; then
+        archive=$folder/majic-$major.jsa
+        if [ -f "$archive" ] && [ "$archive" -nt "$jar" ]; then
+            set -- "-XX:SharedArchiveFile=$archive" "$@"
+        else
+            set -- "-XX:ArchiveClassesAtExit=$archive" "$@"
+        fi
+    fi
+    exec "$java" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xshare:auto -Xlog:cds=off -Xlog:cds+dynamic=off -Xlog:disable -Xlog:all=off "$@"
+}
