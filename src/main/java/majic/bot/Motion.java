@@ -95,6 +95,15 @@ public final class Motion {
     }
 
     /**
+     * Whether something may end the motion before its time.
+     *
+     * @return false for a motion without {@code until}
+     */
+    public boolean isGuarded() {
+        return guard != Guard.NEVER;
+    }
+
+    /**
      * How long the motion has lasted.
      *
      * @return seconds on the robot's clock

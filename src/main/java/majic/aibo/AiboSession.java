@@ -1,0 +1,229 @@
+package majic.aibo;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Arrays;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.Motion;
+import majic.bot.MotionFailed;
+import majic.link.Link;
+import org.jspecify.annotations.Nullable;
+
+/** Everything that lives from one connect to the end of the connection. */
+final class AiboSession {
+    private static final Logger LOG = System.getLogger(AiboSession.class.getName());
+    private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
+    private static final double FIRST_READINGS_S = 3;
+    private static final double FREE_S = 3;
+    private static final double SILENCE_S = 1.5;
+    private static final double LOST_S = 4;
+
+    /** What the session tells its robot. Called on reader and keeper threads. */
+    interface Robot {
+        /** A set of readings is in. */
+        void sensed();
+
+        /** Something worth saying. */
+        void say(String message);
+
+        /** It is over. */
+        void lost(LinkLost cause);
+    }
+
+    private final Watch watch;
+    private final Dog dog;
+    private final Robot robot;
+    private final Tags tags = new Tags();
+    private final Poll poll = new Poll(tags);
+    private final AiboLinks links;
+    private final Runner runner;
+    private final DogGuard guard;
+    private final HeadSweep sweep;
+    private final Feet feet;
+    private final Driving driving;
+    private volatile long lastWordNanos;
+    private volatile boolean silent;
+
+    AiboSession(Supplier<Link> link, Watch watch, Dog dog, Robot robot) {
+        this.watch = watch;
+        this.dog = dog;
+        this.robot = robot;
+        this.links = new AiboLinks(link, watch, this::heard, this::lost);
+        this.runner = new Runner(links, tags, watch, dog);
+        this.guard = new DogGuard(links, tags, watch);
+        this.sweep = new HeadSweep(links.sensors(), tags);
+        Consumer<String> notice = robot::say;
+        this.feet = new Feet(this, dog, notice);
+        this.driving = new Driving(this, notice);
+    }
+
+    /** Connects, sets up guard and readings; moves nothing. Leaves nothing open when it throws. */
+    void open() {
+        links.open();
+        try {
+            lastWordNanos = watch.time().nanos();
+            guard.install();
+            for (Sensor.Rate rate : Sensor.Rate.values()) {
+                links.sensors().send(poll.order(rate, links.sensors().dialect()));
+            }
+            boolean all = watch.await(() -> answered() == Sensor.values().length, FIRST_READINGS_S);
+            if (!all && answered() == 0) {
+                throw new BotException("the dog lets itself be connected but tells no reading within "
+                        + (int) FIRST_READINGS_S + " s; restart the dog");
+            }
+            lastWordNanos = watch.time().nanos();
+            links.announceOpened();
+        } catch (BotException e) {
+            links.abort();
+            throw e;
+        }
+    }
+
+    private long answered() {
+        return Arrays.stream(Sensor.values()).filter(dog.senses()::isAnswered).count();
+    }
+
+    Watch watch() {
+        return watch;
+    }
+
+    AiboLinks links() {
+        return links;
+    }
+
+    Runner runner() {
+        return runner;
+    }
+
+    DogGuard guard() {
+        return guard;
+    }
+
+    HeadSweep sweep() {
+        return sweep;
+    }
+
+    Feet feet() {
+        return feet;
+    }
+
+    Driving driving() {
+        return driving;
+    }
+
+    Dog dog() {
+        return dog;
+    }
+
+    /** Whether the dog has said nothing for so long that it must not move. */
+    boolean isSilent() {
+        return watch.time().secondsSince(lastWordNanos) > SILENCE_S;
+    }
+
+    /** Asks for a value. */
+    UrbiValue ask(UrbiConnection on, String expression, double seconds) {
+        Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
+        on.send(ask, on.dialect().labelled(ask.tag(), expression) + ";");
+        watch.await(() -> ask.isDone() || on.isEnded(), seconds);
+        on.forget(ask);
+        UrbiValue value = ask.value();
+        if (value == null) {
+            String failure = ask.failure();
+            throw new UrbiRefusal(
+                    failure == null
+                            ? "the dog did not answer within " + seconds + " s"
+                            : "the dog refuses: " + failure);
+        }
+        return value;
+    }
+
+    /** Waits until the dog has ended what it did before this motion. */
+    void awaitFree(Motion motion) {
+        motion.check();
+        if (!watch.await(() -> runner.current() == null, FREE_S)) {
+            throw new MotionFailed("the dog has not ended what it did before");
+        }
+        motion.check();
+    }
+
+    /** Sends the stop for everything that moves. */
+    void halt() {
+        driving.forget();
+        runner.halt(sweep.halt());
+    }
+
+    /** The duties that come round ten times a second, on the keeper's thread. */
+    void tend() {
+        tendSilence();
+        runner.pursue();
+        driving.tend();
+        Running running = runner.current();
+        guard.tend(running != null && running.piece() != null && !running.isStopRequested());
+        sweep.tend();
+    }
+
+    private void tendSilence() {
+        double seconds = watch.time().secondsSince(lastWordNanos);
+        if (seconds > LOST_S) {
+            links.broken(links.sensors(), "no word from the dog for " + (int) LOST_S + " s");
+        } else if (isSilent() && !silent && runner.current() != null) {
+            silent = true;
+            robot.say("no word from the dog for " + SILENCE_S + " s while it moves: it is told to stop");
+            halt();
+            watch.changes().raise();
+        }
+    }
+
+    /** Stops, says goodbye, closes. */
+    void close() {
+        driving.forget();
+        links.close(Runner.STOP_GAITS + own(runner.current()) + sweep.halt() + " " + guard.stop() + " " + poll.stop());
+    }
+
+    private static String own(@Nullable Running running) {
+        return running == null ? "" : " " + running.stopCommands();
+    }
+
+    private void lost(LinkLost cause) {
+        driving.forget();
+        runner.abandon();
+        robot.lost(cause);
+    }
+
+    private void heard(UrbiMessage message) {
+        Sensor sensor = poll.sensor(message);
+        if (sensor != null) {
+            sensed(sensor, message);
+        } else if (message.tag().equals("power") && message.body() instanceof UrbiMessage.Info info) {
+            heardPower(info.text());
+        } else {
+            LOG.log(Level.DEBUG, "unasked: {0}", message);
+        }
+    }
+
+    private void heardPower(String text) {
+        Matcher battery = BATTERY.matcher(text);
+        if (battery.matches()) {
+            dog.senses().put(Sensor.CHARGE, new UrbiValue.Num(Integer.parseInt(battery.group(1)) / 100.0));
+        }
+    }
+
+    private void sensed(Sensor sensor, UrbiMessage message) {
+        lastWordNanos = watch.time().nanos();
+        silent = false;
+        if (message.body() instanceof UrbiMessage.Result result) {
+            dog.senses().put(sensor, result.value());
+        } else if (message.body() instanceof UrbiMessage.Failure failure) {
+            dog.senses().refuse(sensor, "the dog says: " + failure.text());
+        }
+        if (sensor == Sensor.HEAD_PAN) {
+            dog.sensed(message.timeMs());
+            robot.sensed();
+        }
+    }
+}

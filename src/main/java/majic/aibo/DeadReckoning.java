@@ -1,0 +1,36 @@
+package majic.aibo;
+
+import majic.bot.Pose;
+import org.jspecify.annotations.Nullable;
+
+/** Where the dog should be by what it was told; it has no odometry (URBI sheet 15). Thread-safe. */
+final class DeadReckoning {
+    private Pose settled = Pose.START;
+    private @Nullable Piece walking;
+
+    /** A piece begins where the last one ended. */
+    synchronized void begin(Piece piece) {
+        settle(Long.MAX_VALUE);
+        walking = piece;
+    }
+
+    /** The piece under way is over. */
+    synchronized void end() {
+        settle(Long.MAX_VALUE);
+    }
+
+    private void settle(long serverMs) {
+        settled = at(serverMs);
+        walking = null;
+    }
+
+    /** Where it is at a time of the server's clock. */
+    synchronized Pose at(long serverMs) {
+        Piece piece = walking;
+        if (piece == null) {
+            return settled;
+        }
+        double covered = piece.coveredAt(serverMs);
+        return piece.gait().isWalk() ? settled.after(covered, 0) : settled.after(0, covered);
+    }
+}

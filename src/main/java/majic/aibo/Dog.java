@@ -1,0 +1,77 @@
+package majic.aibo;
+
+import java.util.Optional;
+import majic.bot.BotState;
+import majic.bot.Pose;
+import org.jspecify.annotations.Nullable;
+
+/** What is known of the dog: its readings, what is around it, where it is. Outlives a connection. Thread-safe. */
+final class Dog {
+    private final Calibration calibration;
+    private final Senses senses = new Senses();
+    private final InfraRed infraRed = new InfraRed(senses);
+    private final Surroundings surroundings = new Surroundings();
+    private final DeadReckoning reckoning = new DeadReckoning();
+    private volatile boolean afoot;
+    private volatile long serverMs;
+
+    Dog(Calibration calibration) {
+        this.calibration = calibration;
+    }
+
+    Calibration calibration() {
+        return calibration;
+    }
+
+    Senses senses() {
+        return senses;
+    }
+
+    InfraRed infraRed() {
+        return infraRed;
+    }
+
+    DeadReckoning reckoning() {
+        return reckoning;
+    }
+
+    /** Whether it was brought to its feet and nothing has been done since that could have changed that. */
+    boolean isAfoot() {
+        return afoot && senses.motorsOn().orElse(true);
+    }
+
+    void setAfoot(boolean stands) {
+        afoot = stands;
+        if (stands) {
+            infraRed.standing();
+        }
+    }
+
+    /** Forgets what an earlier connection said. */
+    void forgetReadings() {
+        senses.clear();
+        surroundings.clear();
+        afoot = false;
+    }
+
+    /** A set of fast readings is complete, by the server's clock at this time. */
+    void sensed(long atServerMs) {
+        serverMs = atServerMs;
+        Pose pose = reckoning.at(atServerMs);
+        double pan = senses.number(Sensor.HEAD_PAN).orElse(0.0);
+        surroundings.look(pose, pan, infraRed.headMm(), atServerMs);
+        surroundings.look(pose, 0, infraRed.chestMm(), atServerMs);
+    }
+
+    /** The nearest thing in the way ahead, mm from the hull; empty if there is none. */
+    Optional<Double> frontMm() {
+        return surroundings.frontMm(reckoning.at(serverMs));
+    }
+
+    /** What it shares with all robots, while it walks a piece or none. */
+    BotState state(@Nullable Piece piece, boolean moving, long nowNanos) {
+        double pace = piece == null ? 0 : piece.gait().sign() * calibration.unitsPerSecond(piece.gait());
+        boolean walks = piece != null && piece.gait().isWalk();
+        return new BotState(reckoning.at(serverMs), walks ? pace : 0, walks ? 0 : pace, moving, nowNanos);
+    }
+}

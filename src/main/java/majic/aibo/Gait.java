@@ -1,0 +1,58 @@
+package majic.aibo;
+
+/** The four things the stick's gaits can do; each lasts for the milliseconds it is given (URBI sheet 15). */
+enum Gait {
+    /** Straight ahead. */
+    FORWARD("walk", 1, "forward", 12.0),
+    /** Straight back. */
+    BACKWARD("walk", -1, "backward", 12.0),
+    /** Counterclockwise on the spot. */
+    LEFT("turn", 1, "left", 27.8),
+    /** Clockwise on the spot. */
+    RIGHT("turn", -1, "right", 27.8);
+
+    private final String function;
+    private final int sign;
+    private final String key;
+    private final double usualMsPerUnit;
+
+    Gait(String function, int sign, String key, double usualMsPerUnit) {
+        this.function = function;
+        this.sign = sign;
+        this.key = key;
+        this.usualMsPerUnit = usualMsPerUnit;
+    }
+
+    /** The gait that covers a signed distance. */
+    static Gait walking(double mm) {
+        return mm < 0 ? BACKWARD : FORWARD;
+    }
+
+    /** The gait that covers a signed angle. */
+    static Gait turning(double degrees) {
+        return degrees < 0 ? RIGHT : LEFT;
+    }
+
+    boolean isWalk() {
+        return this == FORWARD || this == BACKWARD;
+    }
+
+    int sign() {
+        return sign;
+    }
+
+    /** How it is called in the settings and in messages. */
+    String key() {
+        return key;
+    }
+
+    /** Milliseconds for one mm or one degree, before anybody has measured the dog (URBI sheet 15, "Calibration"). */
+    double usualMsPerUnit() {
+        return usualMsPerUnit;
+    }
+
+    /** The call that makes the dog do it. */
+    String call(long ms) {
+        return "robot." + function + "(" + sign * ms + ")";
+    }
+}

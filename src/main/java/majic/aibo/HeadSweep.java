@@ -1,0 +1,69 @@
+package majic.aibo;
+
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Lets the head look left and right while the dog walks ahead, because the infra-red beams are far narrower than the
+ * dog. Only ever started by a motion that somebody asked for. Never makes a stop wait.
+ */
+final class HeadSweep {
+    /** There and back again. */
+    static final double PERIOD_S = 2;
+
+    private static final int AMPLITUDE_DEG = 45;
+    private static final int BACK_MS = 300;
+
+    private final UrbiConnection sensors;
+    private final Tags tags;
+    private final AtomicReference<@Nullable String> sweeping = new AtomicReference<>();
+    private final AtomicReference<@Nullable String> halted = new AtomicReference<>();
+    private volatile double homeDeg;
+
+    HeadSweep(UrbiConnection sensors, Tags tags) {
+        this.sensors = sensors;
+        this.tags = tags;
+    }
+
+    /** Where the head looks when it does not sweep, degrees to the left. */
+    void home(double degrees) {
+        homeDeg = degrees;
+    }
+
+    /** Begins to sweep, unless it does; to be sent as part of a motion. */
+    void start() {
+        String tag = tags.next();
+        if (sweeping.compareAndSet(null, tag)) {
+            sensors.send(tag + ": headPan.val = 0 sin:" + (int) (PERIOD_S * 1000) + " ampli:" + AMPLITUDE_DEG + ",");
+        }
+    }
+
+    /** Ends it and brings the head back to where it was; to be sent as part of a motion. */
+    void end() {
+        String tag = sweeping.getAndSet(null);
+        if (tag != null) {
+            sensors.send("stop " + tag + "; headPan.val = " + Dialect.number(homeDeg) + " time:" + BACK_MS + ",");
+        }
+    }
+
+    /**
+     * What stops it at once on another connection. Since that may overtake the command that began it, {@link #tend}
+     * sends it again on the same one.
+     */
+    String halt() {
+        String tag = sweeping.getAndSet(null);
+        if (tag == null) {
+            return "";
+        }
+        halted.set(tag);
+        return " stop " + tag + ",";
+    }
+
+    /** Makes sure that what was halted is over. */
+    void tend() {
+        String tag = halted.getAndSet(null);
+        if (tag != null) {
+            sensors.send("stop " + tag + ",");
+        }
+    }
+}

@@ -1,0 +1,194 @@
+package majic.aibo;
+
+import javax.swing.JComponent;
+import majic.bot.BotAddress;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.BotProfile;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.Motion;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.link.Link;
+import majic.link.Links;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A Sony Aibo ERS-7 with URBI 1.0 or 1.5 on its memory stick, over TCP.
+ *
+ * <p>It walks by timed gaits and has no odometry, so distances, angles and the pose are estimates; four factors in the
+ * settings adapt them to the dog. The first motion switches the motors on and stands the dog up. While it walks ahead
+ * its head sweeps from side to side: the infra-red beams are much narrower than the dog.
+ */
+public final class MajicAibo extends MajicBot {
+    /** Half of 319 × 180 mm around the turning centre, with the corners. */
+    private static final double BODY_MM = 183;
+
+    private static final double NEAR_MM = 250;
+    private static final double DUTY_S = 0.1;
+
+    private final String address;
+    private final Dog dog;
+    private volatile @Nullable AiboSession session;
+
+    /**
+     * Makes the driver of a dog, without touching it, for a program that just wants a robot.
+     *
+     * @param address as users type it: {@code aibo://192.168.1.20} or {@code aibo://192.168.1.20:54000}
+     * @throws BotException if it is no such address
+     */
+    public MajicAibo(String address) {
+        this(rest(address), BotEnvironment.plain());
+    }
+
+    /**
+     * Makes the driver of a dog, without touching it.
+     *
+     * @param address what follows {@code aibo:}, such as {@code //192.168.1.20}
+     * @param environment its clock and settings
+     * @throws BotException if it is no such address; the message says what one looks like
+     */
+    public MajicAibo(String address, BotEnvironment environment) {
+        super(new AiboType(), profile(calibration(address, environment)), environment);
+        this.address = address;
+        this.dog = new Dog(calibration(address, environment));
+        link();
+        new AiboParameters(dog, this::session).describe(table());
+    }
+
+    private static String rest(String address) {
+        BotAddress parsed = BotAddress.parse(address);
+        if (!parsed.scheme().equals("aibo")) {
+            throw new BotException(address + ": not an Aibo's address; it looks like aibo://192.168.1.20");
+        }
+        return parsed.rest();
+    }
+
+    private static Calibration calibration(String address, BotEnvironment environment) {
+        return new Calibration(environment.settings(), address.replaceFirst("^(tcp:)?//", ""));
+    }
+
+    private static BotProfile profile(Calibration calibration) {
+        double walk = calibration.unitsPerSecond(Gait.FORWARD);
+        double back = calibration.unitsPerSecond(Gait.BACKWARD);
+        double turn = Math.max(calibration.unitsPerSecond(Gait.LEFT), calibration.unitsPerSecond(Gait.RIGHT));
+        return new BotProfile(
+                BODY_MM,
+                new Range(-Math.max(walk, back), Math.max(walk, back)),
+                new Range(-turn, turn),
+                walk,
+                turn,
+                NEAR_MM,
+                true);
+    }
+
+    private Link link() {
+        if (!address.startsWith("//") && !address.startsWith("tcp://")) {
+            throw new BotException("aibo:" + address + ": not an Aibo's address; it looks like aibo://192.168.1.20");
+        }
+        try {
+            return Links.of(address, AiboType.PORT, 0);
+        } catch (IllegalArgumentException e) {
+            throw new BotException("aibo:" + e.getMessage(), e);
+        }
+    }
+
+    @Override
+    protected void open() {
+        dog.forgetReadings();
+        AiboSession opening = new AiboSession(this::link, new Watch(time(), changes()), dog, new Voice());
+        session = opening;
+        try {
+            opening.open();
+        } catch (BotException e) {
+            session = null;
+            throw e;
+        }
+        every("aibo duties", DUTY_S, this::tend);
+    }
+
+    @Override
+    protected void shut() {
+        AiboSession closing = session;
+        session = null;
+        if (closing != null) {
+            closing.close();
+        }
+    }
+
+    private void tend() {
+        AiboSession tended = session;
+        if (tended != null && isConnected()) {
+            tended.tend();
+        }
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        double covered = new Walker(session(), motion).cover(Gait.walking(mm), Math.abs(mm));
+        return Value.about(covered, Unit.MM);
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        double covered = new Walker(session(), motion).cover(Gait.turning(degrees), Math.abs(degrees));
+        return Value.about(covered, Unit.DEG);
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        session().driving().drive(mmPerSec, degPerSec);
+    }
+
+    @Override
+    protected void halt() {
+        session().halt();
+    }
+
+    @Override
+    protected void confirmHalt() {
+        session().runner().confirm();
+    }
+
+    @Override
+    public @Nullable JComponent display() {
+        return AiboPanel.create(this);
+    }
+
+    /** What the panel draws from. */
+    Dog dog() {
+        return dog;
+    }
+
+    private AiboSession session() {
+        AiboSession open = session;
+        if (open == null) {
+            throw new LinkLost("not connected");
+        }
+        return open;
+    }
+
+    /** Hears the session on its threads and tells everybody. */
+    private final class Voice implements AiboSession.Robot {
+        @Override
+        public void sensed() {
+            AiboSession open = session;
+            Running running = open == null ? null : open.runner().current();
+            Piece piece = running == null ? null : running.piece();
+            publish(dog.state(piece, running != null, time().nanos()));
+        }
+
+        @Override
+        public void say(String message) {
+            notice(message);
+        }
+
+        @Override
+        public void lost(LinkLost cause) {
+            session = null;
+            MajicAibo.this.lost(cause);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package majic.aibo;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+
+/** The standing order by which the dog reports its sensors, and the way back from tags to sensors (URBI sheet 8). */
+final class Poll {
+    private final Tags tags;
+    private final Map<String, Sensor> byTag = new HashMap<>();
+
+    Poll(Tags tags) {
+        this.tags = tags;
+        for (Sensor sensor : Sensor.values()) {
+            byTag.put(tags.named(sensor.tagName()), sensor);
+        }
+    }
+
+    /** The order for all sensors of a rate; a name the dog does not know spoils only its own reading. */
+    String order(Sensor.Rate rate, Dialect dialect) {
+        String readings = rate.sensors().stream()
+                .map(sensor -> dialect.labelled(tags.named(sensor.tagName()), sensor.expression()))
+                .collect(Collectors.joining(" & "));
+        return pollTag(rate) + ": every(" + rate.periodMs() + ") { " + readings + " },";
+    }
+
+    /** What ends all orders. */
+    String stop() {
+        StringBuilder stop = new StringBuilder();
+        for (Sensor.Rate rate : Sensor.Rate.values()) {
+            stop.append("stop ").append(pollTag(rate)).append(", ");
+        }
+        return stop.toString();
+    }
+
+    private String pollTag(Sensor.Rate rate) {
+        return tags.named("poll" + rate.ordinal());
+    }
+
+    /** Which sensor a message speaks of; null if of none. */
+    @Nullable
+    Sensor sensor(UrbiMessage message) {
+        return byTag.get(message.tag());
+    }
+}

@@ -1,0 +1,127 @@
+package majic.aibo;
+
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import majic.bot.BotException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The one thing that the dog is doing, and its end. A stop goes out on the stop connection at once, without looking at
+ * anything; whether it has hit what it was meant for is found out afterwards, see {@link Running#pursue}. Thread-safe.
+ */
+final class Runner {
+    /** The stick's own tags inside of its gaits; this ends the walks of all clients (URBI sheet 15, 19). */
+    static final String STOP_GAITS = "stop walk, stop turn,";
+
+    private static final double CONFIRM_S = 2;
+    private static final double AGAIN_S = 0.1;
+
+    private final AiboLinks links;
+    private final Tags tags;
+    private final Watch watch;
+    private final Dog dog;
+    private final AtomicReference<@Nullable Running> current = new AtomicReference<>();
+
+    Runner(AiboLinks links, Tags tags, Watch watch, Dog dog) {
+        this.links = links;
+        this.tags = tags;
+        this.watch = watch;
+        this.dog = dog;
+    }
+
+    /** What the dog does now; null if nothing that it was told. */
+    @Nullable
+    Running current() {
+        return current.get();
+    }
+
+    /** Makes a piece of a gait, to be started. */
+    Running piece(Gait gait, double amount) {
+        Ask ask = ask();
+        Piece piece = new Piece(gait, amount, dog.calibration().msPerUnit(gait), ask);
+        return new Running(links.motion(), ask, ask.tag() + "+begin+end: " + piece.call() + ",", piece);
+    }
+
+    /** Makes any other command that ends by itself, to be started. */
+    Running command(UrbiConnection on, String commands) {
+        Ask ask = ask();
+        return new Running(on, ask, ask.tag() + "+end: " + commands + ",", null);
+    }
+
+    private Ask ask() {
+        return new Ask(tags.next(), Ask.Expects.END, this::clear);
+    }
+
+    /** Starts it, if it still may be started once everybody can see that it is about to be; there is nothing else. */
+    boolean start(Running running, BooleanSupplier mayStill) {
+        if (!current.compareAndSet(null, running)) {
+            throw new BotException("the dog has not yet ended what it did before");
+        }
+        if (!mayStill.getAsBoolean()) {
+            current.compareAndSet(running, null);
+            return false;
+        }
+        Piece piece = running.piece();
+        if (piece != null) {
+            dog.reckoning().begin(piece);
+        }
+        running.start();
+        return true;
+    }
+
+    /** Called when something has ended, by whoever noticed. */
+    private void clear() {
+        Running ended = current.get();
+        if (ended != null && ended.isOver()) {
+            dog.reckoning().end();
+            current.compareAndSet(ended, null);
+        }
+        watch.changes().raise();
+    }
+
+    /** Sends the stop; does not wait for anything. */
+    void halt(String further) {
+        Running running = current.get();
+        if (running == null) {
+            links.stop().send(STOP_GAITS + further);
+        } else {
+            running.requestStop();
+            if (running.piece() == null) {
+                dog.setAfoot(false);
+            }
+            links.stop().send(STOP_GAITS + running.stopCommands() + further);
+        }
+    }
+
+    /** Waits until the dog has executed the stop and what it was doing has ended. */
+    void confirm() {
+        Running running = current.get();
+        Ask pong = new Ask(tags.next(), Ask.Expects.PONG);
+        links.stop().send(pong, pong.tag() + ": ping;");
+        BooleanSupplier stands =
+                () -> pong.isDone() && (running == null || running.isOver() || !running.isStopRequested());
+        long started = watch.time().nanos();
+        while (!watch.await(stands, AGAIN_S)) {
+            if (watch.time().secondsSince(started) > CONFIRM_S || links.stop().isEnded()) {
+                throw new BotException("the stop was sent, but the dog has not confirmed it within 2 s");
+            }
+            pursue();
+        }
+    }
+
+    /** Goes on making sure that what was stopped ends; to be called now and then. */
+    void pursue() {
+        Running running = current.get();
+        if (running != null && running.isStopRequested()) {
+            running.pursue(links.stop(), tags, STOP_GAITS);
+        }
+    }
+
+    /** The connection is gone: nobody will hear the end of anything. */
+    void abandon() {
+        Running running = current.get();
+        if (running != null) {
+            running.abandon("connection lost");
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package majic.aibo;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Something that moves the dog and that it was told to do: a piece of a gait, a posture, a timed joint. There is never
+ * more than one. Safe from any thread.
+ */
+final class Running {
+    private final UrbiConnection on;
+    private final Ask ask;
+    private final String commands;
+    private final @Nullable Piece piece;
+    private volatile boolean stopRequested;
+    private boolean written;
+    private @Nullable Ask arrival;
+    private @Nullable Ask execution;
+
+    /** A gait piece if there is one, otherwise any command with the ask's tag and the {@code +end} flag. */
+    Running(UrbiConnection on, Ask ask, String commands, @Nullable Piece piece) {
+        this.on = on;
+        this.ask = ask;
+        this.commands = commands;
+        this.piece = piece;
+    }
+
+    /** Writes it to the dog, unless its stop came first: then it is over before it began. */
+    synchronized void start() {
+        if (stopRequested) {
+            ask.finish(on.lastTimeMs());
+        } else {
+            written = true;
+            on.send(ask, commands);
+        }
+    }
+
+    /**
+     * What ends it. A gait is stopped inside, by the stick's own tags, so that the caller's {@code *** end} still comes
+     * and tells how long it has walked; a command stopped by its own tag sends none (URBI sheet 7, 15).
+     */
+    String stopCommands() {
+        return piece == null ? "stop " + ask.tag() + "," : "";
+    }
+
+    void requestStop() {
+        stopRequested = true;
+    }
+
+    boolean isStopRequested() {
+        return stopRequested;
+    }
+
+    boolean isOver() {
+        return ask.isDone();
+    }
+
+    @Nullable
+    Piece piece() {
+        return piece;
+    }
+
+    @Nullable
+    String failure() {
+        return ask.failure();
+    }
+
+    /**
+     * Takes the next step towards the certainty that it has ended. The stop travels on a connection of its own and may
+     * overtake the command it is meant for. So: a ping behind that command on its connection tells when it has arrived;
+     * from then on a stop surely hits it, and a ping behind that stop tells when it has.
+     */
+    synchronized void pursue(UrbiConnection stopping, Tags tags, String stopAll) {
+        if (isOver() || !written) {
+            return;
+        }
+        if (arrival == null) {
+            arrival = ping(on, tags, "");
+        } else if (arrival.isDone() && execution == null) {
+            execution = ping(stopping, tags, stopAll + " stop " + ask.tag() + ", ");
+        } else if (execution != null && execution.isDone()) {
+            on.forget(ask);
+            ask.finish(execution.doneMs());
+        } else {
+            stopping.send(stopAll + stopCommands());
+        }
+    }
+
+    /** Gives up on it: it is taken as ended, whatever the dog says. */
+    void abandon(String reason) {
+        on.forget(ask);
+        ask.fail(reason, on.lastTimeMs());
+    }
+
+    private static Ask ping(UrbiConnection connection, Tags tags, String before) {
+        Ask pong = new Ask(tags.next(), Ask.Expects.PONG);
+        return connection.send(pong, before + pong.tag() + ": ping;");
+    }
+}

@@ -1,0 +1,75 @@
+package majic.aibo;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.jspecify.annotations.Nullable;
+
+/** The newest reading of every sensor. Thread-safe. */
+final class Senses {
+    private static final double STIFF = 0.5;
+
+    /** The scripts on the stick take more than this as pressed (URBI sheet 13). */
+    private static final double PRESSED = 10;
+
+    private final Map<Sensor, UrbiValue> readings = new ConcurrentHashMap<>();
+    private final Map<Sensor, String> refusals = new ConcurrentHashMap<>();
+
+    void put(Sensor sensor, UrbiValue value) {
+        readings.put(sensor, value);
+    }
+
+    void refuse(Sensor sensor, String why) {
+        refusals.put(sensor, why);
+    }
+
+    void clear() {
+        readings.clear();
+        refusals.clear();
+    }
+
+    /** Whether the dog has answered for a sensor, with a reading or that it has none. */
+    boolean isAnswered(Sensor sensor) {
+        return readings.containsKey(sensor) || refusals.containsKey(sensor);
+    }
+
+    /** A reading that is a finite number. */
+    Optional<Double> number(Sensor sensor) {
+        return readings.get(sensor) instanceof UrbiValue.Num number && Double.isFinite(number.amount())
+                ? Optional.of(number.amount())
+                : Optional.empty();
+    }
+
+    /** A reading as people see it, scaled from the dog's unit. */
+    Value value(Sensor sensor, double scale, Unit unit) {
+        return number(sensor).map(amount -> Value.of(amount * scale, unit)).orElseGet(() -> unknown(sensor));
+    }
+
+    /** Why there is no reading. */
+    Value unknown(Sensor sensor) {
+        return Value.unknown(refusals.getOrDefault(sensor, "no reading yet"));
+    }
+
+    /** What the dog takes its posture for; null before it said so. */
+    @Nullable
+    String posture() {
+        return readings.get(Sensor.POSTURE) instanceof UrbiValue.Str guess ? guess.text() : null;
+    }
+
+    /** Whether the legs are stiff; empty while it is not known. */
+    Optional<Boolean> motorsOn() {
+        return number(Sensor.LEG_LOAD).map(load -> load > STIFF);
+    }
+
+    /** Whether something presses on the front of the dog, where it would run into things. */
+    boolean isBumped() {
+        return number(Sensor.CHIN).orElse(0.0) > STIFF
+                || number(Sensor.HEAD_TOUCH).orElse(0.0) > PRESSED;
+    }
+
+    boolean isOnItsBack() {
+        return number(Sensor.ACCEL_Z).orElse(-9.8) > 0;
+    }
+}

@@ -1,0 +1,77 @@
+package majic.aibo;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** What the driver asks the dog for again and again, with the expression that reads it (URBI sheet 13). */
+enum Sensor {
+    NEAR("distanceNear.val", Rate.FAST),
+    FAR("distance.val", Rate.FAST),
+    CHEST("distanceChest.val", Rate.FAST),
+    HEAD_PAN("headPan.val", Rate.FAST),
+    HEAD_TILT("headTilt.val", Rate.SLOW),
+    NECK("neck.val", Rate.SLOW),
+    LEG_LOAD("legLF1.load", Rate.SLOW),
+    NECK_LOAD("neck.load", Rate.SLOW),
+    ACCEL_X("accelX.val", Rate.SLOW),
+    ACCEL_Y("accelY.val", Rate.SLOW),
+    ACCEL_Z("accelZ.val", Rate.SLOW),
+    PAW_LF("pawLF.val", Rate.SLOW),
+    PAW_RF("pawRF.val", Rate.SLOW),
+    PAW_LH("pawLH.val", Rate.SLOW),
+    PAW_RH("pawRH.val", Rate.SLOW),
+    CHIN("chinSensor.val", Rate.SLOW),
+    HEAD_TOUCH("headSensor.val", Rate.SLOW),
+    BACK_FRONT("backSensorF.val", Rate.SLOW),
+    BACK_MIDDLE("backSensorM.val", Rate.SLOW),
+    BACK_REAR("backSensorR.val", Rate.SLOW),
+    CHARGE("power()", Rate.RARE),
+    POSTURE("robot.MyguessPosition()", Rate.RARE);
+
+    /** How often. */
+    enum Rate {
+        /** What a moving dog is stopped by: twice the dog's cycle of 32 ms. */
+        FAST(64),
+        /** What people look at. */
+        SLOW(256),
+        /** What changes slowly. */
+        RARE(1024);
+
+        private final int periodMs;
+
+        Rate(int periodMs) {
+            this.periodMs = periodMs;
+        }
+
+        int periodMs() {
+            return periodMs;
+        }
+
+        List<Sensor> sensors() {
+            return Arrays.stream(Sensor.values())
+                    .filter(sensor -> sensor.rate == this)
+                    .toList();
+        }
+    }
+
+    private final String expression;
+    private final Rate rate;
+
+    Sensor(String expression, Rate rate) {
+        this.expression = expression;
+        this.rate = rate;
+    }
+
+    String expression() {
+        return expression;
+    }
+
+    Rate rate() {
+        return rate;
+    }
+
+    /** The part of a tag that names it. */
+    String tagName() {
+        return "s" + ordinal();
+    }
+}

@@ -1,0 +1,71 @@
+package majic.aibo;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Iterator;
+import java.util.Optional;
+import majic.bot.Pose;
+
+/**
+ * What the dog's infra-red has met of late, and how far ahead of the hull the nearest of it is. Each sensor is one
+ * narrow beam, much narrower than the dog, so what a sweep of the head has met is kept for the time of a sweep, in the
+ * frame of the dead reckoning, and everything in the corridor that the dog needs counts. Thread-safe.
+ */
+final class Surroundings {
+    /** The beams start here, ahead of the turning centre. */
+    static final double HEAD_AHEAD_MM = 120;
+
+    /** The foremost part of the dog, ahead of the turning centre. */
+    static final double HULL_AHEAD_MM = 150;
+
+    /** Half the way the dog needs: it fits in a circle of 180 mm radius and turns inside of it, plus a margin. */
+    static final double CORRIDOR_HALF_MM = 200;
+
+    /** For how long a hit counts: more than one sweep. */
+    private static final long KEPT_MS = 2500;
+
+    private record Hit(double xMm, double yMm, long serverMs) {}
+
+    private final Deque<Hit> hits = new ArrayDeque<>();
+
+    /** Takes in one beam: where it started, where it looked, and how far it went, if it met anything. */
+    synchronized void look(Pose dog, double panDeg, Optional<Double> rangeMm, long serverMs) {
+        forget(serverMs);
+        rangeMm.ifPresent(range -> {
+            double heading = Math.toRadians(dog.headingDeg());
+            double beam = Math.toRadians(dog.headingDeg() + panDeg);
+            double x = dog.xMm() + HEAD_AHEAD_MM * Math.cos(heading) + range * Math.cos(beam);
+            double y = dog.yMm() + HEAD_AHEAD_MM * Math.sin(heading) + range * Math.sin(beam);
+            hits.addLast(new Hit(x, y, serverMs));
+        });
+    }
+
+    /** The nearest thing in the corridor ahead, mm from the hull and not below 0; empty if there is none. */
+    synchronized Optional<Double> frontMm(Pose dog) {
+        double cos = Math.cos(Math.toRadians(dog.headingDeg()));
+        double sin = Math.sin(Math.toRadians(dog.headingDeg()));
+        double nearest = Double.POSITIVE_INFINITY;
+        for (Hit hit : hits) {
+            double dx = hit.xMm - dog.xMm();
+            double dy = hit.yMm - dog.yMm();
+            double ahead = dx * cos + dy * sin;
+            double aside = Math.abs(dy * cos - dx * sin);
+            if (ahead > 0 && aside <= CORRIDOR_HALF_MM) {
+                nearest = Math.min(nearest, Math.max(0, ahead - HULL_AHEAD_MM));
+            }
+        }
+        return Double.isInfinite(nearest) ? Optional.empty() : Optional.of(nearest);
+    }
+
+    synchronized void clear() {
+        hits.clear();
+    }
+
+    private void forget(long serverMs) {
+        for (Iterator<Hit> all = hits.iterator(); all.hasNext(); ) {
+            if (Math.abs(serverMs - all.next().serverMs) > KEPT_MS) {
+                all.remove();
+            }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+package majic.aibo;
+
+/**
+ * One message of an URBI server. Immutable.
+ *
+ * @param timeMs the server's clock, ms since it started
+ * @param tag whose answer it is; {@value #NO_TAG} when the server names none
+ * @param body what it says
+ */
+record UrbiMessage(long timeMs, String tag, Body body) {
+    /** The tag of answers to commands that had none. */
+    static final String NO_TAG = "notag";
+
+    /** What a message says. */
+    sealed interface Body {}
+
+    /**
+     * {@code *** …}: begin, end, pong, banner, echo.
+     *
+     * @param text without the asterisks
+     */
+    record Info(String text) implements Body {}
+
+    /**
+     * A further line of the information before it, which came without a prefix.
+     *
+     * @param text the line
+     */
+    record Continued(String text) implements Body {}
+
+    /**
+     * {@code !!! …}: what went wrong.
+     *
+     * @param text without the exclamation marks
+     */
+    record Failure(String text) implements Body {}
+
+    /**
+     * A value.
+     *
+     * @param value what was printed
+     */
+    record Result(UrbiValue value) implements Body {}
+}
