@@ -9,8 +9,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A serial port, 8 data bits, no parity, one stop bit, no flow control.
  *
- * <p>jSerialComm ignores its own write time-out and keeps {@code isOpen()} true after the adapter was unplugged, so
- * deadlines are kept here and a negative result counts as a dead line.
+ * <p>jSerialComm ignores its own write time-out, rounds its read time-outs up to 100 ms, and keeps {@code isOpen()} true
+ * after the adapter was unplugged. So reading has no time-out and is woken by closing, the deadline of a write is kept
+ * here, and a negative count is what tells a dead line.
  */
 final class SerialLink implements Link {
     private final String name;
@@ -31,8 +32,8 @@ final class SerialLink implements Link {
         opening.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         opening.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
         if (!opening.openPort()) {
-            throw new IOException(
-                    "cannot open the serial port " + name + "; is it in use, or are you not allowed to use it?");
+            throw new IOException("cannot open the serial port " + name
+                    + "; is it in use by another program, or are you not allowed to use it (on Linux: group dialout)?");
         }
         port = opening;
         counter.opened();
@@ -54,6 +55,9 @@ final class SerialLink implements Link {
         int count = 0;
         while (open != null && port != null && count == 0) {
             count = open.readBytes(buffer, buffer.length);
+            if (count == 0 && open.bytesAvailable() < 0) {
+                count = -1;
+            }
         }
         if (count <= 0) {
             counter.ended();

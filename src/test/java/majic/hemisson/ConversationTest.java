@@ -1,0 +1,209 @@
+package majic.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** One question at a time, on a clock that the test moves. */
+class ConversationTest {
+    private static final Wheels AHEAD = new Wheels(3, 3);
+
+    private final HandClock clock = new HandClock();
+    private final RecordingLink link = new RecordingLink();
+    private final List<String> told = new ArrayList<>();
+    private Conversation conversation;
+
+    @BeforeEach
+    void begin() {
+        conversation = new Conversation(link, clock, 0.3, listener());
+    }
+
+    @Test
+    void theNextQuestionWaitsForTheAnswer() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.SWITCHES);
+
+        assertThat(link.commands()).containsExactly("N");
+        hear("n,004,004,004,004,004,004,060,060");
+        assertThat(link.commands()).containsExactly("N", "I");
+    }
+
+    @Test
+    void aStopOvertakesWhatWaitsButNotTheAnswerUnderWay() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.SWITCHES);
+        conversation.stop();
+
+        assertThat(link.commands()).containsExactly("N");
+        hear("n,004,004,004,004,004,004,060,060");
+        assertThat(link.commands()).containsExactly("N", "D,0,0");
+    }
+
+    @Test
+    void aStopThrowsAwayMotionsThatWait() {
+        conversation.ask(Question.PROXIMITY);
+        Exchange motion = conversation.ask(Question.wheels(AHEAD));
+        conversation.stop();
+        hear("n,004,004,004,004,004,004,060,060");
+        hear("d");
+
+        assertThat(motion.failure()).isEqualTo("stopped");
+        assertThat(link.commands()).containsExactly("N", "D,0,0");
+    }
+
+    @Test
+    void aStopIsRepeatedUntilItIsAnsweredAndThenVerified() {
+        conversation.stop();
+        pass(0.3);
+        pass(0.3);
+        assertThat(link.commands()).containsExactly("D,0,0", "D,0,0", "D,0,0");
+
+        hear("d");
+        assertThat(conversation.isStanding()).isFalse();
+        hear("e,00,00");
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aRobotThatStillMovesAfterADoubtfulStopIsStoppedAgain() {
+        conversation.stop();
+        pass(0.3);
+        hear("d");
+        hear("e,03,03");
+
+        assertThat(link.commands()).endsWith("E", "D,0,0");
+    }
+
+    @Test
+    void anAnsweredStopStands() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        assertThat(conversation.mayMove()).isTrue();
+
+        conversation.stop();
+        hear("d");
+
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aMissedAnswerWhileMovingStopsIt() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.wheels(AHEAD));
+        pass(0.3);
+
+        assertThat(link.commands()).containsExactly("D,3,3", "N", "D,0,0");
+        assertThat(told).contains("missed N");
+    }
+
+    @Test
+    void aMissedAnswerWhileStandingIsAskedForOnceMore() {
+        Exchange look = conversation.ask(Question.PROXIMITY);
+        pass(0.3);
+        assertThat(look.isDone()).isFalse();
+        pass(0.3);
+
+        assertThat(link.commands()).containsExactly("N", "N");
+        assertThat(look.failure()).isEqualTo("no answer within 300 ms");
+    }
+
+    @Test
+    void afterAMissedAnswerTheLineMustBeQuietBeforeItIsUsed() {
+        conversation.ask(Question.PROXIMITY);
+        clock.pass(0.29);
+        conversation.heard();
+        pass(0.02);
+        assertThat(link.commands()).containsExactly("N");
+
+        pass(0.08);
+        assertThat(link.commands()).containsExactly("N", "N");
+    }
+
+    @Test
+    void whatAnswersNothingIsDropped() {
+        Exchange look = conversation.ask(Question.PROXIMITY);
+        hear("d");
+        hear("n,004,garbage");
+
+        assertThat(look.isDone()).isFalse();
+    }
+
+    @Test
+    void aMotionIsRefusedWhileADoubtfulStopIsNotConfirmed() {
+        conversation.stop();
+        pass(0.3);
+
+        assertThat(conversation.ask(Question.wheels(AHEAD)).failure()).contains("not yet confirmed");
+    }
+
+    @Test
+    void noMotionSurvivesAMissedAnswer() {
+        conversation.stop();
+        Exchange motion = conversation.ask(Question.wheels(AHEAD));
+        pass(0.3);
+
+        assertThat(motion.failure()).isNotNull();
+    }
+
+    @Test
+    void aGreetingForgetsWhatWasAskedAndTellsItToStand() {
+        Exchange look = conversation.ask(Question.PROXIMITY);
+        hear("HemiOS V1.50 , K-Team");
+        pass(0.1);
+
+        assertThat(look.failure()).isEqualTo("the robot was reset");
+        assertThat(told).contains("reset");
+        assertThat(link.commands()).endsWith("D,0,0");
+    }
+
+    @Test
+    void aNewerMotionReplacesOneThatWaits() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.wheels(AHEAD));
+        conversation.ask(Question.wheels(new Wheels(4, 4)));
+        hear("n,004,004,004,004,004,004,060,060");
+        hear("d");
+
+        assertThat(link.commands()).containsExactly("N", "D,4,4");
+    }
+
+    private void hear(String line) {
+        conversation.heard();
+        conversation.received(Reply.of(line));
+    }
+
+    private void pass(double seconds) {
+        clock.pass(seconds);
+        conversation.tick();
+    }
+
+    private ConversationListener listener() {
+        return new ConversationListener() {
+            @Override
+            public void answered(Exchange exchange) {
+                told.add("answered " + exchange.question().text());
+            }
+
+            @Override
+            public void missed(Exchange exchange) {
+                told.add("missed " + exchange.question().text());
+            }
+
+            @Override
+            public void wasReset() {
+                told.add("reset");
+            }
+
+            @Override
+            public void broken(IOException cause) {
+                told.add("broken");
+            }
+        };
+    }
+}

@@ -1,0 +1,59 @@
+package majic.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class LegTest {
+    @Test
+    void aMetreAtCruiseTakesWhatTheTableSays() {
+        Leg leg = Leg.straight(1000, 42, SpeedTable.USUAL);
+
+        assertThat(leg.wheels()).isEqualTo(new Wheels(3, 3));
+        assertThat(leg.seconds()).isCloseTo(1000 / 42.0, within(1e-9));
+    }
+
+    @Test
+    void backwardBothWheelsTurnBack() {
+        Leg leg = Leg.straight(-100, 42, SpeedTable.USUAL);
+
+        assertThat(leg.wheels()).isEqualTo(new Wheels(-3, -3));
+        assertThat(leg.seconds()).isPositive();
+        assertThat(leg.covered(leg.seconds())).hasToString("about -100 mm");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1000,3", "20,3", "10,2", "1,2"})
+    void aShortWayIsGoneSlower(double mm, int value) {
+        assertThat(Leg.straight(mm, 42, SpeedTable.USUAL).wheels().right()).isEqualTo(value);
+    }
+
+    @Test
+    void leftIsPositive() {
+        Leg leg = Leg.spin(90, 53, SpeedTable.USUAL);
+
+        assertThat(leg.wheels()).isEqualTo(new Wheels(-3, 3));
+        assertThat(leg.seconds() * SpeedTable.USUAL.turnDegPerSec(leg.wheels())).isCloseTo(90, within(1e-9));
+    }
+
+    @Test
+    void widerWheelsTurnLonger() {
+        double usual = Leg.spin(360, 53, SpeedTable.USUAL).seconds();
+
+        assertThat(Leg.spin(360, 47, new SpeedTable(1, 100)).seconds()).isCloseTo(usual * 100 / 90, within(1e-9));
+    }
+
+    @Test
+    void aSlowRobotMovesLonger() {
+        assertThat(Leg.straight(100, 21, new SpeedTable(0.5, 90)).seconds()).isCloseTo(100 / 21.0, within(1e-9));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"42,0,3,3", "0,53,-3,3", "0,-53,3,-3", "-64,0,-4,-4", "86,29,4,6", "184,234,0,9", "5,0,0,0"})
+    void aCurveGetsTheNearestWheelValues(double speed, double turn, int left, int right) {
+        assertThat(SpeedTable.USUAL.curve(speed, turn)).isEqualTo(new Wheels(left, right));
+    }
+}

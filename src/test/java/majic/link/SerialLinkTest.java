@@ -1,0 +1,168 @@
+package majic.link;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+
+@Timeout(20)
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has no pseudo-terminals that are serial ports")
+class SerialLinkTest {
+    private final PseudoTerminal plug = new PseudoTerminal();
+    private final SerialLink link = new SerialLink(plug.name(), 115_200);
+    private boolean pulled;
+
+    @BeforeEach
+    void open() throws IOException {
+        link.open(1000);
+    }
+
+    @AfterEach
+    void close() {
+        link.close();
+        if (!pulled) {
+            plug.close();
+        }
+    }
+
+    @Test
+    void carriesEveryByteUnchangedBothWays() throws IOException {
+        link.write(new byte[] {'B', '\r'});
+        assertThat(plug.read()).isEqualTo("B\r");
+
+        plug.write("b\u0000\u0003\u0011\u0013\u00e9\r\n");
+        assertThat(readText(8)).isEqualTo("b\u0000\u0003\u0011\u0013\u00e9\r\n");
+    }
+
+    @Test
+    void handsOutBytesAsSoonAsTheyComeWithoutWaitingForATimeOut() throws IOException {
+        plug.write("x");
+        readText(1);
+        long start = System.nanoTime();
+        for (int round = 0; round < 20; round++) {
+            plug.write("x");
+            readText(1);
+        }
+
+        assertThat(System.nanoTime() - start).isLessThan(TimeUnit.MILLISECONDS.toNanos(1000));
+    }
+
+    @Test
+    void closingWakesTheReader() throws Exception {
+        CompletableFuture<Integer> reader = reader();
+
+        link.close();
+
+        assertThat(reader.get(3, TimeUnit.SECONDS)).isEqualTo(-1);
+    }
+
+    @Test
+    void anUnpluggedPortEndsTheReader() throws Exception {
+        CompletableFuture<Integer> reader = reader();
+
+        unplug();
+
+        assertThat(reader.get(3, TimeUnit.SECONDS)).isEqualTo(-1);
+    }
+
+    @Test
+    void anUnpluggedPortRefusesToWrite() {
+        unplug();
+
+        assertThatThrownBy(() -> link.write(new byte[] {'B', '\r'})).isInstanceOf(IOException.class);
+    }
+
+    @Test
+    void aPortThatTakesNoMoreDataIsDeadAfterTheDeadline() {
+        long start = System.nanoTime();
+
+        assertThatThrownBy(() -> link.write(new byte[1_000_000]))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("takes no more data");
+
+        assertThat(System.nanoTime() - start).isLessThan(TimeUnit.MILLISECONDS.toNanos(2500));
+    }
+
+    @Test
+    void aSecondOpenSaysThatThePortIsInUse() {
+        SerialLink second = new SerialLink(plug.name(), 115_200);
+
+        assertThatThrownBy(() -> second.open(1000))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("in use");
+    }
+
+    @Test
+    void aFailedSecondOpenLeavesTheFirstAlone() throws IOException {
+        assertThatThrownBy(() -> new SerialLink(plug.name(), 115_200).open(1000))
+                .isInstanceOf(IOException.class);
+
+        link.write(new byte[] {'B', '\r'});
+
+        assertThat(plug.read()).isEqualTo("B\r");
+    }
+
+    @Test
+    void canBeOpenedAgainAfterClosing() throws IOException {
+        link.close();
+        SerialLink again = new SerialLink(plug.name(), 115_200);
+        again.open(1000);
+
+        again.write(new byte[] {'I', '\r'});
+
+        assertThat(plug.read()).isEqualTo("I\r");
+        again.close();
+    }
+
+    @Test
+    void aPortThatIsNotThereIsNamed() {
+        SerialLink none = new SerialLink("/dev/ttyNONE7", 115_200);
+
+        assertThatThrownBy(() -> none.open(1000))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("/dev/ttyNONE7");
+    }
+
+    @Test
+    void countsWhatWentThrough() throws IOException {
+        link.write(new byte[] {'B', '\r'});
+        plug.write("b\r\n");
+        readText(3);
+
+        assertThat(link.traffic().written()).isEqualTo(2);
+        assertThat(link.traffic().remote()).isEqualTo(plug.name());
+    }
+
+    private void unplug() {
+        pulled = true;
+        plug.close();
+    }
+
+    private CompletableFuture<Integer> reader() {
+        return CompletableFuture.supplyAsync(() -> {
+            try {
+                return link.read(new byte[64]);
+            } catch (IOException e) {
+                return -2;
+            }
+        });
+    }
+
+    private String readText(int length) throws IOException {
+        StringBuilder text = new StringBuilder();
+        byte[] buffer = new byte[64];
+        while (text.length() < length) {
+            text.append(new String(buffer, 0, link.read(buffer), StandardCharsets.ISO_8859_1));
+        }
+        return text.toString();
+    }
+}
