@@ -54,7 +54,7 @@ final class AiboSession {
         this.dog = dog;
         this.robot = robot;
         this.links = new AiboLinks(link, watch, this::heard, this::lost);
-        this.runner = new Runner(links, tags, watch, dog);
+        this.runner = new Runner(links, tags, watch, dog, robot::sensed);
         this.guard = new DogGuard(links, tags, watch);
         this.sweep = new HeadSweep(links.sensors(), tags);
         Consumer<String> notice = robot::say;
@@ -202,7 +202,7 @@ final class AiboSession {
         } else if (message.tag().equals("power") && message.body() instanceof UrbiMessage.Info info) {
             heardPower(info.text());
         } else {
-            LOG.log(Level.DEBUG, "unasked: {0}", message);
+            LOG.log(Level.TRACE, "unasked: {0}", message);
         }
     }
 

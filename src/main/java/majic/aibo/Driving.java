@@ -102,7 +102,9 @@ final class Driving {
         Running risen = rising;
         rising = null;
         if (risen != null && risen.isOver()) {
-            session.dog().setAfoot(risen.failure() == null && !risen.isStopRequested());
+            boolean risenWell = risen.failure() == null && !risen.isStopRequested();
+            session.dog().senses().assumeMotors(risenWell);
+            session.dog().setAfoot(risenWell);
         }
     }
 

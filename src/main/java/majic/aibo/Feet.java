@@ -39,6 +39,7 @@ final class Feet {
         if (!powered || !stands) {
             notice.accept(rising(powered));
             perform(motion, session.runner().command(session.links().motion(), risingCommands(powered)), STAND_S);
+            dog.senses().assumeMotors(true);
         }
         dog.setAfoot(true);
     }
@@ -68,6 +69,7 @@ final class Feet {
         if (!dog.senses().motorsOn().orElse(false)) {
             notice.accept("switches the dog's motors on");
             perform(motion, session.runner().command(session.links().motion(), "{ motors on; wait(1000) }"), POWER_S);
+            dog.senses().assumeMotors(true);
         }
     }
 
@@ -79,6 +81,7 @@ final class Feet {
         dog.setAfoot(false);
         String lay = powered && !down ? "robot.lay(); " : "";
         perform(motion, session.runner().command(session.links().motion(), "{ " + lay + "motors off }"), STAND_S);
+        dog.senses().assumeMotors(false);
     }
 
     /** Brings it into a posture by one of the stick's functions. */

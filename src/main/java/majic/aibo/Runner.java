@@ -20,13 +20,16 @@ final class Runner {
     private final Tags tags;
     private final Watch watch;
     private final Dog dog;
+    private final Runnable whenOver;
     private final AtomicReference<@Nullable Running> current = new AtomicReference<>();
 
-    Runner(AiboLinks links, Tags tags, Watch watch, Dog dog) {
+    /** Tells of each end by the last argument, on whatever thread notices it. */
+    Runner(AiboLinks links, Tags tags, Watch watch, Dog dog, Runnable whenOver) {
         this.links = links;
         this.tags = tags;
         this.watch = watch;
         this.dog = dog;
+        this.whenOver = whenOver;
     }
 
     /** What the dog does now; null if nothing that it was told. */
@@ -75,6 +78,7 @@ final class Runner {
         if (ended != null && ended.isOver()) {
             dog.reckoning().end();
             current.compareAndSet(ended, null);
+            whenOver.run();
         }
         watch.changes().raise();
     }

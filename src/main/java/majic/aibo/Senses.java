@@ -25,6 +25,11 @@ final class Senses {
         refusals.put(sensor, why);
     }
 
+    /** The motors were just switched: so it is until the dog says otherwise. */
+    void assumeMotors(boolean on) {
+        readings.put(Sensor.LEG_LOAD, new UrbiValue.Num(on ? 1 : 0));
+    }
+
     void clear() {
         readings.clear();
         refusals.clear();

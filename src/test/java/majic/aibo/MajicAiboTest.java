@@ -1,0 +1,236 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.BotListener;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.MotionReport;
+import majic.bot.MotionStopped;
+import majic.bot.Settings;
+import majic.bot.TimeSource;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(30)
+class MajicAiboTest {
+    private final Settings settings = Settings.inMemory();
+    private final List<String> notices = new CopyOnWriteArrayList<>();
+    private ScriptedDog dog;
+    private MajicAibo aibo;
+
+    @BeforeEach
+    void start() throws IOException {
+        dog = new ScriptedDog();
+        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), settings));
+        aibo.addListener(new BotListener() {
+            @Override
+            public void notice(MajicBot bot, String message) {
+                notices.add(message);
+            }
+        });
+    }
+
+    @AfterEach
+    void end() throws IOException {
+        aibo.close();
+        dog.close();
+    }
+
+    @Test
+    void connectingSendsNothingThatMovesOrPowersTheDog() {
+        aibo.connect();
+
+        assertThat(aibo.get("distanceFront")).isEqualTo(Value.CLEAR);
+        assertThat(dog.received())
+                .noneMatch(command -> command.contains("motors")
+                        || command.contains("robot.stand")
+                        || command.contains("robot.walk")
+                        || command.contains("robot.turn")
+                        || command.contains(".val ="));
+    }
+
+    @Test
+    void theFirstMotionPowersTheDogAndStandsItUpAndSaysSo() {
+        aibo.connect();
+
+        aibo.move(20);
+
+        assertThat(dog.received("motors on")).hasSize(1);
+        assertThat(dog.received("robot.stand")).hasSize(1);
+        assertThat(notices).anyMatch(notice -> notice.contains("motors on"));
+    }
+
+    @Test
+    void aWalkIsSentInPiecesOfAtMostTwoSeconds() {
+        standing();
+        aibo.connect();
+
+        MotionReport report = aibo.move(200);
+
+        assertThat(report.amount()).isEqualTo(Value.about(200, Unit.MM));
+        assertThat(walked()).hasSize(2).allMatch(ms -> ms <= 2000);
+        assertThat(walked().stream().mapToInt(ms -> ms).sum()).isCloseTo(2400, within(120));
+        assertThat(aibo.state().pose().xMm()).isCloseTo(200, within(2.0));
+    }
+
+    @Test
+    void backAndRightAreNegative() {
+        standing();
+        aibo.connect();
+
+        assertThat(aibo.move(-25).amount()).isEqualTo(Value.about(-25, Unit.MM));
+        assertThat(aibo.turn(-15).amount()).isEqualTo(Value.about(-15, Unit.DEG));
+
+        assertThat(walked()).allMatch(ms -> ms < 0);
+        assertThat(aibo.state().pose().headingDeg()).isCloseTo(-15, within(0.5));
+    }
+
+    @Test
+    void theSettingsOfADogChangeHowLongItWalks() {
+        standing();
+        settings.put("aibo." + dog.address().substring(2) + ".forward", "6.0");
+        aibo.connect();
+
+        aibo.move(100);
+
+        assertThat(walked()).singleElement().satisfies(ms -> assertThat(ms).isCloseTo(600, within(35)));
+    }
+
+    @Test
+    void aStopEndsTheWalkAndItsCaller() throws Exception {
+        standing();
+        aibo.connect();
+        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> aibo.move(2000));
+        awaitSent("robot.walk");
+
+        aibo.stop();
+
+        assertThatThrownBy(walk::join).hasCauseInstanceOf(MotionStopped.class);
+        assertThat(dog.received("stop walk")).isNotEmpty();
+        assertThat(dog.received("robot.walk")).hasSize(1);
+    }
+
+    @Test
+    void aGuardEndsTheWalkWhereItIs() throws Exception {
+        standing();
+        aibo.connect();
+        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(
+                () -> aibo.move(2000, () -> aibo.get("distanceFront").number() < 250));
+        awaitSent("robot.walk");
+
+        dog.set("distanceNear.val", "15.000000");
+
+        MotionReport report = walk.join();
+        assertThat(report.amount()).isInstanceOf(Value.Number.class);
+        assertThat(report.amount().number()).isLessThan(200);
+        assertThat(dog.received("robot.walk")).hasSize(1);
+    }
+
+    @Test
+    void drivingChoosesOneGaitAndLapses() throws Exception {
+        standing();
+        aibo.connect();
+
+        aibo.drive(10, 30);
+
+        awaitSent("stop turn");
+        assertThat(walked()).isNotEmpty().allMatch(ms -> ms > 0 && ms <= 600);
+        assertThat(dog.received("robot.walk")).isEmpty();
+        assertThat(notices).containsOnlyOnce("drives with its gait on the spot left");
+    }
+
+    @Test
+    void settingAJointTakesTheTimeThatWasGiven() {
+        standing();
+        aibo.connect();
+
+        aibo.set("headPan", List.of(Value.of(30, Unit.DEG), Value.of(300, Unit.MS)));
+
+        assertThat(dog.received("headPan.val = 30 time:300")).hasSize(1);
+        assertThatThrownBy(() -> aibo.set("headPan", 120)).hasMessageContaining("-91 … 91");
+    }
+
+    @Test
+    void aDogThatRefusesTheGuardWalksWithoutOne() {
+        standing();
+        dog.refusesGuards = true;
+        aibo.connect();
+
+        aibo.move(20);
+
+        assertThat(walked()).hasSize(1);
+    }
+
+    @Test
+    void silenceStopsTheWalkAndThenCountsAsLost() {
+        standing();
+        aibo.connect();
+        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> aibo.move(2000));
+        awaitSent("robot.walk");
+
+        dog.answersPolls = false;
+
+        assertThatThrownBy(walk::join).hasMessageContaining("no word from the dog");
+        assertThat(dog.received("stop walk")).isNotEmpty();
+    }
+
+    @Test
+    void aDogThatHangsUpEndsTheWalkAndConnectsAgain() {
+        standing();
+        aibo.connect();
+        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> aibo.move(2000));
+        awaitSent("robot.walk");
+
+        dog.hangUp();
+
+        assertThatThrownBy(walk::join).hasCauseInstanceOf(LinkLost.class);
+        aibo.connect();
+        assertThat(aibo.isConnected()).isTrue();
+        assertThat(dog.received("robot.walk")).hasSize(1);
+    }
+
+    @Test
+    void whatIsNoUrbiServerIsSaidSoInTime() {
+        dog.introducesItself = false;
+
+        assertThatThrownBy(aibo::connect)
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("not as an URBI server within 4 s");
+    }
+
+    @Test
+    void anotherMakesAddressIsRefused() {
+        assertThatThrownBy(() -> new MajicAibo("pioneer://host"))
+                .hasMessageContaining("it looks like aibo://192.168.1.20");
+        assertThatThrownBy(() -> new MajicAibo("aibo:COM3")).hasMessageContaining("not an Aibo's address");
+    }
+
+    private void standing() {
+        dog.set("robot.MyguessPosition()", "\"stand\"");
+        dog.set("legLF1.load", "1.000000");
+    }
+
+    private List<Integer> walked() {
+        return dog.received("robot.").stream()
+                .filter(command -> command.contains("walk(") || command.contains("turn("))
+                .map(command -> Integer.parseInt(command.replaceAll(".*\\((-?\\d+)\\).*", "$1")))
+                .toList();
+    }
+
+    private void awaitSent(String words) {
+        dog.awaitReceived(words);
+    }
+}

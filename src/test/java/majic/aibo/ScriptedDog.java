@@ -1,0 +1,269 @@
+package majic.aibo;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A peer that answers the few things the driver says, on loopback, in real time. It knows no URBI: it looks for the
+ * words of the sheet in what arrives.
+ */
+final class ScriptedDog implements AutoCloseable {
+    private static final Pattern POLL = Pattern.compile("(\\w+): every\\((\\d+)\\) \\{ (.*) \\}");
+    private static final Pattern READING = Pattern.compile("(\\w+): ([\\w.]+(?:\\(\\))?)");
+    private static final Pattern ENDING = Pattern.compile("(\\w+)(\\+begin)?\\+end: (.*)", Pattern.DOTALL);
+    private static final Pattern GAIT = Pattern.compile("robot\\.(?:walk|turn)\\((-?\\d+)\\)");
+    private static final Pattern JOINT = Pattern.compile("(\\w+)\\.val = (-?[\\d.]+)(?: time:(\\d+))?");
+
+    private final ServerSocket server;
+    private final long startedNanos = System.nanoTime();
+    private final ScheduledExecutorService clock = clock();
+    private final List<Line> lines = new CopyOnWriteArrayList<>();
+    private final Map<String, ScheduledFuture<?>> running = new ConcurrentHashMap<>();
+    private final Map<String, String> values = new ConcurrentHashMap<>();
+    private final List<String> received = new CopyOnWriteArrayList<>();
+    volatile boolean answersPolls = true;
+    volatile boolean introducesItself = true;
+    volatile boolean refusesGuards;
+
+    private static ScheduledExecutorService clock() {
+        ScheduledThreadPoolExecutor clock = new ScheduledThreadPoolExecutor(1);
+        clock.setRemoveOnCancelPolicy(true);
+        return clock;
+    }
+
+    ScriptedDog() throws IOException {
+        server = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
+        set("distanceNear.val", "50.000000");
+        set("distance.val", "150.000000");
+        set("distanceChest.val", "90.000000");
+        set("power()", "0.870000");
+        set("robot.MyguessPosition()", "\"lay\"");
+        set("system.name", "\"ERS-7\"");
+        Thread acceptor = new Thread(this::acceptAll, "scripted dog");
+        acceptor.setDaemon(true);
+        acceptor.start();
+    }
+
+    String address() {
+        return "//127.0.0.1:" + server.getLocalPort();
+    }
+
+    void set(String expression, String printed) {
+        values.put(expression, printed);
+    }
+
+    /** Every command so far, in the order of arrival. */
+    List<String> received() {
+        return List.copyOf(received);
+    }
+
+    List<String> received(String word) {
+        return received.stream()
+                .filter(command -> command.contains(word) && !command.contains("every"))
+                .toList();
+    }
+
+    /** Waits until a command with a word in it has come; for ever, so tests have a time-out. */
+    void awaitReceived(String word) {
+        synchronized (received) {
+            try {
+                while (received(word).isEmpty()) {
+                    received.wait();
+                }
+            } catch (InterruptedException e) {
+                throw new IllegalStateException("never came: " + word, e);
+            }
+        }
+    }
+
+    private void remember(String command) {
+        synchronized (received) {
+            received.add(command);
+            received.notifyAll();
+        }
+    }
+
+    void hangUp() {
+        lines.forEach(Line::close);
+    }
+
+    private void acceptAll() {
+        try {
+            while (true) {
+                Line line = new Line(server.accept());
+                lines.add(line);
+                Thread reader = new Thread(line::serve, "scripted dog's line");
+                reader.setDaemon(true);
+                reader.start();
+            }
+        } catch (IOException e) {
+            clock.shutdownNow();
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        server.close();
+        hangUp();
+        clock.shutdownNow();
+    }
+
+    private long now() {
+        return 5000 + (System.nanoTime() - startedNanos) / 1_000_000;
+    }
+
+    /** One connection. */
+    private final class Line {
+        private final Socket socket;
+
+        Line(Socket socket) {
+            this.socket = socket;
+        }
+
+        void serve() {
+            try (InputStream in = socket.getInputStream()) {
+                if (introducesItself) {
+                    say("start", "*** URBI Kernel version 1.0 rev. 153 ");
+                    say("ident", "*** ID: U94665654017648");
+                    say("power", "*** Battery at 87 %");
+                }
+                StringBuilder pending = new StringBuilder();
+                for (int next = in.read(); next >= 0; next = in.read()) {
+                    pending.append((char) next);
+                    boolean whole = next == '\n';
+                    if (whole) {
+                        split(pending.toString());
+                        pending.setLength(0);
+                    }
+                }
+            } catch (IOException e) {
+                close();
+            }
+        }
+
+        private void split(String text) {
+            int depth = 0;
+            int from = 0;
+            for (int at = 0; at < text.length(); at++) {
+                char next = text.charAt(at);
+                depth += next == '{' || next == '(' ? 1 : next == '}' || next == ')' ? -1 : 0;
+                if (depth == 0 && (next == ';' || next == ',')) {
+                    run(text.substring(from, at).strip());
+                    from = at + 1;
+                }
+            }
+        }
+
+        private void run(String command) {
+            remember(command);
+            Matcher poll = POLL.matcher(command);
+            Matcher ending = ENDING.matcher(command);
+            if (command.equals("quit")) {
+                close();
+            } else if (command.startsWith("stop ")) {
+                stop(command.substring(5));
+            } else if (poll.matches() && command.contains("time()")) {
+                guard();
+            } else if (poll.matches()) {
+                repeat(poll.group(1), Long.parseLong(poll.group(2)), () -> tell(poll.group(3)));
+            } else if (ending.matches()) {
+                perform(ending.group(1), ending.group(2) != null, ending.group(3));
+            } else if (command.endsWith(": ping")) {
+                say(command.substring(0, command.indexOf(':')), "*** pong time=" + now());
+            } else {
+                tell(command);
+            }
+        }
+
+        private void guard() {
+            if (refusesGuards) {
+                say("error", "!!! 21.9: syntax error, unexpected every");
+            }
+        }
+
+        private void tell(String readings) {
+            Matcher reading = READING.matcher(readings);
+            while (reading.find() && answersPolls) {
+                String expression = reading.group(2);
+                String fallback = expression.equals("time()") ? now() + ".000000" : "0.000000";
+                say(reading.group(1), values.getOrDefault(expression, fallback));
+            }
+        }
+
+        private void perform(String tag, boolean begin, String command) {
+            if (begin) {
+                say(tag, "*** begin");
+            }
+            String key = command.contains("walk(") ? "walk" : command.contains("turn(") ? "turn" : tag;
+            running.put(key, clock.schedule(() -> end(tag, command), lasts(command), TimeUnit.MILLISECONDS));
+            endings.put(key, () -> say(tag, "*** end"));
+        }
+
+        private void end(String tag, String command) {
+            Matcher joint = JOINT.matcher(command);
+            if (joint.find()) {
+                set(joint.group(1) + ".val", joint.group(2) + ".000000");
+            }
+            if (command.contains("stand")) {
+                set("robot.MyguessPosition()", "\"stand\"");
+                set("legLF1.load", "1.000000");
+            }
+            say(tag, "*** end");
+        }
+
+        private void repeat(String tag, long periodMs, Runnable task) {
+            running.put(tag, clock.scheduleAtFixedRate(task, 0, periodMs, TimeUnit.MILLISECONDS));
+        }
+
+        private void stop(String tag) {
+            ScheduledFuture<?> stopped = running.remove(tag);
+            boolean inside = tag.equals("walk") || tag.equals("turn");
+            if (stopped != null && stopped.cancel(false) && inside) {
+                endings.get(tag).run();
+            }
+        }
+
+        private synchronized void say(String tag, String body) {
+            try {
+                String message =
+                        String.format("[%08d:%s] %s%n", now(), tag, body).replace("\r", "");
+                socket.getOutputStream().write(message.getBytes(StandardCharsets.ISO_8859_1));
+            } catch (IOException e) {
+                close();
+            }
+        }
+
+        void close() {
+            try {
+                socket.close();
+            } catch (IOException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+    }
+
+    private final Map<String, Runnable> endings = new ConcurrentHashMap<>();
+
+    private static long lasts(String command) {
+        Matcher gait = GAIT.matcher(command);
+        Matcher joint = JOINT.matcher(command);
+        if (gait.find()) {
+            return Math.abs(Long.parseLong(gait.group(1)));
+        }
+        return joint.find() && joint.group(3) != null ? Long.parseLong(joint.group(3)) : 20;
+    }
+}
