@@ -50,6 +50,15 @@ public final class Member {
     }
 
     /**
+     * The clock the robot lives by.
+     *
+     * @return the lab's for a simulated robot, otherwise the system's
+     */
+    public TimeSource time() {
+        return bot.time();
+    }
+
+    /**
      * Who has it to himself.
      *
      * @return null if nobody
