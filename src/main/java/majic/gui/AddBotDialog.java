@@ -1,0 +1,137 @@
+package majic.gui;
+
+import java.awt.CardLayout;
+import java.awt.Window;
+import java.util.Map;
+import java.util.Objects;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.JTextArea;
+import javax.swing.Timer;
+import majic.bot.BotException;
+import majic.script.Session;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Connects a robot: its type, then how to reach it. Connecting goes on in the background, shows that it does, can be
+ * given up, and ends by itself after a time; what went wrong and what to try is said here.
+ */
+final class AddBotDialog extends MajicDialog {
+    /** Longer than any driver's own time-out; the net under them. */
+    static final int GIVE_UP_MS = 20_000;
+
+    private static final long serialVersionUID = 1L;
+
+    private final transient Session session;
+    private final transient Map<String, AddressInput> inputs;
+    private final JComboBox<String> type = new JComboBox<>();
+    private final CardLayout cards = new CardLayout();
+    private final JPanel deck = new JPanel(cards);
+    private final JProgressBar progress = new JProgressBar();
+    private final JTextArea message = new JTextArea(4, 42);
+    private final JButton ok = button("OK", this::connect);
+    private final Timer giveUp;
+    private transient @Nullable ConnectAttempt attempt;
+
+    AddBotDialog(Window owner, Session session, Surroundings surroundings, int giveUpMs) {
+        super(owner, "Add Bot");
+        this.session = session;
+        this.inputs = AddressInputs.all(session.factory(), surroundings);
+        this.giveUp = new Timer(giveUpMs, event -> giveUp());
+        giveUp.setRepeats(false);
+        fill(content(), ok, closing("Cancel"));
+    }
+
+    private JPanel content() {
+        type.setName("type");
+        inputs.forEach((name, input) -> {
+            type.addItem(name);
+            deck.add(input, name);
+        });
+        type.addActionListener(event -> cards.show(deck, chosen()));
+        message.setName("outcome");
+        message.setEditable(false);
+        message.setLineWrap(true);
+        message.setWrapStyleWord(true);
+        message.setOpaque(false);
+        progress.setVisible(false);
+        JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 10", "[90!, right][grow, fill]", "[][]12[][grow]"));
+        panel.add(new JLabel("Type"));
+        panel.add(type, "wrap");
+        panel.add(deck, "spanx 2, growx, wrap");
+        panel.add(progress, "spanx 2, growx, h 6!, wrap");
+        panel.add(message, "spanx 2, grow, wmin 0");
+        return panel;
+    }
+
+    private String chosen() {
+        return Objects.requireNonNull((String) type.getSelectedItem());
+    }
+
+    private AddressInput input() {
+        return Objects.requireNonNull(inputs.get(chosen()));
+    }
+
+    private void connect() {
+        try {
+            String address = input().address();
+            busy(true);
+            message.setText("Connecting to " + address + " …");
+            attempt = new ConnectAttempt(session, address, new Ending());
+            attempt.start();
+            giveUp.restart();
+        } catch (BotException e) {
+            message.setText(e.getMessage());
+        }
+    }
+
+    private void giveUp() {
+        abandon();
+        message.setText("Nothing came of it within " + giveUp.getInitialDelay() / 1000 + " s. " + input().advice());
+    }
+
+    private void busy(boolean connecting) {
+        ok.setEnabled(!connecting);
+        type.setEnabled(!connecting);
+        progress.setIndeterminate(connecting);
+        progress.setVisible(connecting);
+    }
+
+    private void abandon() {
+        giveUp.stop();
+        if (attempt != null) {
+            attempt.cancel();
+            attempt = null;
+        }
+        busy(false);
+    }
+
+    /** However the dialog is closed, an attempt under way is given up. */
+    @Override
+    public void dispose() {
+        abandon();
+        super.dispose();
+    }
+
+    /** What becomes of the attempt under way. */
+    private final class Ending implements ConnectAttempt.Outcome {
+        @Override
+        public void joined() {
+            attempt = null;
+            dispose();
+        }
+
+        @Override
+        public void failed(String reason) {
+            giveUp.stop();
+            attempt = null;
+            busy(false);
+            String advice = input().advice();
+            message.setText(reason + (reason.contains(advice) ? "" : "\n" + advice));
+        }
+    }
+}

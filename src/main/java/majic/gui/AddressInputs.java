@@ -1,0 +1,42 @@
+package majic.gui;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import majic.bot.BotFactory;
+import majic.bot.BotType;
+
+/** Finds the input that fits a type of robot. */
+final class AddressInputs {
+    private AddressInputs() {}
+
+    /** One for each type and one for the lab, by what the drop-down calls them. */
+    static Map<String, AddressInput> all(BotFactory factory, Surroundings surroundings) {
+        Map<String, AddressInput> inputs = new LinkedHashMap<>();
+        for (BotType type : factory.types()) {
+            inputs.put(type.label() + " (" + type.make() + ")", of(type, surroundings));
+        }
+        inputs.put("A robot of the simulated lab", new LabInput(factory));
+        return inputs;
+    }
+
+    private static AddressInput of(BotType type, Surroundings surroundings) {
+        List<AddressInput> ways = type.reaches().stream()
+                .map(reach -> reach == BotType.Reach.TCP
+                        ? new NetworkInput(type)
+                        : new SerialInput(type, surroundings.serialPorts()))
+                .toList();
+        if (ways.size() == 1) {
+            return ways.get(0);
+        }
+        return new EitherInput(
+                name(type.reaches().get(0)), ways.get(0), name(type.reaches().get(1)), ways.get(1));
+    }
+
+    private static String name(BotType.Reach reach) {
+        return switch (reach) {
+            case TCP -> "Network";
+            case SERIAL -> "Serial port";
+        };
+    }
+}

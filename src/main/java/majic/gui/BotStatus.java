@@ -1,0 +1,47 @@
+package majic.gui;
+
+import java.util.Locale;
+import majic.bot.BotState;
+import majic.bot.Member;
+import majic.bot.Owner;
+import majic.bot.Pose;
+
+/** What the strip above a robot's display says, in words. */
+final class BotStatus {
+    private BotStatus() {}
+
+    /** How it is connected and whether it moves. */
+    static String condition(Member member) {
+        return switch (member.bot().connection()) {
+            case NEW -> "not connected";
+            case CONNECTING -> "connecting…";
+            case CONNECTED -> member.bot().state().moving() ? "connected, moving" : "connected, standing";
+            case LOST -> "connection lost";
+            case CLOSED -> "closed";
+        };
+    }
+
+    /** Who has it to himself; empty if nobody. */
+    static String owner(Member member) {
+        Owner owner = member.owner();
+        if (owner == null) {
+            return "";
+        }
+        return switch (owner.kind()) {
+            case HAND -> "driven by hand";
+            case ACT, SCRIPT -> "running " + owner.name();
+        };
+    }
+
+    /** Where it believes it is. */
+    static String pose(Member member) {
+        BotState state = member.bot().state();
+        if (state.equals(BotState.UNKNOWN)) {
+            return "no position yet";
+        }
+        Pose at = state.pose();
+        String about = member.bot().profile().estimates() ? "about " : "";
+        return String.format(
+                Locale.ROOT, "%sx %.0f mm   y %.0f mm   heading %.0f°", about, at.xMm(), at.yMm(), at.headingDeg());
+    }
+}

@@ -1,0 +1,106 @@
+package majic.gui;
+
+import java.awt.CardLayout;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.SwingConstants;
+import majic.bot.Member;
+import majic.bot.Team;
+import majic.bot.TeamListener;
+
+/** A tab for each robot, by number; without robots a word on how to get one. */
+final class BotTabs extends JPanel implements TeamListener {
+    private static final long serialVersionUID = 1L;
+    private static final String NOBODY = "nobody";
+    private static final String SOMEBODY = "somebody";
+
+    private final transient Team team;
+    private final transient Consumer<String> complain;
+    private final CardLayout cards = new CardLayout();
+    private final JTabbedPane tabs = new JTabbedPane();
+
+    /**
+     * Tabs for the robots that are there already; later ones come as news.
+     *
+     * @param complain takes sentences for the person, from any thread
+     */
+    BotTabs(Team team, Consumer<String> complain) {
+        this.team = team;
+        this.complain = complain;
+        setLayout(cards);
+        tabs.setName("bots");
+        tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
+        JLabel hint = new JLabel(
+                "<html><center>No robots yet.<br><br>Add Bot connects one;<br>"
+                        + "the menu Lab starts a simulated lab<br>with three of them.</center></html>",
+                SwingConstants.CENTER);
+        add(hint, NOBODY);
+        add(tabs, SOMEBODY);
+        team.members().forEach(this::added);
+    }
+
+    /** The robot whose tab is in front. */
+    Optional<Member> selected() {
+        return tabs.getSelectedComponent() instanceof BotPanel panel ? Optional.of(panel.member()) : Optional.empty();
+    }
+
+    @Override
+    public void added(Member member) {
+        if (!team.members().contains(member) || panelAt(member) >= 0) {
+            return;
+        }
+        int place = (int) IntStream.range(0, tabs.getTabCount())
+                .filter(index -> panel(index).member().number() < member.number())
+                .count();
+        BotPanel panel = new BotPanel(team, member, () -> showCondition(member), complain);
+        tabs.insertTab("" + member.number(), StateIcon.of(member.bot()), panel, tip(member), place);
+        tabs.setSelectedIndex(place);
+        cards.show(this, SOMEBODY);
+    }
+
+    @Override
+    public void removed(Member member) {
+        int index = panelAt(member);
+        if (index >= 0) {
+            panel(index).close();
+            tabs.removeTabAt(index);
+        }
+        if (tabs.getTabCount() == 0) {
+            cards.show(this, NOBODY);
+        }
+    }
+
+    @Override
+    public void ownerChanged(Member member) {
+        int index = panelAt(member);
+        if (index >= 0) {
+            panel(index).news();
+        }
+    }
+
+    private void showCondition(Member member) {
+        int index = panelAt(member);
+        if (index >= 0) {
+            tabs.setIconAt(index, StateIcon.of(member.bot()));
+        }
+    }
+
+    private static String tip(Member member) {
+        return member.bot().type().label() + " (" + member.bot().type().make() + ")";
+    }
+
+    private BotPanel panel(int index) {
+        return (BotPanel) tabs.getComponentAt(index);
+    }
+
+    private int panelAt(Member member) {
+        return IntStream.range(0, tabs.getTabCount())
+                .filter(index -> panel(index).member() == member)
+                .findFirst()
+                .orElse(-1);
+    }
+}

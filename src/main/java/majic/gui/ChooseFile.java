@@ -1,0 +1,54 @@
+package majic.gui;
+
+import java.awt.Window;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import javax.swing.JFileChooser;
+
+/** Asks for a file without holding up the window. */
+final class ChooseFile extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    private final JFileChooser chooser = new JFileChooser();
+    private final transient Consumer<Path> chosen;
+
+    private ChooseFile(Window owner, String title, int type, Consumer<Path> chosen) {
+        super(owner, title);
+        this.chosen = chosen;
+        chooser.setName("files");
+        chooser.setDialogType(type);
+        chooser.setApproveButtonText(title);
+        chooser.addActionListener(event -> ended(event.getActionCommand()));
+        setContentPane(chooser);
+        pack();
+        setLocationRelativeTo(owner);
+    }
+
+    /** Asks which file to open; the title is on the button too. */
+    static void toOpen(Window owner, String title, Consumer<Path> chosen) {
+        new ChooseFile(owner, title, JFileChooser.OPEN_DIALOG, chosen).setVisible(true);
+    }
+
+    /** Asks where to save, and again before something is overwritten. */
+    static void toSave(Window owner, String title, String suggestion, Consumer<Path> chosen) {
+        Consumer<Path> careful = file -> {
+            if (Files.exists(file)) {
+                Confirm.ask(owner, file + " exists. Overwrite it?", "Overwrite", () -> chosen.accept(file));
+            } else {
+                chosen.accept(file);
+            }
+        };
+        ChooseFile dialog = new ChooseFile(owner, title, JFileChooser.SAVE_DIALOG, careful);
+        dialog.chooser.setSelectedFile(new File(suggestion));
+        dialog.setVisible(true);
+    }
+
+    private void ended(String command) {
+        if (command.equals(JFileChooser.APPROVE_SELECTION)) {
+            chosen.accept(chooser.getSelectedFile().toPath());
+        }
+        dispose();
+    }
+}

@@ -1,0 +1,46 @@
+package majic.gui;
+
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import majic.script.MajicParser;
+import net.miginfocom.swing.MigLayout;
+
+/** Message area, command line, and below it what is wrong with the line or how it could go on. */
+final class CommandPane extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final MessageArea messages = new MessageArea();
+    private final JLabel hint = new JLabel();
+    private final CommandLine line;
+
+    CommandPane(MajicParser parser) {
+        super(new MigLayout("insets 0, gap 4 4", "[][grow, fill]", "[grow, fill][][]"));
+        line = new CommandLine(parser, this::showHint);
+        hint.setName("hint");
+        JLabel prompt = new JLabel("Command");
+        prompt.setLabelFor(line);
+        prompt.setDisplayedMnemonic('C');
+        add(messages, "spanx 2, grow, wrap");
+        add(prompt);
+        add(line, "wrap");
+        add(hint, "skip 1, wmin 0");
+        showHint("");
+    }
+
+    MessageArea messages() {
+        return messages;
+    }
+
+    CommandLine line() {
+        return line;
+    }
+
+    /** An empty hint keeps its place, so that nothing jumps. */
+    private void showHint(String text) {
+        boolean wrong = "error".equals(line == null ? null : line.getClientProperty("JComponent.outline"));
+        hint.setForeground(wrong ? Palette.error() : Palette.text());
+        hint.setText(text.isEmpty() ? "Up and Down: earlier commands   Tab: complete   help: all commands" : text);
+        hint.setToolTipText(text.isEmpty() ? null : text);
+        hint.setEnabled(!text.isEmpty());
+    }
+}

@@ -1,0 +1,29 @@
+package majic.gui;
+
+import java.awt.Window;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+
+/** Asks before something that cannot be taken back. */
+final class Confirm extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    private Confirm(Window owner, String question, String yes, Runnable action) {
+        super(owner, "MAJIC asks");
+        JButton agree = button(yes, () -> {
+            dispose();
+            action.run();
+        });
+        fill(new JLabel(question), agree, closing("No"));
+    }
+
+    /**
+     * Shows the question and returns at once.
+     *
+     * @param yes what the agreeing button says
+     * @param action done when that is pressed
+     */
+    static void ask(Window owner, String question, String yes, Runnable action) {
+        new Confirm(owner, question, yes, action).setVisible(true);
+    }
+}

@@ -1,0 +1,89 @@
+package majic.gui;
+
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicReference;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.script.Session;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One attempt to connect a robot and take it into the team, in the background. It ends in one of three ways, and after
+ * {@link #cancel()} nothing more is heard of it.
+ */
+final class ConnectAttempt {
+    private enum Phase {
+        CONNECTING,
+        JOINING,
+        CANCELLED
+    }
+
+    /** Hears how the attempt ends, on the event dispatch thread. */
+    interface Outcome {
+        /** The robot is in the team. */
+        void joined();
+
+        /**
+         * The robot is not in the team, and its connection is closed.
+         *
+         * @param reason one sentence
+         */
+        void failed(String reason);
+    }
+
+    private final Session session;
+    private final String address;
+    private final Outcome outcome;
+    private final AtomicReference<Phase> phase = new AtomicReference<>(Phase.CONNECTING);
+    private volatile @Nullable MajicBot bot;
+
+    ConnectAttempt(Session session, String address, Outcome outcome) {
+        this.session = session;
+        this.address = address;
+        this.outcome = outcome;
+    }
+
+    void start() {
+        Edt.background("connecting " + address, this::run);
+    }
+
+    /** Gives up; returns at once. */
+    void cancel() {
+        MajicBot begun = bot;
+        if (phase.compareAndSet(Phase.CONNECTING, Phase.CANCELLED) && begun != null) {
+            Edt.background("giving up " + address, begun::close);
+        }
+    }
+
+    private void run() {
+        try {
+            session.team().checkRoom(OptionalInt.empty());
+            MajicBot made = session.factory().create(address);
+            bot = made;
+            join(made);
+        } catch (BotException e) {
+            fail(e);
+        }
+    }
+
+    private void join(MajicBot made) {
+        try {
+            made.connect();
+            if (phase.compareAndSet(Phase.CONNECTING, Phase.JOINING)) {
+                session.team().add(made, OptionalInt.empty());
+                Edt.later(outcome::joined);
+            } else {
+                made.close();
+            }
+        } catch (BotException e) {
+            made.close();
+            throw e;
+        }
+    }
+
+    private void fail(BotException e) {
+        if (phase.get() != Phase.CANCELLED) {
+            Edt.later(() -> outcome.failed(e.getMessage()));
+        }
+    }
+}

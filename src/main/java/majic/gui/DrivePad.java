@@ -1,0 +1,134 @@
+package majic.gui;
+
+import java.awt.Dimension;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.HierarchyEvent;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
+import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
+import majic.bot.Member;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * Where a person drives one robot by hand: hold an arrow key while this has the focus, or the mouse on an arrow; let go
+ * to stop. Losing the focus or going out of sight stops too.
+ */
+final class DrivePad extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int FULL_SPEED_PERCENT = 100;
+
+    private final transient HandDriver driver;
+    private final JLabel hint = new JLabel();
+
+    DrivePad(Member member, Consumer<String> complain) {
+        super(new MigLayout("insets 6 10 6 10, gap 4 4", "[][][]16[grow, fill]", "[][]"));
+        driver = new HandDriver(member, complain, () -> System.nanoTime() / 1_000_000);
+        setName("drivePad" + member.number());
+        setFocusable(true);
+        getAccessibleContext().setAccessibleName("Drive robot " + member.number() + " by hand");
+        placeArrows();
+        listen();
+        showFocus(false);
+    }
+
+    private void placeArrows() {
+        add(arrow(Direction.AHEAD, "▲", "ahead"), "cell 1 0");
+        add(arrow(Direction.LEFT, "◀", "turn left"), "cell 0 1");
+        add(arrow(Direction.BACK, "▼", "backward"), "cell 1 1");
+        add(arrow(Direction.RIGHT, "▶", "turn right"), "cell 2 1");
+        add(hint, "cell 3 0, wmin 0");
+        add(new JLabel("Speed"), "cell 3 1, split 2, grow 0");
+        add(speed(), "cell 3 1, growx, wmin 60, wmax 220");
+    }
+
+    private JButton arrow(Direction direction, String sign, String name) {
+        JButton button = new JButton(sign);
+        button.setName("drive " + direction);
+        button.setFocusable(false);
+        button.setPreferredSize(new Dimension(44, 30));
+        button.setToolTipText("Hold to drive: " + name);
+        button.getAccessibleContext().setAccessibleName("Drive " + name);
+        button.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                if (SwingUtilities.isLeftMouseButton(event)) {
+                    requestFocusInWindow();
+                    driver.point(direction);
+                }
+            }
+
+            @Override
+            public void mouseReleased(MouseEvent event) {
+                driver.point(null);
+            }
+        });
+        return button;
+    }
+
+    private JSlider speed() {
+        JSlider slider = new JSlider(10, FULL_SPEED_PERCENT, FULL_SPEED_PERCENT);
+        slider.setFocusable(false);
+        slider.setToolTipText("A share of the robot's cruising speed");
+        slider.addChangeListener(change -> driver.share(slider.getValue() / (double) FULL_SPEED_PERCENT));
+        return slider;
+    }
+
+    private void listen() {
+        addKeyListener(new Arrows());
+        addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                requestFocusInWindow();
+            }
+        });
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                showFocus(true);
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                driver.letGo();
+                showFocus(false);
+            }
+        });
+        addHierarchyListener(change -> {
+            if ((change.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0 && !isShowing()) {
+                driver.letGo();
+            }
+        });
+    }
+
+    private void showFocus(boolean focused) {
+        hint.setText(focused ? "Hold an arrow key to drive, let go to stop" : "Click here to drive by arrow keys");
+        setBorder(BorderFactory.createLineBorder(
+                UIManager.getColor(focused ? "Component.focusedBorderColor" : "Component.borderColor"),
+                focused ? 2 : 1));
+    }
+
+    /** Hands the arrow keys on. */
+    private final class Arrows extends KeyAdapter {
+        @Override
+        public void keyPressed(KeyEvent event) {
+            if (event.getModifiersEx() == 0) {
+                Direction.of(event.getKeyCode()).ifPresent(driver::keyPressed);
+            }
+        }
+
+        @Override
+        public void keyReleased(KeyEvent event) {
+            Direction.of(event.getKeyCode()).ifPresent(driver::keyReleased);
+        }
+    }
+}

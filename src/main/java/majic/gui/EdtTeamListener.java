@@ -1,0 +1,27 @@
+package majic.gui;
+
+import majic.bot.Member;
+import majic.bot.TeamListener;
+
+/** Passes news of a team on to a part of the window, on the event dispatch thread. */
+record EdtTeamListener(TeamListener target) implements TeamListener {
+    @Override
+    public void added(Member member) {
+        Edt.later(() -> target.added(member));
+    }
+
+    @Override
+    public void removed(Member member) {
+        Edt.later(() -> target.removed(member));
+    }
+
+    @Override
+    public void ownerChanged(Member member) {
+        Edt.later(() -> target.ownerChanged(member));
+    }
+
+    @Override
+    public void latchChanged(boolean latched) {
+        Edt.later(() -> target.latchChanged(latched));
+    }
+}

@@ -1,0 +1,49 @@
+package majic.gui;
+
+import java.awt.CardLayout;
+import javax.swing.ButtonGroup;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JRadioButton;
+
+/** Lets the person choose how to reach a robot that can be reached in two ways. */
+final class EitherInput extends AddressInput {
+    private static final long serialVersionUID = 1L;
+
+    private final CardLayout cards = new CardLayout();
+    private final JPanel deck = new JPanel(cards);
+    private AddressInput chosen;
+
+    EitherInput(String firstName, AddressInput first, String secondName, AddressInput second) {
+        chosen = first;
+        add(new JLabel("Reached by"));
+        ButtonGroup group = new ButtonGroup();
+        JRadioButton one = choice(group, firstName, first);
+        one.setSelected(true);
+        add(one, "split 2, grow 0, gapright 12");
+        add(choice(group, secondName, second), "grow 0, pushx, alignx left, wrap");
+        deck.add(first, firstName);
+        deck.add(second, secondName);
+        add(deck, "spanx 2, growx");
+    }
+
+    private JRadioButton choice(ButtonGroup group, String name, AddressInput input) {
+        JRadioButton button = new JRadioButton(name);
+        group.add(button);
+        button.addActionListener(event -> {
+            chosen = input;
+            cards.show(deck, name);
+        });
+        return button;
+    }
+
+    @Override
+    String address() {
+        return chosen.address();
+    }
+
+    @Override
+    String advice() {
+        return chosen.advice();
+    }
+}

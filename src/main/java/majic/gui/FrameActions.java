@@ -1,0 +1,32 @@
+package majic.gui;
+
+import java.awt.event.KeyEvent;
+import java.util.List;
+
+/** All that the window's buttons and menus can do. */
+final class FrameActions {
+    final FrameAction addBot;
+    final FrameAction killBot;
+    final FrameAction loadAct;
+    final FrameAction help;
+    final FrameAction saveSession;
+    final FrameAction saveLog;
+    final FrameAction killMajic;
+
+    FrameActions(MajicFrame frame) {
+        addBot = new FrameAction("Add Bot", "add", "Connect a robot", frame::addBot).withKey(KeyEvent.VK_N);
+        killBot = new FrameAction("Kill Bot", "kill", "Stop a robot and let it go", frame::removeBot);
+        loadAct = new FrameAction("Load Act", "act", "Give a robot a behaviour", frame::loadAct).withKey(KeyEvent.VK_L);
+        help = new FrameAction("Help", "help", "Commands, parameters and keys", frame::help);
+        saveSession = new FrameAction("Save Session", "session", "Save what was done as a script", frame::saveSession)
+                .withKey(KeyEvent.VK_S);
+        saveLog = new FrameAction("Save Log", "log", "Save the parameters logged so far", frame::saveLog);
+        killMajic = new FrameAction("Kill Majic", "quit", "Stop and close all robots and end", frame::quit)
+                .withKey(KeyEvent.VK_Q);
+    }
+
+    /** In the order of the buttons. */
+    List<FrameAction> buttons() {
+        return List.of(addBot, killBot, loadAct, help, saveSession, saveLog, killMajic);
+    }
+}

@@ -1,0 +1,71 @@
+package majic.gui;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.util.List;
+import javax.swing.Action;
+import javax.swing.ButtonGroup;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
+import javax.swing.JRadioButtonMenuItem;
+import org.jspecify.annotations.Nullable;
+
+/** The menu bar. */
+final class FrameMenu extends JMenuBar {
+    private static final long serialVersionUID = 1L;
+
+    FrameMenu(MajicFrame frame, FrameActions actions) {
+        add(menu("File", 'F', actions.saveSession, actions.saveLog, null, actions.killMajic));
+        add(menu("Robot", 'R', actions.addBot, actions.killBot, actions.loadAct));
+        add(lab(frame));
+        add(view(frame));
+        add(menu("Help", 'H', actions.help));
+    }
+
+    /** A menu of some actions; null makes a line between them. */
+    private static JMenu menu(String name, char mnemonic, @Nullable Action... actions) {
+        JMenu menu = new JMenu(name);
+        menu.setMnemonic(mnemonic);
+        for (Action action : actions) {
+            if (action == null) {
+                menu.addSeparator();
+            } else {
+                menu.add(new JMenuItem(action)).setToolTipText(null);
+            }
+        }
+        return menu;
+    }
+
+    private static JMenu lab(MajicFrame frame) {
+        JMenu lab = new JMenu("Lab");
+        lab.setMnemonic('L');
+        JMenuItem start = new JMenuItem("Start the simulated lab");
+        start.addActionListener(event -> frame.startLab());
+        JMenuItem poses = new JMenuItem("Say where the robots really are");
+        poses.addActionListener(event -> frame.say("lab"));
+        lab.add(start);
+        lab.add(poses);
+        lab.addChangeListener(change -> {
+            start.setEnabled(frame.canStartLab());
+            poses.setEnabled(frame.hasLab());
+        });
+        return lab;
+    }
+
+    private static JMenu view(MajicFrame frame) {
+        JMenu view = new JMenu("View");
+        view.setMnemonic('V');
+        JMenuItem all = new JMenuItem("Show the whole map");
+        all.addActionListener(event -> frame.showWholeMap());
+        view.add(all);
+        view.addSeparator();
+        ButtonGroup group = new ButtonGroup();
+        for (boolean dark : List.of(false, true)) {
+            JMenuItem look = new JRadioButtonMenuItem(dark ? "Dark" : "Light", FlatLaf.isLafDark() == dark);
+            look.addActionListener(event -> frame.look(dark));
+            group.add(look);
+            view.add(look);
+        }
+        return view;
+    }
+}

@@ -1,0 +1,23 @@
+package majic.gui;
+
+import majic.bot.Pose;
+
+/** Turns poses of one frame into poses of another. */
+final class Frames {
+    private Frames() {}
+
+    /** Where a pose, told from an origin, lies in the frame of that origin. */
+    static Pose at(Pose origin, Pose told) {
+        double angle = Math.toRadians(origin.headingDeg());
+        double x = origin.xMm() + told.xMm() * Math.cos(angle) - told.yMm() * Math.sin(angle);
+        double y = origin.yMm() + told.xMm() * Math.sin(angle) + told.yMm() * Math.cos(angle);
+        return new Pose(x, y, origin.headingDeg() + told.headingDeg());
+    }
+
+    /** The origin for which {@code at(origin, told)} is the given place. */
+    static Pose originOf(Pose place, Pose told) {
+        Pose turned = new Pose(0, 0, place.headingDeg() - told.headingDeg());
+        Pose offset = at(turned, told);
+        return new Pose(place.xMm() - offset.xMm(), place.yMm() - offset.yMm(), turned.headingDeg());
+    }
+}

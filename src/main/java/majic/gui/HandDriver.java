@@ -1,0 +1,138 @@
+package majic.gui;
+
+import java.util.EnumSet;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import javax.swing.Timer;
+import majic.bot.BotException;
+import majic.bot.BotProfile;
+import majic.bot.Hand;
+import majic.bot.Member;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Drives one robot while arrows are held, and lets it go when they are not. Lives on the event dispatch thread and never
+ * waits there: should that thread hang, the commands are not renewed and the robot stands 600 ms later.
+ */
+final class HandDriver {
+    private static final int TICK_MS = 25;
+    private static final long RENEWAL_MS = 150;
+
+    /** How long a hand that was let go may need until the next can take the robot. */
+    private static final long CHANGE_OF_HANDS_MS = 500;
+
+    private final Member member;
+    private final Consumer<String> complain;
+    private final LongSupplier clockMs;
+    private final HeldKeys keys = new HeldKeys();
+    private final Timer ticks = new Timer(TICK_MS, event -> tick());
+    private @Nullable Direction pointed;
+    private @Nullable Hand hand;
+    private Set<Direction> driven = Set.of();
+    private long renewedMs;
+    private long letGoMs = Long.MIN_VALUE / 2;
+    private boolean refused;
+    private double share = 1;
+
+    /**
+     * A driver that does nothing yet.
+     *
+     * @param complain takes the reason when the robot cannot be driven
+     * @param clockMs any clock that does not go back
+     */
+    HandDriver(Member member, Consumer<String> complain, LongSupplier clockMs) {
+        this.member = member;
+        this.complain = complain;
+        this.clockMs = clockMs;
+    }
+
+    void keyPressed(Direction key) {
+        keys.press(key, clockMs.getAsLong());
+        begin();
+    }
+
+    void keyReleased(Direction key) {
+        keys.release(key, clockMs.getAsLong());
+    }
+
+    /** The mouse holds one of the arrows, or with null none. */
+    void point(@Nullable Direction arrow) {
+        pointed = arrow;
+        begin();
+    }
+
+    /** Stops at once, whatever seems to be held: the focus is gone, or the panel. */
+    void letGo() {
+        keys.releaseAll();
+        pointed = null;
+        tick();
+    }
+
+    /** How fast to go: a share of the robot's careful speed, 0 to 1. */
+    void share(double newShare) {
+        share = newShare;
+    }
+
+    private void begin() {
+        tick();
+        if (!ticks.isRunning()) {
+            ticks.start();
+        }
+    }
+
+    private Set<Direction> wanted() {
+        Set<Direction> all = EnumSet.noneOf(Direction.class);
+        all.addAll(keys.held(clockMs.getAsLong()));
+        if (pointed != null) {
+            all.add(pointed);
+        }
+        return all;
+    }
+
+    private void tick() {
+        Set<Direction> wanted = wanted();
+        if (wanted.isEmpty()) {
+            stand();
+        } else if (!refused && (hand != null || take())) {
+            drive(wanted);
+        }
+    }
+
+    private void stand() {
+        ticks.stop();
+        refused = false;
+        driven = Set.of();
+        if (hand != null) {
+            hand.close();
+            hand = null;
+            letGoMs = clockMs.getAsLong();
+        }
+    }
+
+    private boolean take() {
+        try {
+            hand = new Hand(member);
+            return true;
+        } catch (BotException e) {
+            if (clockMs.getAsLong() - letGoMs > CHANGE_OF_HANDS_MS) {
+                refused = true;
+                complain.accept(e.getMessage());
+            }
+            return false;
+        }
+    }
+
+    private void drive(Set<Direction> wanted) {
+        long now = clockMs.getAsLong();
+        if (hand == null || (wanted.equals(driven) && now - renewedMs < RENEWAL_MS)) {
+            return;
+        }
+        driven = wanted;
+        renewedMs = now;
+        BotProfile profile = member.bot().profile();
+        hand.drive(
+                share * profile.cruiseMmPerSec() * Direction.forward(wanted),
+                share * profile.cruiseTurnDegPerSec() * Direction.left(wanted));
+    }
+}

@@ -1,0 +1,63 @@
+package majic.gui;
+
+import java.awt.Dimension;
+import java.awt.Window;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.table.TableModel;
+import majic.bot.Member;
+import net.miginfocom.swing.MigLayout;
+
+/** The commands, the parameters of each robot, and the keys. */
+final class HelpDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    HelpDialog(Window owner, List<Member> members, Optional<Member> current) {
+        super(owner, "Help");
+        JTabbedPane tabs = new JTabbedPane();
+        tabs.addTab("Commands", scrolled(table(HelpTables.file("commands", "Command", "What it does"), 330)));
+        if (!members.isEmpty()) {
+            tabs.addTab("Parameters", parameters(members, current));
+        }
+        tabs.addTab("Keys", scrolled(table(HelpTables.file("keys", "Key", "What it does"), 230)));
+        tabs.setPreferredSize(new Dimension(820, 480));
+        fill(tabs, closing("Close"));
+    }
+
+    private static JPanel parameters(List<Member> members, Optional<Member> current) {
+        MemberChoice choice = new MemberChoice(members, current);
+        JTable table = table(HelpTables.of(choice.chosen()), 130);
+        choice.addActionListener(event -> {
+            table.setModel(HelpTables.of(choice.chosen()));
+            widen(table, 130);
+        });
+        widen(table, 130);
+        JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0", "[grow, fill]", "[][grow, fill]"));
+        panel.add(choice, "grow 0, wmin 220, wrap");
+        panel.add(scrolled(table));
+        return panel;
+    }
+
+    private static JTable table(TableModel model, int firstWidth) {
+        JTable table = new JTable(model);
+        table.setShowHorizontalLines(true);
+        table.setAutoResizeMode(JTable.AUTO_RESIZE_LAST_COLUMN);
+        table.getTableHeader().setReorderingAllowed(false);
+        widen(table, firstWidth);
+        return table;
+    }
+
+    private static void widen(JTable table, int firstWidth) {
+        for (int column = 0; column < table.getColumnCount() - 1; column++) {
+            table.getColumnModel().getColumn(column).setPreferredWidth(firstWidth);
+        }
+    }
+
+    private static JScrollPane scrolled(JTable table) {
+        return new JScrollPane(table);
+    }
+}

@@ -1,0 +1,85 @@
+package majic.gui;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Objects;
+import javax.swing.table.DefaultTableModel;
+import javax.swing.table.TableModel;
+import majic.bot.Member;
+import majic.bot.Parameter;
+
+/** What the help shows, as tables. */
+final class HelpTables {
+    private HelpTables() {}
+
+    /** The two-column table in one of our text files, columns parted by a tab. */
+    static TableModel file(String name, String left, String right) {
+        Table table = new Table(left, right);
+        try (InputStream in = HelpTables.class.getResourceAsStream(name + ".tsv");
+                BufferedReader lines = new BufferedReader(
+                        new InputStreamReader(Objects.requireNonNull(in, name), StandardCharsets.UTF_8))) {
+            lines.lines().map(line -> line.split("\t")).forEach(table::addRow);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return table;
+    }
+
+    /** What can be read and set on a robot, and the commands that only it has. */
+    static TableModel of(Member member) {
+        Table table = new Table("Name", "Values", "Access", "Meaning");
+        for (Parameter parameter : member.bot().parameters()) {
+            table.addRow(new Object[] {parameter.name(), values(parameter), access(parameter), parameter.help()});
+        }
+        member.bot()
+                .commands()
+                .forEach(command -> table.addRow(new Object[] {
+                    command.name(),
+                    String.join(
+                            " ",
+                            command.arguments().stream().map(Parameter::name).toList()),
+                    "command",
+                    command.help()
+                }));
+        return table;
+    }
+
+    private static String values(Parameter parameter) {
+        List<String> choices = parameter.choices();
+        return switch (parameter.kind()) {
+            case NUMBER -> (parameter.range() + " " + parameter.unit().symbol()).strip();
+            case YES_NO -> "yes, no";
+            case ON_OFF -> "on, off";
+            case CHOICE -> String.join(", ", choices);
+            case TEXT -> "text";
+            case LIST -> ("several " + parameter.unit().symbol()).strip();
+        };
+    }
+
+    private static String access(Parameter parameter) {
+        if (!parameter.writable()) {
+            return "get";
+        }
+        String set = parameter.moves() ? "set (moves)" : "set";
+        return parameter.readable() ? "get, " + set : set;
+    }
+
+    /** A table nobody edits. */
+    private static final class Table extends DefaultTableModel {
+        private static final long serialVersionUID = 1L;
+
+        Table(Object... columns) {
+            super(columns, 0);
+        }
+
+        @Override
+        public boolean isCellEditable(int row, int column) {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,43 @@
+package majic.gui;
+
+import java.awt.Window;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import majic.bot.Member;
+import net.miginfocom.swing.MigLayout;
+
+/** Chooses the robot to be let go, and says what that ends. */
+final class KillBotDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    private final MemberChoice choice;
+    private final JLabel consequence = new JLabel();
+
+    KillBotDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<Member> kill) {
+        super(owner, "Kill Bot");
+        choice = new MemberChoice(members, current);
+        choice.addActionListener(event -> sayWhatEnds());
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
+        content.add(new JLabel("Robot"));
+        content.add(choice, "wmin 220, wrap");
+        content.add(consequence, "spanx 2, growx, wmin 340");
+        JButton ok = button("OK", () -> {
+            dispose();
+            kill.accept(choice.chosen());
+        });
+        sayWhatEnds();
+        fill(content, ok, closing("Cancel"));
+    }
+
+    private void sayWhatEnds() {
+        String owner = BotStatus.owner(choice.chosen());
+        consequence.setText(
+                owner.isEmpty()
+                        ? "It is stopped, and its connection closed."
+                        : "It is " + owner + "; that ends. It is stopped, and its connection closed.");
+    }
+}

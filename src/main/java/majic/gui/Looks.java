@@ -1,0 +1,46 @@
+package majic.gui;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import java.util.Optional;
+import majic.bot.BotException;
+import majic.bot.Settings;
+
+/** The light and the dark look, and which one the person wants. */
+final class Looks {
+    private static final String KEY = "window.look";
+    private static final String DARK = "dark";
+    private static final String LIGHT = "light";
+
+    private Looks() {}
+
+    /** Takes the look chosen last; must come before the first component is made. */
+    static void install(Settings settings) {
+        set(settings.get(KEY).equals(Optional.of(DARK)));
+    }
+
+    /** Changes all windows at once, and remembers it. */
+    static void change(boolean dark, Settings settings) {
+        set(dark);
+        FlatLaf.updateUI();
+        Edt.background("remembering the look", () -> remember(dark, settings));
+    }
+
+    private static void set(boolean dark) {
+        if (dark) {
+            FlatDarkLaf.setup();
+        } else {
+            FlatLightLaf.setup();
+        }
+    }
+
+    private static void remember(boolean dark, Settings settings) {
+        try {
+            settings.put(KEY, dark ? DARK : LIGHT);
+        } catch (BotException e) {
+            System.getLogger(Looks.class.getName())
+                    .log(System.Logger.Level.DEBUG, "the look is not remembered after the end", e);
+        }
+    }
+}

@@ -1,0 +1,233 @@
+package majic.gui;
+
+import java.awt.Dimension;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import majic.bot.BotException;
+import majic.bot.LabAccess;
+import majic.bot.MajicBot;
+import majic.bot.Member;
+import majic.bot.Settings;
+import majic.script.Line;
+import majic.script.MajicParser;
+import majic.script.Session;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * The main window: buttons and STOP above, team map beside the robots' tabs, messages and command line below. It places
+ * its parts and hands on to the team and the parser. To be used on the event dispatch thread.
+ */
+public final class MajicFrame extends JFrame {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Session session;
+    private final transient MajicParser parser;
+    private final transient Surroundings surroundings;
+    private final transient StopKeys stopKeys;
+    private final transient MapFeed mapFeed;
+    private final TeamMap map = new TeamMap();
+    private final BotTabs tabs;
+    private final CommandPane commands;
+    private boolean quitting;
+
+    /**
+     * The window, not yet visible.
+     *
+     * @param session what it shows
+     * @param parser takes the lines typed here; for a person
+     * @param surroundings what the program provides
+     */
+    public MajicFrame(Session session, MajicParser parser, Surroundings surroundings) {
+        super("MAJIC");
+        this.session = session;
+        this.parser = parser;
+        this.surroundings = surroundings;
+        commands = new CommandPane(parser);
+        tabs = new BotTabs(session.team(), this::complain);
+        mapFeed = new MapFeed(session.team(), session.factory(), map::show);
+        stopKeys = new StopKeys(session.team()::stopAll);
+        place();
+        listen();
+    }
+
+    /**
+     * Takes the look the person chose last; to be called before the window is made.
+     *
+     * @param settings what is remembered
+     */
+    public static void installLook(Settings settings) {
+        Looks.install(settings);
+    }
+
+    private void place() {
+        StopPanel stop = new StopPanel(session.team());
+        session.team().addListener(new EdtTeamListener(stop));
+        FrameActions actions = new FrameActions(this);
+        JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, map, tabs);
+        middle.setResizeWeight(0.58);
+        tabs.setPreferredSize(new Dimension(470, 400));
+        tabs.setMinimumSize(new Dimension(360, 200));
+        JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, commands);
+        all.setResizeWeight(0.75);
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 0", "[grow, fill]", "[][grow, fill]"));
+        content.add(new ButtonPane(actions.buttons(), stop), "wrap");
+        content.add(all, "gap 8 8 0 8");
+        setContentPane(content);
+        setJMenuBar(new FrameMenu(this, actions));
+        setIconImage(FrameAction.icon("app", 64).getImage());
+        setMinimumSize(new Dimension(900, 600));
+        setSize(1280, 800);
+        setLocationRelativeTo(null);
+    }
+
+    private void listen() {
+        session.addListener(commands.messages());
+        session.team().addListener(new EdtTeamListener(tabs));
+        stopKeys.install();
+        mapFeed.start();
+        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                commands.line().requestFocusInWindow();
+            }
+
+            @Override
+            public void windowClosing(WindowEvent event) {
+                quit();
+            }
+        });
+    }
+
+    /** Opens the dialog that connects a robot (thesis, contract C3). */
+    public void addBot() {
+        new AddBotDialog(this, session, surroundings, AddBotDialog.GIVE_UP_MS).setVisible(true);
+    }
+
+    /** Opens the dialog that lets a robot go (thesis, contract C4); says so if there is none. */
+    public void removeBot() {
+        withRobots(members -> new KillBotDialog(
+                        this, members, tabs.selected(), member -> say("remove " + member.number()))
+                .setVisible(true));
+    }
+
+    /** Opens the dialogs that give a robot a behaviour (thesis, contract C5); says so if there is no robot. */
+    public void loadAct() {
+        withRobots(members -> new LoadActDialog(this, members, tabs.selected(), this::chooseAct).setVisible(true));
+    }
+
+    /**
+     * A robot by its number.
+     *
+     * @param number its number
+     * @return its driver
+     * @throws BotException if there is none; the message lists those there are
+     */
+    public MajicBot getBot(int number) {
+        return session.team().member(number).bot();
+    }
+
+    /**
+     * How many robots there are.
+     *
+     * @return 0 to the size of the team
+     */
+    public int totalBots() {
+        return session.team().members().size();
+    }
+
+    /** Ends the program, in the background; a second call does nothing. */
+    public void quit() {
+        if (!quitting) {
+            quitting = true;
+            setTitle("MAJIC: stopping and closing all robots …");
+            Edt.background("quit", surroundings.quit());
+        }
+    }
+
+    /** Stops listening and frees the window; does not touch the robots. */
+    @Override
+    public void dispose() {
+        stopKeys.close();
+        mapFeed.close();
+        super.dispose();
+    }
+
+    void help() {
+        new HelpDialog(this, session.team().members(), tabs.selected()).setVisible(true);
+    }
+
+    void saveSession() {
+        ChooseFile.toSave(this, "Save Session", "session.majic", file -> say("save session " + quoted(file)));
+    }
+
+    void saveLog() {
+        ChooseFile.toSave(this, "Save Log", "log.csv", file -> say("save log " + quoted(file)));
+    }
+
+    void startLab() {
+        Runnable start = surroundings.startLab();
+        if (start != null) {
+            Edt.background("starting the lab", () -> startLab(start));
+        }
+    }
+
+    boolean canStartLab() {
+        return surroundings.startLab() != null && !hasLab();
+    }
+
+    boolean hasLab() {
+        return session.factory().lab().isPresent();
+    }
+
+    void showWholeMap() {
+        map.choose(null);
+    }
+
+    void look(boolean dark) {
+        Looks.change(dark, surroundings.settings());
+    }
+
+    /** Gives a line as if it had been typed; what becomes of it is shown among the messages. */
+    void say(String line) {
+        parser.parseText(line);
+    }
+
+    private void startLab(Runnable start) {
+        try {
+            start.run();
+            session.factory().lab().map(LabAccess::robots).orElse(List.of()).forEach(robot -> say("add sim:" + robot));
+        } catch (BotException e) {
+            complain(e.getMessage());
+        }
+    }
+
+    private void chooseAct(Member member) {
+        ChooseFile.toOpen(this, "Load Act", file -> say(member.number() + " act " + quoted(file)));
+    }
+
+    private static String quoted(Path file) {
+        return "\"" + file + "\"";
+    }
+
+    private void withRobots(Consumer<List<Member>> action) {
+        List<Member> members = session.team().members();
+        if (members.isEmpty()) {
+            complain("There are no robots yet; Add Bot connects one.");
+        } else {
+            action.accept(members);
+        }
+    }
+
+    /** Tells the person something that the session does not know; callable from any thread. */
+    private void complain(String sentence) {
+        session.log().write("error", sentence);
+        commands.messages().line(new Line(Line.Kind.ERROR, sentence));
+    }
+}

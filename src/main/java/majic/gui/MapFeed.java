@@ -1,0 +1,131 @@
+package majic.gui;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import majic.bot.BotFactory;
+import majic.bot.LabAccess;
+import majic.bot.Member;
+import majic.bot.Pose;
+import majic.bot.Team;
+import majic.bot.TeamListener;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Puts together what the team map shows, ten times a second on a thread of its own, because a lab may have to be asked
+ * and asking may wait. Only changed scenes are handed on.
+ */
+final class MapFeed implements TeamListener, AutoCloseable {
+    private static final Logger LOG = System.getLogger(MapFeed.class.getName());
+
+    /** How far apart robots are drawn whose places nobody knows. */
+    private static final double GUESSED_APART_MM = 1000;
+
+    private final Team team;
+    private final BotFactory factory;
+    private final Consumer<MapScene> show;
+    private final Map<Member, Start> starts = new ConcurrentHashMap<>();
+    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(MapFeed::thread);
+    private MapScene last = MapScene.EMPTY;
+
+    /** Where a robot's own frame lies in the room's, and what it left behind. */
+    private record Start(Pose origin, boolean inLab, Trail trail) {}
+
+    /**
+     * A feed; {@link #start()} sets it going.
+     *
+     * @param show takes each new scene, on the event dispatch thread
+     */
+    MapFeed(Team team, BotFactory factory, Consumer<MapScene> show) {
+        this.team = team;
+        this.factory = factory;
+        this.show = show;
+    }
+
+    void start() {
+        team.addListener(this);
+        clock.scheduleWithFixedDelay(this::update, 0, Pacer.PERIOD_MS, TimeUnit.MILLISECONDS);
+    }
+
+    /** Remembers where the robot is by now, before it moves. */
+    @Override
+    public void added(Member member) {
+        start(member);
+    }
+
+    @Override
+    public void removed(Member member) {
+        starts.remove(member);
+    }
+
+    @Override
+    public void close() {
+        team.removeListener(this);
+        clock.shutdownNow();
+    }
+
+    private static Thread thread(Runnable body) {
+        Thread thread = new Thread(body, "team map");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    private void update() {
+        try {
+            MapScene scene = scene();
+            if (!scene.equals(last)) {
+                last = scene;
+                Edt.later(() -> show.accept(scene));
+            }
+        } catch (RuntimeException e) {
+            LOG.log(Level.WARNING, "the team map could not be brought up to date", e);
+        }
+    }
+
+    MapScene scene() {
+        @Nullable LabAccess lab = factory.lab().orElse(null);
+        Map<String, Pose> truths = lab == null ? Map.of() : lab.truePoses();
+        List<MapScene.Robot> robots = new ArrayList<>();
+        boolean guessed = false;
+        for (Member member : team.members()) {
+            Start start = start(member);
+            guessed |= !start.inLab;
+            robots.add(robot(member, start, truths));
+        }
+        return new MapScene(lab == null ? List.of() : lab.walls(), robots, guessed);
+    }
+
+    private static MapScene.Robot robot(Member member, Start start, Map<String, Pose> truths) {
+        Pose believed = Frames.at(start.origin, member.bot().state().pose());
+        return new MapScene.Robot(
+                member.number(),
+                member.bot().type().label(),
+                member.bot().profile().bodyMm(),
+                believed,
+                start.inLab ? truths.get(member.bot().type().name()) : null,
+                start.trail.with(believed),
+                member.bot().isConnected());
+    }
+
+    private Start start(Member member) {
+        return starts.computeIfAbsent(member, this::startOf);
+    }
+
+    private Start startOf(Member member) {
+        Pose truth = factory.lab()
+                .filter(lab -> lab.time() == member.time())
+                .map(lab -> lab.truePoses().get(member.bot().type().name()))
+                .orElse(null);
+        if (truth == null) {
+            return new Start(new Pose(0, (1 - member.number()) * GUESSED_APART_MM, 0), false, new Trail());
+        }
+        return new Start(Frames.originOf(truth, member.bot().state().pose()), true, new Trail());
+    }
+}

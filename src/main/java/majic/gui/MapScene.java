@@ -1,0 +1,54 @@
+package majic.gui;
+
+import java.util.List;
+import majic.bot.LabAccess.Wall;
+import majic.bot.Pose;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * All that the team map shows at one moment, in the room's frame: x to the right, y up, mm. Immutable.
+ *
+ * @param walls the lab's walls and sides of boxes; empty without a lab
+ * @param robots by number
+ * @param startsAreGuessed whether some robot's start is unknown, so that it is drawn beside the others
+ */
+record MapScene(List<Wall> walls, List<Robot> robots, boolean startsAreGuessed) {
+    static final MapScene EMPTY = new MapScene(List.of(), List.of(), false);
+
+    MapScene {
+        walls = List.copyOf(walls);
+        robots = List.copyOf(robots);
+    }
+
+    /**
+     * A robot on the map.
+     *
+     * @param number its number
+     * @param label what people call its type
+     * @param bodyMm radius of its body
+     * @param believed where it believes it is
+     * @param truth where the lab says it is; null without a lab
+     * @param trail where it believed it was, oldest first
+     * @param connected whether the pose is kept up to date
+     */
+    record Robot(
+            int number,
+            String label,
+            double bodyMm,
+            Pose believed,
+            @Nullable Pose truth,
+            List<Point> trail,
+            boolean connected) {
+        Robot {
+            trail = List.copyOf(trail);
+        }
+    }
+
+    /**
+     * A place.
+     *
+     * @param xMm to the right
+     * @param yMm up
+     */
+    record Point(double xMm, double yMm) {}
+}

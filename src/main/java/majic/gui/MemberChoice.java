@@ -1,0 +1,34 @@
+package majic.gui;
+
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JComboBox;
+import majic.bot.Member;
+
+/** A drop-down of robots. */
+final class MemberChoice extends JComboBox<MemberChoice.Entry> {
+    private static final long serialVersionUID = 1L;
+
+    /** A robot as the list shows it. */
+    record Entry(Member member) {
+        @Override
+        public String toString() {
+            return member.number() + "  " + member.bot().type().label();
+        }
+    }
+
+    /**
+     * All these robots.
+     *
+     * @param first the one to begin with, if any
+     */
+    MemberChoice(List<Member> members, Optional<Member> first) {
+        setName("robot");
+        members.forEach(member -> addItem(new Entry(member)));
+        first.map(Entry::new).ifPresent(this::setSelectedItem);
+    }
+
+    Member chosen() {
+        return getItemAt(getSelectedIndex()).member();
+    }
+}

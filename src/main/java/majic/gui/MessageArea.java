@@ -1,0 +1,80 @@
+package majic.gui;
+
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
+import javax.swing.JTextPane;
+import majic.script.Line;
+import majic.script.SessionListener;
+
+/**
+ * Shows what is said in the session: the newest line below, in view unless somebody has scrolled up. Lines may come from
+ * any thread and as fast as they like; they are shown ten times a second, and the oldest are forgotten.
+ */
+final class MessageArea extends JScrollPane implements SessionListener {
+    private static final long serialVersionUID = 1L;
+    private static final int MOST_WAITING = 2 * MessageDocument.MOST_LINES;
+
+    private final transient List<Line> waiting = new ArrayList<>();
+    private final transient Pacer pacer = new Pacer(this::showWaiting);
+    private final transient MessageDocument document = new MessageDocument();
+    private final JTextPane text = new JTextPane(document);
+
+    MessageArea() {
+        setViewportView(text);
+        text.setName("messages");
+        text.setEditable(false);
+        text.setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
+        text.putClientProperty("FlatLaf.styleClass", "monospaced");
+        text.getAccessibleContext().setAccessibleName("Messages");
+        setPreferredSize(new Dimension(600, 180));
+        setMinimumSize(new Dimension(200, 70));
+    }
+
+    /** Takes a line to show it soon; callable from any thread. */
+    @Override
+    public void line(Line line) {
+        synchronized (waiting) {
+            if (waiting.size() == MOST_WAITING) {
+                waiting.subList(0, MessageDocument.MOST_LINES).clear();
+            }
+            waiting.add(line);
+        }
+        pacer.news();
+    }
+
+    /** Colours follow the look. */
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (document != null) {
+            document.recolour();
+        }
+    }
+
+    private void showWaiting() {
+        List<Line> lines;
+        synchronized (waiting) {
+            lines = List.copyOf(waiting);
+            waiting.clear();
+        }
+        boolean follow = isAtEnd();
+        document.append(lines);
+        if (follow) {
+            Edt.later(this::toEnd);
+        }
+    }
+
+    private boolean isAtEnd() {
+        JScrollBar bar = getVerticalScrollBar();
+        return bar.getValue() + bar.getVisibleAmount() >= bar.getMaximum() - 4;
+    }
+
+    private void toEnd() {
+        JScrollBar bar = getVerticalScrollBar();
+        bar.setValue(bar.getMaximum());
+    }
+}

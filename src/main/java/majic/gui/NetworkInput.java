@@ -1,0 +1,60 @@
+package majic.gui;
+
+import javax.swing.JLabel;
+import javax.swing.JTextField;
+import majic.bot.BotException;
+import majic.bot.BotType;
+
+/** Host and port of a robot on the network, or of the serial server it hangs on. */
+final class NetworkInput extends AddressInput {
+    private static final long serialVersionUID = 1L;
+
+    private final transient BotType type;
+    private final JTextField host = new JTextField(22);
+    private final JTextField port = new JTextField(6);
+
+    NetworkInput(BotType type) {
+        this.type = type;
+        host.setName("host");
+        port.setName("port");
+        host.putClientProperty("JTextField.placeholderText", "name or number, for instance 192.168.1.20");
+        port.setText(type.defaultPort() == 0 ? "" : "" + type.defaultPort());
+        add(new JLabel("Host"));
+        add(host, "wrap");
+        add(new JLabel("Port"));
+        add(port, "grow 0");
+    }
+
+    @Override
+    String address() {
+        String start = type.reaches().get(0) == BotType.Reach.TCP ? "://" : ":tcp://";
+        return type.name() + start + checkedHost() + ":" + checkedPort();
+    }
+
+    @Override
+    String advice() {
+        return type.advice();
+    }
+
+    private String checkedHost() {
+        String text = host.getText().strip();
+        if (text.isEmpty()) {
+            throw new BotException("Host: fill in the robot's name or number on the network, such as 192.168.1.20");
+        }
+        if (text.contains("/") || text.chars().anyMatch(Character::isWhitespace)) {
+            throw new BotException("Host: \"" + text + "\" is not a name or number on the network");
+        }
+        return text;
+    }
+
+    private int checkedPort() {
+        String text = port.getText().strip();
+        if (text.matches("\\d{1,5}")) {
+            int number = Integer.parseInt(text);
+            if (number >= 1 && number <= 65_535) {
+                return number;
+            }
+        }
+        throw new BotException("Port: \"" + text + "\" is not a number from 1 to 65535");
+    }
+}

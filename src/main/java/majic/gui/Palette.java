@@ -1,0 +1,45 @@
+package majic.gui;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.Color;
+import javax.swing.UIManager;
+
+/** Colours with a meaning, readable in the look that is on now. */
+final class Palette {
+    private Palette() {}
+
+    static Color text() {
+        return UIManager.getColor("Label.foreground");
+    }
+
+    /** For what is said by the way. */
+    static Color faint() {
+        return mixed(0.68);
+    }
+
+    static Color command() {
+        return FlatLaf.isLafDark() ? new Color(0x6CB2F5) : new Color(0x1560A8);
+    }
+
+    static Color error() {
+        return FlatLaf.isLafDark() ? new Color(0xFF8A80) : new Color(0xB3261E);
+    }
+
+    /**
+     * The text colour, mixed into the background.
+     *
+     * @param share how much of it, 0 to 1
+     */
+    static Color mixed(double share) {
+        Color ink = text();
+        Color paper = UIManager.getColor("Panel.background");
+        return new Color(
+                mix(ink.getRed(), paper.getRed(), share),
+                mix(ink.getGreen(), paper.getGreen(), share),
+                mix(ink.getBlue(), paper.getBlue(), share));
+    }
+
+    private static int mix(int ink, int paper, double share) {
+        return (int) Math.round(ink * share + paper * (1 - share));
+    }
+}

@@ -1,0 +1,24 @@
+package majic.gui;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.Color;
+
+/** A colour for each number, distinguishable for colour-blind people too, in light and dark. */
+final class RobotColors {
+    private static final Color[] LIGHT = {
+        new Color(0x0072B2), new Color(0xC04E00), new Color(0x007A5A), new Color(0x9C3F80),
+        new Color(0x8A6D00), new Color(0x3D6FB6), new Color(0x7A4B2A), new Color(0x555555)
+    };
+    private static final Color[] DARK = {
+        new Color(0x4FA8DC), new Color(0xF08A45), new Color(0x3FC29A), new Color(0xDB88BF),
+        new Color(0xE0C040), new Color(0x9DB8F0), new Color(0xC89A74), new Color(0xB0B0B0)
+    };
+
+    private RobotColors() {}
+
+    /** The colour of a robot in the look that is on now. */
+    static Color of(int number) {
+        Color[] colors = FlatLaf.isLafDark() ? DARK : LIGHT;
+        return colors[Math.floorMod(number - 1, colors.length)];
+    }
+}

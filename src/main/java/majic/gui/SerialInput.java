@@ -1,0 +1,71 @@
+package majic.gui;
+
+import java.util.List;
+import java.util.function.Supplier;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import majic.bot.BotException;
+import majic.bot.BotType;
+import majic.gui.Surroundings.SerialPortChoice;
+
+/** One of the serial ports of this machine, or one typed in. */
+final class SerialInput extends AddressInput {
+    private static final long serialVersionUID = 1L;
+
+    private final transient BotType type;
+    private final transient Supplier<List<SerialPortChoice>> ports;
+    private final JComboBox<Object> port = new JComboBox<>();
+    private final JLabel found = new JLabel(" ");
+
+    SerialInput(BotType type, Supplier<List<SerialPortChoice>> ports) {
+        this.type = type;
+        this.ports = ports;
+        port.setName("serialPort");
+        port.setEditable(true);
+        JButton again = new JButton("Look again");
+        again.addActionListener(event -> look());
+        add(new JLabel("Serial port"));
+        add(port, "split 2, pushx, wmin 240");
+        add(again, "grow 0, wrap");
+        add(found, "skip 1");
+        look();
+    }
+
+    @Override
+    String address() {
+        Object chosen = port.getEditor().getItem();
+        String name = chosen instanceof SerialPortChoice known
+                ? known.name()
+                : String.valueOf(chosen).strip();
+        if (chosen == null || name.isEmpty()) {
+            throw new BotException("Serial port: choose one, or type its name, such as COM3 or /dev/ttyUSB0");
+        }
+        return type.name() + ":" + name;
+    }
+
+    @Override
+    String advice() {
+        return type.advice();
+    }
+
+    /** The system may take its time to list the ports. */
+    private void look() {
+        found.setText("Looking for ports…");
+        Edt.background("listing serial ports", () -> {
+            List<SerialPortChoice> all = ports.get();
+            Edt.later(() -> show(all));
+        });
+    }
+
+    private void show(List<SerialPortChoice> all) {
+        port.removeAllItems();
+        all.forEach(port::addItem);
+        found.setText(
+                switch (all.size()) {
+                    case 0 -> "This machine shows no serial port.";
+                    case 1 -> "One port found.";
+                    default -> all.size() + " ports found.";
+                });
+    }
+}

@@ -1,0 +1,91 @@
+package majic.gui;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import javax.swing.Icon;
+import javax.swing.UIManager;
+import majic.bot.MajicBot;
+
+/** A robot's condition as a small sign that differs in shape as well as in colour. */
+enum StateIcon implements Icon {
+    /** A filled disc: connected and standing. */
+    STANDING,
+    /** A triangle: connected and moving. */
+    MOVING,
+    /** A ring: not connected yet. */
+    WAITING,
+    /** A cross: the link is gone. */
+    LOST;
+
+    private static final int SIZE = 12;
+
+    static StateIcon of(MajicBot bot) {
+        return switch (bot.connection()) {
+            case CONNECTED -> bot.state().moving() ? MOVING : STANDING;
+            case NEW, CONNECTING -> WAITING;
+            case LOST, CLOSED -> LOST;
+        };
+    }
+
+    @Override
+    public void paintIcon(Component component, Graphics graphics, int x, int y) {
+        Graphics2D g = (Graphics2D) graphics.create(x, y, SIZE, SIZE);
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setStroke(new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        paint(g);
+        g.dispose();
+    }
+
+    private void paint(Graphics2D g) {
+        switch (this) {
+            case STANDING -> {
+                g.setColor(color("Actions.Green"));
+                g.fill(new Ellipse2D.Double(1, 1, 10, 10));
+            }
+            case MOVING -> {
+                g.setColor(color("Actions.Blue"));
+                g.fill(triangle());
+            }
+            case WAITING -> {
+                g.setColor(color("Actions.Grey"));
+                g.draw(new Ellipse2D.Double(2, 2, 8, 8));
+            }
+            case LOST -> {
+                g.setColor(color("Actions.Red"));
+                g.draw(new Line2D.Double(2, 2, 10, 10));
+                g.draw(new Line2D.Double(2, 10, 10, 2));
+            }
+        }
+    }
+
+    private static Path2D triangle() {
+        Path2D path = new Path2D.Double();
+        path.moveTo(2, 1);
+        path.lineTo(11, 6);
+        path.lineTo(2, 11);
+        path.closePath();
+        return path;
+    }
+
+    private static Color color(String key) {
+        Color color = UIManager.getColor(key);
+        return color == null ? UIManager.getColor("Label.foreground") : color;
+    }
+
+    @Override
+    public int getIconWidth() {
+        return SIZE;
+    }
+
+    @Override
+    public int getIconHeight() {
+        return SIZE;
+    }
+}

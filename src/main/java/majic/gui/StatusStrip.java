@@ -1,0 +1,65 @@
+package majic.gui;
+
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.Member;
+import net.miginfocom.swing.MigLayout;
+
+/** One robot's make, condition, owner and place in three lines, with the buttons that stop and reconnect it. */
+final class StatusStrip extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Member member;
+    private final transient Consumer<String> complain;
+    private final JLabel condition = new JLabel();
+    private final JLabel pose = new JLabel();
+    private final JButton reconnect = new JButton("Reconnect");
+
+    StatusStrip(Member member, Runnable stop, Consumer<String> complain) {
+        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][]", "[][][]"));
+        this.member = member;
+        this.complain = complain;
+        condition.setName("condition" + member.number());
+        pose.setName("pose" + member.number());
+        JLabel title = new JLabel(member.number() + "  " + member.bot().type().make());
+        title.putClientProperty("FlatLaf.styleClass", "h4");
+        JButton stopIt = new JButton("Stop " + member.number());
+        stopIt.setToolTipText("Stop this robot alone, and whatever drives it");
+        stopIt.addActionListener(event -> stop.run());
+        reconnect.setName("reconnect" + member.number());
+        reconnect.addActionListener(event -> reconnect());
+        add(title, "wmin 0");
+        add(reconnect);
+        add(stopIt, "wrap");
+        add(condition, "spanx 3, wmin 0, wrap");
+        add(pose, "spanx 3, wmin 0");
+        update();
+    }
+
+    /** Shows what the robot's published state says now. */
+    void update() {
+        String owner = BotStatus.owner(member);
+        condition.setIcon(StateIcon.of(member.bot()));
+        condition.setText(BotStatus.condition(member) + (owner.isEmpty() ? "" : ", " + owner));
+        pose.setText(BotStatus.pose(member));
+        reconnect.setVisible(member.bot().connection() == MajicBot.Connection.LOST);
+    }
+
+    private void reconnect() {
+        reconnect.setEnabled(false);
+        Edt.background("reconnecting robot " + member.number(), () -> {
+            try {
+                member.bot().connect();
+            } catch (BotException e) {
+                complain.accept(member.number() + ": " + e.getMessage() + ". "
+                        + member.bot().type().advice());
+            } finally {
+                Edt.later(() -> reconnect.setEnabled(true));
+            }
+        });
+    }
+}

@@ -1,0 +1,107 @@
+package majic.gui;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.BotProfile;
+import majic.bot.BotState;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.Motion;
+import majic.bot.Pose;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.jspecify.annotations.Nullable;
+
+/** A robot of the window's tests: writes down what it is told. */
+final class ToyBot extends MajicBot {
+    static final double CRUISE = 200;
+    static final double CRUISE_TURN = 40;
+
+    private static final BotProfile PROFILE =
+            new BotProfile(150, new Range(-400, 400), new Range(-90, 90), CRUISE, CRUISE_TURN, 300, false);
+
+    final List<String> told = new CopyOnWriteArrayList<>();
+    final CountDownLatch closed = new CountDownLatch(1);
+    private final String address;
+
+    ToyBot(ToyType type, String address, BotEnvironment environment) {
+        super(type, PROFILE, environment);
+        this.address = address;
+    }
+
+    @Override
+    protected void open() {
+        if (address.contains("silent")) {
+            awaitClosing();
+        }
+        if (address.contains("absent")) {
+            throw new BotException("nothing answers at " + address);
+        }
+        at(Pose.START, false);
+    }
+
+    private void awaitClosing() {
+        try {
+            if (!closed.await(30, TimeUnit.SECONDS)) {
+                throw new BotException("the test forgot to close this robot");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        throw new BotException("closed while connecting");
+    }
+
+    /** The robot says where it is. */
+    void at(Pose pose, boolean moving) {
+        publish(new BotState(pose, moving ? CRUISE : 0, 0, moving, time().nanos()));
+    }
+
+    void loseLink() {
+        lost(new LinkLost("connection lost: the cable is out"));
+    }
+
+    @Override
+    protected void shut() {
+        told.add("shut");
+        closed.countDown();
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        told.add("move " + Value.plain(mm));
+        return amount(mm, motion);
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        told.add("turn " + Value.plain(degrees));
+        return amount(degrees, motion);
+    }
+
+    private static Value amount(double number, Motion motion) {
+        motion.check();
+        return Value.of(number, Unit.NONE);
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        told.add("drive " + Value.plain(mmPerSec) + " " + Value.plain(degPerSec));
+    }
+
+    @Override
+    protected void halt() {
+        told.add("halt");
+    }
+
+    @Override
+    public @Nullable JComponent display() {
+        return address.contains("plain") ? null : new JLabel("the display of " + address);
+    }
+}

@@ -1,0 +1,54 @@
+package majic.gui;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.BotEnvironment;
+import majic.bot.BotType;
+import majic.bot.MajicBot;
+
+/** The make of the robots in the window's tests. */
+final class ToyType implements BotType {
+    final List<ToyBot> made = new CopyOnWriteArrayList<>();
+    private final List<Reach> reaches;
+
+    ToyType(Reach... reaches) {
+        this.reaches = List.of(reaches);
+    }
+
+    @Override
+    public String name() {
+        return "toy";
+    }
+
+    @Override
+    public String label() {
+        return "Toy";
+    }
+
+    @Override
+    public String make() {
+        return "Playthings Toy";
+    }
+
+    @Override
+    public List<Reach> reaches() {
+        return reaches;
+    }
+
+    @Override
+    public int defaultPort() {
+        return 4242;
+    }
+
+    @Override
+    public MajicBot create(String address, BotEnvironment environment) {
+        ToyBot bot = new ToyBot(this, address, environment);
+        made.add(bot);
+        return bot;
+    }
+
+    @Override
+    public String advice() {
+        return "Wind the toy up.";
+    }
+}
