@@ -15,16 +15,17 @@ import net.miginfocom.swing.MigLayout;
 /** The commands, the parameters of each robot, and the keys. */
 final class HelpDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final int TABLE_WIDTH = 820;
 
     HelpDialog(Window owner, List<Member> members, Optional<Member> current) {
         super(owner, "Help");
         JTabbedPane tabs = new JTabbedPane();
-        tabs.addTab("Commands", scrolled(table(HelpTables.file("commands", "Command", "What it does"), 330)));
+        tabs.addTab("Commands", scrolled(table(HelpTables.file("commands", "Command", "What it does"), 300)));
         if (!members.isEmpty()) {
             tabs.addTab("Parameters", parameters(members, current));
         }
         tabs.addTab("Keys", scrolled(table(HelpTables.file("keys", "Key", "What it does"), 230)));
-        tabs.setPreferredSize(new Dimension(820, 480));
+        tabs.setPreferredSize(new Dimension(TABLE_WIDTH, 480));
         fill(tabs, closing("Close"));
     }
 
@@ -52,9 +53,11 @@ final class HelpDialog extends MajicDialog {
     }
 
     private static void widen(JTable table, int firstWidth) {
-        for (int column = 0; column < table.getColumnCount() - 1; column++) {
+        int last = table.getColumnCount() - 1;
+        for (int column = 0; column < last; column++) {
             table.getColumnModel().getColumn(column).setPreferredWidth(firstWidth);
         }
+        table.getColumnModel().getColumn(last).setPreferredWidth(TABLE_WIDTH - last * firstWidth);
     }
 
     private static JScrollPane scrolled(JTable table) {

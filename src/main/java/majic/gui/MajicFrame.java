@@ -76,8 +76,8 @@ public final class MajicFrame extends JFrame {
         JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, commands);
         all.setResizeWeight(0.75);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 0", "[grow, fill]", "[][grow, fill]"));
-        content.add(new ButtonPane(actions.buttons(), stop), "wrap");
-        content.add(all, "gap 8 8 0 8");
+        content.add(new ButtonPane(actions.buttons(), stop), "wmin 0, wrap");
+        content.add(all, "wmin 0, hmin 0, gap 8 8 0 8");
         setContentPane(content);
         setJMenuBar(new FrameMenu(this, actions));
         setIconImage(FrameAction.icon("app", 64).getImage());
