@@ -102,9 +102,13 @@ public final class AiboRobot implements Firmware {
         Functions functions = kernel.functions();
         functions.lasting("robot.walk", 1, GaitTask.function(gait, false));
         functions.lasting("robot.turn", 1, GaitTask.function(gait, true));
+        functions.lasting("robot.stepwalk", 1, GaitTask.steps(gait, false));
+        functions.lasting("robot.stepturn", 1, GaitTask.steps(gait, true));
         functions.builtIn(
                 "robot.MyguessPosition", arguments -> Value.of(devices.legs().guess()));
         functions.builtIn("power", arguments -> Value.of(battery.percent() / 100.0));
+        new Speaker().install(kernel);
+        new Camera().install(kernel.variables());
         kernel.load(StickScript.PROGRAM);
     }
 }

@@ -20,6 +20,10 @@ final class BuiltIns {
         functions.builtIn("load", arguments -> {
             throw Failure.inExpression("Cannot load the file " + Operators.text(argument(arguments, 0)));
         });
+        // The evaluator answers these two itself when they are asked of a name; of anything else they are true and
+        // false.
+        functions.builtIn("isdef", arguments -> Value.of(true));
+        functions.builtIn("isvoid", arguments -> Value.of(argument(arguments, 0) instanceof Value.Void));
         functions.builtIn("atan2", arguments -> Value.of(Math.atan2(number(arguments, 0), number(arguments, 1))));
     }
 

@@ -65,6 +65,11 @@ final class Effects {
         return null;
     }
 
+    static @Nullable Task alias(Context context, Statement.Alias alias) {
+        context.kernel().variables().alias(alias.name(), alias.meaning());
+        return null;
+    }
+
     static @Nullable Task group(Context context, Statement.Grouping grouping) {
         Groups groups = context.kernel().groups();
         switch (grouping.word()) {

@@ -8,6 +8,8 @@ import java.util.Map;
  * cycles longer otherwise, as it was measured (URBI sheet, section 3); the command ends at the cycle after.
  */
 final class GaitTask extends Task {
+    private static final double STEP_MS = 2000;
+
     private final Gait gait;
     private final boolean turn;
     private final double durationMs;
@@ -31,6 +33,15 @@ final class GaitTask extends Task {
             Name speed = Name.of("robot." + word + "speed");
             double cycleMs = Operators.number(new Evaluator(context, Map.of()).variable(speed));
             return new TaggedTask(context.withTag(word), List.of(), new GaitTask(context, gait, turn, ms, cycleMs));
+        };
+    }
+
+    /** The gait of swalk and sturn: two seconds a step. How far a step goes is not documented; we take half a gait cycle. */
+    static Functions.Lasting steps(Gait gait, boolean turn) {
+        return (context, arguments) -> {
+            double ms = Operators.number(arguments.get(0)) * STEP_MS;
+            Task steps = new GaitTask(context, gait, turn, ms, 2 * STEP_MS);
+            return new TaggedTask(context.withTag(turn ? "turn" : "walk"), List.of(), steps);
         };
     }
 

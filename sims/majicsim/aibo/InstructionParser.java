@@ -74,6 +74,7 @@ final class InstructionParser {
             case "group", "addgroup", "delgroup" -> grouping();
             case "return" -> giveBack();
             case "undef" -> undefine();
+            case "alias", "unalias" -> alias();
             default -> controls.control();
         };
     }
@@ -123,6 +124,12 @@ final class InstructionParser {
     private Statement undefine() throws SyntaxError {
         tokens.next();
         return new Statement.Undefine(exprs.name());
+    }
+
+    private Statement alias() throws SyntaxError {
+        boolean makes = tokens.next().is("alias");
+        String name = tokens.expectName().text();
+        return new Statement.Alias(name, makes ? tokens.expectName().text() : null);
     }
 
     private Statement grouping() throws SyntaxError {

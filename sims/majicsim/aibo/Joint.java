@@ -9,6 +9,7 @@ final class Joint implements Variable.Hardware {
     private static final double LAG_SEC = 0.012;
 
     private static final double MAX_DEG_PER_SEC = 360;
+    private static final double RESOLUTION_DEG = 1e-6;
 
     private final JointType type;
     private final Variable angle;
@@ -23,8 +24,8 @@ final class Joint implements Variable.Hardware {
         angle.properties().range(type.minDeg(), type.maxDeg());
         load = new Variable(type.name() + ".load", Value.of(0), new Variable.Hardware() {
             @Override
-            public double measure() {
-                return stiffness;
+            public Value measure() {
+                return Value.of(stiffness);
             }
 
             @Override
@@ -56,8 +57,8 @@ final class Joint implements Variable.Hardware {
     }
 
     @Override
-    public double measure() {
-        return measuredDeg;
+    public Value measure() {
+        return Value.of(measuredDeg);
     }
 
     @Override
@@ -70,9 +71,13 @@ final class Joint implements Variable.Hardware {
         if (stiffness <= 0 || !(angle.target() instanceof Value.Num target)) {
             return;
         }
-        double wanted = (target.number() - measuredDeg) * (1 - Math.exp(-seconds / LAG_SEC));
+        double error = target.number() - measuredDeg;
+        if (Math.abs(error) < RESOLUTION_DEG) {
+            measuredDeg = target.number();
+            return;
+        }
         double limit = MAX_DEG_PER_SEC * seconds;
-        measuredDeg += Math.max(-limit, Math.min(limit, wanted));
+        measuredDeg += Math.max(-limit, Math.min(limit, error * (1 - Math.exp(-seconds / LAG_SEC))));
     }
 
     private void stiffen(double wanted) {

@@ -14,7 +14,7 @@ final class Lexer {
             Pattern.compile("\\+(begin|end|report|error|bg|connection|timeout|stop|freeze)\\b");
     private static final Pattern NUMBER = Pattern.compile("\\d++(?:\\.\\d++)?|\\.\\d++");
     private static final Pattern TIME = Pattern.compile(
-            "(?=[\\d.])(?:(\\d*\\.?\\d+)d)?(?:(\\d*\\.?\\d+)h)?(?:(\\d*\\.?\\d+)m(?!s))?(?:(\\d*\\.?\\d+)s)?(?:(\\d*\\.?\\d+)ms)?(?!\\w)");
+            "(?:(#)d)?(?:(#)h)?(?:(#)m(?!s))?(?:(#)s)?(?:(#)ms)?(?!\\w)".replace("#", NUMBER.pattern()));
     private static final double[] UNIT_MS = {86_400_000, 3_600_000, 60_000, 1000, 1};
     private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*+(?:\\.[A-Za-z_]\\w*+)?");
     private static final Pattern SUFFIX = Pattern.compile("'(?:in|out|dd|n|d|e)\\b|''|'");

@@ -76,8 +76,8 @@ final class Sensors {
     }
 
     private static void sensor(Variables variables, String name, double min, double max, DoubleSupplier reading) {
-        Variable variable =
-                new Variable(name + ".val", Value.of(min), () -> Math.max(min, Math.min(max, reading.getAsDouble())));
+        Variable variable = new Variable(
+                name + ".val", Value.of(min), () -> Value.of(Math.max(min, Math.min(max, reading.getAsDouble()))));
         variable.properties().range(min, max);
         variables.put(variable);
     }

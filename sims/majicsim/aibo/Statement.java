@@ -237,6 +237,14 @@ sealed interface Statement {
         }
     }
 
+    /** {@code alias a b}, and {@code unalias a} (null). */
+    record Alias(String name, @Nullable String meaning) implements Statement {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(), values -> Effects.alias(context, this));
+        }
+    }
+
     /** A command of one word, such as {@code ping}. */
     record Command(String word) implements Statement {
         @Override

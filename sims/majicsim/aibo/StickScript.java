@@ -36,6 +36,8 @@ final class StickScript {
               if (robot.MyguessPosition() == "lay") wait(300)
               else robot.pose(0, 0, -5, 40, -120, 0, 120, 3200)
             };
+            function robot.swalk(n) { robot.place(-17.4, 10, 80.5, -28.8, 11.1, 90.3, 2400) | robot.stepwalk(n) };
+            function robot.sturn(n) { robot.place(-19.4, 17.8, 82.2, -20, 12.8, 89.3, 700) | robot.stepturn(n) };
             anim: { ledF12.val = 1 & ledBFW.val = 0.5 sin:4s ampli:0.5 & ledBMW.val = 0.5 sin:4s ampli:0.5 phase:-1
               & ledBRW.val = 0.5 sin:4s ampli:0.5 phase:-2 },
             """;

@@ -4,7 +4,7 @@ import java.util.List;
 
 /** The tokens of one command, read from the front; it also keeps the tree from growing deeper than a stack can walk. */
 final class TokenStream {
-    private static final int MAX_DEPTH = 200;
+    private static final int MAX_DEPTH = 1000;
 
     private final List<Token> tokens;
     private int position;
@@ -42,9 +42,10 @@ final class TokenStream {
         return matched;
     }
 
+    /** Takes a sign. The kernel names what it expected only where nothing else could stand, as behind {@code if}. */
     void expect(String text) throws SyntaxError {
         if (!match(text)) {
-            throw SyntaxError.unexpected(peek(), text);
+            throw text.equals("(") ? SyntaxError.unexpected(peek(), text) : SyntaxError.unexpected(peek());
         }
     }
 

@@ -12,7 +12,7 @@ final class Variable {
     /** The hardware behind a variable. */
     interface Hardware {
         /** What it measures now. */
-        double measure();
+        Value measure();
 
         /** The command was set to this; already clipped. */
         default void command(double target) {}
@@ -62,7 +62,7 @@ final class Variable {
     }
 
     Value read() {
-        return hardware == null ? target : Value.of(hardware.measure());
+        return hardware == null ? target : hardware.measure();
     }
 
     Value target() {

@@ -2,6 +2,7 @@ package majicsim.aibo;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +17,7 @@ final class Variables {
     private static final int MAX_COUNT = 100_000;
 
     private final Map<String, Variable> all = new LinkedHashMap<>();
+    private final Map<String, String> aliases = new HashMap<>();
     private final Groups groups;
 
     Variables(Groups groups) {
@@ -37,12 +39,25 @@ final class Variables {
     }
 
     String fullName(Context context, String key) {
+        String alias = aliases.get(key);
+        if (alias != null) {
+            return alias;
+        }
         if (key.indexOf('.') >= 0) {
             return key;
         }
         return all.containsKey(key + ".val")
                 ? key + ".val"
                 : context.connection().id() + "." + key;
+    }
+
+    /** Makes a name stand for another variable, or with null for itself again. */
+    void alias(String name, @Nullable String meaning) {
+        if (meaning == null) {
+            aliases.remove(name);
+        } else {
+            aliases.put(name, meaning);
+        }
     }
 
     /** The variable of that name, made if need be. */
