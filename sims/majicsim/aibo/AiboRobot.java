@@ -66,7 +66,7 @@ public final class AiboRobot implements Firmware {
     @Override
     public void connected(Line line) {
         Connection connection = kernel.connect(line);
-        connection.watch(new PowerMonitor(connection.context().withTag("power"), battery));
+        connection.watch(new PowerMonitor(connection.context().inner("power"), battery));
     }
 
     @Override

@@ -4,7 +4,8 @@ import java.util.List;
 
 /** A call of a function whose body is commands; it ends with the body or with a return in it. */
 final class CallTask extends Task {
-    private static final int MAX_DEPTH = 64;
+    /** So deep commands may be nested, calls and all, before a call is refused: a task's own nesting needs stack. */
+    private static final int MAX_DEPTH = 300;
 
     private final Expr.Call call;
     private final Task body;
@@ -18,9 +19,10 @@ final class CallTask extends Task {
     }
 
     static CallTask of(Context context, Expr.Call call, Evaluator evaluator) throws Failure {
-        Frame frame = new Frame(context.frame());
-        if (frame.depth() > MAX_DEPTH) {
-            throw Failure.of("Stack overflow");
+        Frame frame = new Frame();
+        boolean allowed = context.kernel().budget().takeCall(context.kernel().pass());
+        if (context.depth() > MAX_DEPTH || !allowed) {
+            throw Failure.of("CPU Overload");
         }
         List<Value> arguments = evaluator.values(call.parts());
         Task body = context.kernel().functions().start(context.withFrame(frame), call.function(), arguments);

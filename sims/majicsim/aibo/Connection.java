@@ -52,7 +52,7 @@ final class Connection {
     }
 
     Context context() {
-        return new Context(this, null, Parser.NO_TAG);
+        return new Context(this, null, Parser.NO_TAG, 0);
     }
 
     String describe() {

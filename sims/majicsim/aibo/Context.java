@@ -4,14 +4,17 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * On whose behalf a command runs: its connection, the function call it belongs to (null outside of one) and the tag of its replies.
+ *
+ * @param depth how many commands it is inside of, through all function calls
  */
-record Context(Connection connection, @Nullable Frame frame, String tag) {
-    Context withTag(String other) {
-        return new Context(connection, frame, other);
+record Context(Connection connection, @Nullable Frame frame, String tag, int depth) {
+    /** For a command inside this one. */
+    Context inner(String itsTag) {
+        return new Context(connection, frame, itsTag, depth + 1);
     }
 
     Context withFrame(Frame other) {
-        return new Context(connection, other, tag);
+        return new Context(connection, other, tag, depth);
     }
 
     Kernel kernel() {

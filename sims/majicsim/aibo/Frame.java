@@ -7,18 +7,8 @@ import org.jspecify.annotations.Nullable;
 /** One call of a function: its local variables and what it returned. */
 final class Frame {
     private final Map<String, Variable> locals = new HashMap<>();
-    private final int depth;
     private Value result = Value.VOID;
     private boolean returned;
-
-    Frame(@Nullable Frame caller) {
-        depth = caller == null ? 1 : caller.depth + 1;
-    }
-
-    /** How many calls are inside each other here. */
-    int depth() {
-        return depth;
-    }
 
     @Nullable
     Variable local(String name) {

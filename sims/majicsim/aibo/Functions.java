@@ -41,7 +41,7 @@ final class Functions {
             for (int i = 0; i < parameters.size(); i++) {
                 frame.declare(parameters.get(i), arguments.get(i));
             }
-            return definition.body().start(call.withTag(Parser.NO_TAG));
+            return definition.body().start(call.inner(Parser.NO_TAG));
         });
     }
 

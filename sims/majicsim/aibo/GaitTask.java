@@ -32,7 +32,7 @@ final class GaitTask extends Task {
             double ms = Operators.number(arguments.get(0));
             Name speed = Name.of("robot." + word + "speed");
             double cycleMs = Operators.number(new Evaluator(context, Map.of()).variable(speed));
-            return new TaggedTask(context.withTag(word), List.of(), new GaitTask(context, gait, turn, ms, cycleMs));
+            return new TaggedTask(context.inner(word), List.of(), new GaitTask(context, gait, turn, ms, cycleMs));
         };
     }
 
@@ -41,7 +41,7 @@ final class GaitTask extends Task {
         return (context, arguments) -> {
             double ms = Operators.number(arguments.get(0)) * STEP_MS;
             Task steps = new GaitTask(context, gait, turn, ms, 2 * STEP_MS);
-            return new TaggedTask(context.withTag(turn ? "turn" : "walk"), List.of(), steps);
+            return new TaggedTask(context.inner(turn ? "turn" : "walk"), List.of(), steps);
         };
     }
 

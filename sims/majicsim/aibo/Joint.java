@@ -9,7 +9,7 @@ final class Joint implements Variable.Hardware {
     private static final double LAG_SEC = 0.012;
 
     private static final double MAX_DEG_PER_SEC = 360;
-    private static final double RESOLUTION_DEG = 1e-6;
+    private static final double RESOLUTION_DEG = 1e-4;
 
     private final JointType type;
     private final Variable angle;

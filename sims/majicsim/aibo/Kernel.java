@@ -28,6 +28,7 @@ final class Kernel {
     private final Set<String> blocked = new HashSet<>();
     private final List<Connection> connections = new ArrayList<>();
     private final Connection own;
+    private final Budget budget = new Budget();
     private double nowMs;
     private long pass;
     private long nextId = FIRST_ID;
@@ -47,6 +48,10 @@ final class Kernel {
 
     Functions functions() {
         return functions;
+    }
+
+    Budget budget() {
+        return budget;
     }
 
     List<Connection> connections() {

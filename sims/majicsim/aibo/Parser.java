@@ -9,6 +9,9 @@ final class Parser {
     /** The tag of a command that has none. */
     static final String NO_TAG = "notag";
 
+    /** A command that runs needs more stack than an operator. */
+    private static final int LEVELS_A_COMMAND = 5;
+
     private static final Set<String> ENDS =
             Set.of(";", ",", "&", "|", "}", ")", "]", ":", "else", "onleave", "=", "list");
 
@@ -42,7 +45,7 @@ final class Parser {
 
     /** One command with its tag, if it has one. */
     Statement tagged() throws SyntaxError {
-        tokens.deeper();
+        tokens.deeper(LEVELS_A_COMMAND);
         String tag = NO_TAG;
         List<Flag> flags = List.of();
         if (atTag()) {
@@ -51,7 +54,7 @@ final class Parser {
             tokens.expect(":");
         }
         Statement body = body();
-        tokens.shallower(1);
+        tokens.shallower(LEVELS_A_COMMAND);
         return body instanceof Statement.Empty ? body : new Statement.Tagged(tag, flags, body);
     }
 

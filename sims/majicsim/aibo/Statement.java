@@ -20,7 +20,7 @@ sealed interface Statement {
     record Tagged(String tag, List<Flag> flags, Statement body) implements Statement {
         @Override
         public Task start(Context context) {
-            return new TaggedTask(context.withTag(tag), flags, body);
+            return new TaggedTask(context.inner(tag), flags, body);
         }
     }
 

@@ -82,7 +82,12 @@ final class TokenStream {
 
     /** Counts one more level of nesting or one more link of a chain. */
     void deeper() throws SyntaxError {
-        if (++depth > MAX_DEPTH) {
+        deeper(1);
+    }
+
+    void deeper(int levels) throws SyntaxError {
+        depth += levels;
+        if (depth > MAX_DEPTH) {
             throw new SyntaxError(peek().span(), "memory exhausted", false);
         }
     }

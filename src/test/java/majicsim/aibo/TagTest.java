@@ -1,0 +1,88 @@
+package majicsim.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+/** Tags, flags, stop, freeze and block (URBI sheet, section 7), also across connections. */
+class TagTest {
+    private final Bench bench = Bench.exact();
+    private final Bench.Client client = bench.client();
+    private final Bench.Client other = bench.client();
+
+    @Test
+    void stopReachesIntoOtherConnections() {
+        assertThat(client.ask("lp+end: loop { echo \"A loop\"; wait(150) },", 100))
+                .containsExactly("[notag] *** A loop");
+
+        other.say("stop lp;");
+
+        assertThat(client.ask("", 500)).isEmpty();
+    }
+
+    @Test
+    void aCommandThatIsStoppedByItsOwnTagSendsNoEnd() {
+        client.say("w+end: wait(5s),");
+
+        assertThat(client.ask("stop w;", 6000)).isEmpty();
+    }
+
+    @Test
+    void aCommandThatStopsItselfSendsNoEndAndDoesNotGoOn() {
+        assertThat(client.ask("s+end: { 1; stop s; 2 }; 3;")).containsExactly("[notag] 1.000000", "[notag] 3.000000");
+    }
+
+    @Test
+    void aCommandWhoseInsideIsStoppedEnds() {
+        client.say("outer+end: { inner+end: wait(5s) },");
+
+        assertThat(client.ask("stop inner;")).containsExactly("[outer] *** end");
+    }
+
+    @Test
+    void stoppingATagStopsItsSecondLevel() {
+        client.say("a.b+end: wait(5s), a.c+end: wait(5s),");
+
+        assertThat(client.ask("stop a.b;", 100)).isEmpty();
+        assertThat(client.ask("stop a;", 6000)).isEmpty();
+    }
+
+    @Test
+    void frozenTimeIsNotCounted() {
+        client.ask("f+end: wait(500),", 300);
+        other.say("freeze f;");
+        assertThat(client.ask("", 1000)).isEmpty();
+
+        other.say("unfreeze f;");
+
+        assertThat(client.ask("", 150)).isEmpty();
+        assertThat(client.ask("", 100)).containsExactly("[f] *** end");
+    }
+
+    @Test
+    void aBlockedTagIsRefusedSilentlyUntilItIsUnblocked() {
+        assertThat(client.ask("block b; b+report: 1; 2;")).containsExactly("[notag] 2.000000");
+        assertThat(client.ask("unblock b; b: 1;")).containsExactly("[b] 1.000000");
+    }
+
+    @Test
+    void theTagOfABlockIsNotItsCommands() {
+        assertThat(client.ask("u+report: { 1; v: 2 };"))
+                .containsExactly("[u] *** begin", "[notag] 1.000000", "[v] 2.000000", "[u] *** end");
+    }
+
+    @Test
+    void stopOfNoTagKillsWhatHasNone() {
+        client.say("loop { x: 1; wait(100) },");
+        client.take();
+
+        assertThat(other.ask("stop notag;")).isEmpty();
+        assertThat(client.ask("", 500)).isEmpty();
+    }
+
+    @Test
+    void theBackgroundFlagIsLikeAComma() {
+        assertThat(client.ask("t+bg+end: wait(300); 9;", 100)).containsExactly("[notag] 9.000000");
+        assertThat(client.ask("", 300)).containsExactly("[t] *** end");
+    }
+}
