@@ -1,15 +1,31 @@
 package majic;
 
+import picocli.CommandLine;
+
 /** Starts MAJIC. */
 public final class Majic {
     private Majic() {}
 
     /**
-     * Starts the program.
+     * Starts the program and ends it with its exit status: 0 if all went well, 1 if a line of a console or script failed,
+     * 2 for a wrong command line, 3 if the window or the lab could not start.
      *
-     * @param args the command line
+     * @param args the command line; see {@code --help}
      */
     public static void main(String[] args) {
-        System.out.println("MAJIC");
+        UserFolder folder = UserFolder.standard();
+        System.setProperty("majic.folder", folder.path().toString());
+        int status = run(folder, args);
+        System.exit(status);
+    }
+
+    static int run(UserFolder folder, String... args) {
+        return new CommandLine(new MajicCommand(folder))
+                .addSubcommand(new LabCommand())
+                .addSubcommand(new RunCommand(folder))
+                .setExecutionExceptionHandler((problem, command, parsed) -> Failures.explain(command, problem))
+                .setParameterExceptionHandler((problem, parsed) -> Failures.usage(problem))
+                .setCaseInsensitiveEnumValuesAllowed(true)
+                .execute(args);
     }
 }

@@ -1,0 +1,131 @@
+package majic;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.Charset;
+import java.util.List;
+import java.util.function.Consumer;
+import majic.script.Line;
+import majic.script.MajicParser;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * MAJIC Script from standard input. At a terminal it has a prompt, history and completion; in a pipe it prints an answer
+ * a line and ends, when the input does, after everything has been done.
+ */
+final class Console {
+    private final Program program;
+    private final Source source;
+    private final MajicParser parser;
+
+    /** Where lines come from and answers go to. */
+    interface Source extends AutoCloseable {
+        /** The next line; null at the end. Blocks. */
+        @Nullable
+        String next() throws IOException;
+
+        /** Shows a line, from any thread. */
+        void show(String line);
+
+        /** Whether a person sits there. */
+        boolean interactive();
+
+        @Override
+        void close() throws IOException;
+    }
+
+    Console(Program program, Source source) {
+        this.program = program;
+        this.source = source;
+        this.parser = new MajicParser(program.session(), source.interactive());
+    }
+
+    /** At a terminal or in a pipe, whichever standard input is. */
+    static Console standard(Program program) throws IOException {
+        return System.console() == null || System.getenv("TERM") == null
+                ? new Console(program, new Pipe(System.in, System.out))
+                : new Console(program, new Terminal(program));
+    }
+
+    /** Without input: only what it is told to run. */
+    static Console silent(Program program) {
+        return new Console(program, new Pipe(InputStream.nullInputStream(), System.out));
+    }
+
+    /**
+     * Runs the first lines, then those that come in, until the end or until somebody quits.
+     *
+     * @param firstLines what is said before anything is read
+     * @return the exit status: 0 only if every line succeeded
+     */
+    int run(List<String> firstLines) {
+        program.session().addListener(this::show);
+        Thread reading = new Thread(() -> read(firstLines), "console");
+        reading.setDaemon(true);
+        reading.start();
+        try {
+            program.awaitQuit();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        return parser.allSucceeded() ? 0 : Failures.FAILED;
+    }
+
+    private void read(List<String> firstLines) {
+        try (source) {
+            firstLines.forEach(parser::parseText);
+            for (String line = source.next(); line != null && !program.isQuitting(); line = source.next()) {
+                parser.parseText(line);
+            }
+            if (!source.interactive()) {
+                parser.awaitAll();
+            }
+        } catch (IOException e) {
+            source.show("the input broke: " + e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            program.quit();
+        }
+    }
+
+    private void show(Line line) {
+        if (line.kind() != Line.Kind.COMMAND) {
+            source.show(line.text());
+        }
+    }
+
+    /** Lines of a pipe or file. */
+    private static final class Pipe implements Source {
+        private final BufferedReader in;
+        private final Consumer<String> out;
+
+        Pipe(InputStream in, PrintStream out) {
+            this.in = new BufferedReader(new InputStreamReader(in, Charset.defaultCharset()));
+            this.out = out::println;
+        }
+
+        @Override
+        public @Nullable String next() throws IOException {
+            return in.readLine();
+        }
+
+        @Override
+        public void show(String line) {
+            out.accept(line);
+        }
+
+        @Override
+        public boolean interactive() {
+            return false;
+        }
+
+        @Override
+        public void close() throws IOException {
+            in.close();
+        }
+    }
+}

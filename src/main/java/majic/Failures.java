@@ -1,0 +1,50 @@
+package majic;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.lang.System.Logger.Level;
+import majic.bot.BotException;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** Turns what went wrong at the start into one sentence and an exit status. */
+final class Failures {
+    /** A line failed. */
+    static final int FAILED = 1;
+
+    /** The command line is wrong. */
+    static final int USAGE = 2;
+
+    /** Window or lab did not start. */
+    static final int NO_START = 3;
+
+    private static final System.Logger LOG = System.getLogger(Failures.class.getName());
+
+    private Failures() {}
+
+    static int usage(ParameterException problem) {
+        PrintWriter err = problem.getCommandLine().getErr();
+        err.println("majic: " + problem.getMessage());
+        if (!UnmatchedArgumentException.printSuggestions(problem, err)) {
+            err.println("majic: --help lists what can be said");
+        }
+        err.flush();
+        return USAGE;
+    }
+
+    static int explain(CommandLine command, Exception problem) {
+        LOG.log(Level.ERROR, "could not start", problem);
+        PrintWriter err = command.getErr();
+        err.println("majic: " + sentence(problem));
+        err.flush();
+        return problem instanceof UsageException ? USAGE : NO_START;
+    }
+
+    private static String sentence(Exception problem) {
+        if (problem instanceof UsageException || problem instanceof BotException || problem instanceof IOException) {
+            return String.valueOf(problem.getMessage());
+        }
+        return "an error in MAJIC, see majic.log in its folder (" + problem + ")";
+    }
+}

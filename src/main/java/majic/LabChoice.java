@@ -1,0 +1,59 @@
+package majic;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import majicsim.LabOptions;
+import majicsim.world.Room;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+
+/** The options that shape a simulated lab, the same for {@code --lab} and for {@code lab}. */
+final class LabChoice {
+    private static final double SLOWEST = 0.01;
+    private static final double FASTEST = 100;
+
+    @Option(names = "--exact", description = "Switch all noise of the simulated lab off.")
+    private boolean exact;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Choose the lab's noise; the same N repeats it (1).")
+    private long seed = 1;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "A map to drive in, in the Pioneer world's .map format.")
+    private @Nullable Path world;
+
+    @Option(names = "--speed", paramLabel = "F", description = "How many times as fast as real time the lab runs (1).")
+    private double speed = 1;
+
+    @Option(names = "--aibo-port", paramLabel = "N", description = "TCP port of the Aibo (54000, or a free one).")
+    private int aiboPort = LabOptions.AIBO_PORT;
+
+    @Option(names = "--pioneer-port", paramLabel = "N", description = "TCP port of the Pioneer (8101, or a free one).")
+    private int pioneerPort = LabOptions.PIONEER_PORT;
+
+    @Option(names = "--hemisson-port", paramLabel = "N", description = "TCP port of the Hemisson (a free one).")
+    private int hemissonPort;
+
+    /** What a lab of this choice is opened with. */
+    LabOptions options() throws IOException {
+        Room room = world == null ? Room.standard() : Room.load(world);
+        return new LabOptions(room, exact, seed, port(aiboPort), port(pioneerPort), port(hemissonPort), !exact);
+    }
+
+    /** Its speed, checked. */
+    double speed() {
+        if (!(speed >= SLOWEST && speed <= FASTEST)) {
+            throw new UsageException("--speed " + speed + ": outside " + SLOWEST + " … " + FASTEST);
+        }
+        return speed;
+    }
+
+    private static int port(int port) {
+        if (port < 0 || port > 65_535) {
+            throw new UsageException("port " + port + ": outside 0 … 65535");
+        }
+        return port;
+    }
+}

@@ -1,0 +1,116 @@
+package majic;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.lang.System.Logger.Level;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.function.Consumer;
+import majic.script.Line;
+import majic.script.MajicParser;
+import majic.script.Session;
+import majic.script.SessionListener;
+
+/** One program connected to a {@link LineServer}. A client that does not read its answers is dropped, not waited for. */
+final class LineClient implements SessionListener {
+    private static final System.Logger LOG = System.getLogger(LineClient.class.getName());
+    private static final int UNREAD_LINES = 10_000;
+    private static final int LONGEST_LINE = 10_000;
+
+    private final Socket socket;
+    private final Session session;
+    private final Consumer<LineClient> whenGone;
+    private final MajicParser parser;
+    private final BlockingQueue<String> answers = new ArrayBlockingQueue<>(UNREAD_LINES);
+
+    LineClient(Socket socket, Session session, Consumer<LineClient> whenGone) {
+        this.socket = socket;
+        this.session = session;
+        this.whenGone = whenGone;
+        this.parser = new MajicParser(session, false);
+    }
+
+    void start() {
+        session.addListener(this);
+        daemon(this::read, "client reader");
+        daemon(this::write, "client writer");
+    }
+
+    private static void daemon(Runnable body, String name) {
+        Thread thread = new Thread(body, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    @Override
+    public void line(Line line) {
+        if (line.kind() != Line.Kind.COMMAND) {
+            say(line.text());
+        }
+    }
+
+    private void say(String text) {
+        if (!answers.offer(text)) {
+            LOG.log(Level.WARNING, "a client does not read its answers; dropped");
+            close();
+        }
+    }
+
+    private void read() {
+        try (BufferedReader lines =
+                new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
+            for (String line = next(lines); line != null; line = next(lines)) {
+                parser.parseText(line);
+            }
+            parser.awaitAll();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "a client is gone", e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            close();
+        }
+    }
+
+    /** A line, cut where no sensible one reaches, so that a client cannot fill the memory. */
+    private static String next(BufferedReader in) throws IOException {
+        StringBuilder line = new StringBuilder();
+        int character = in.read();
+        while (character >= 0 && character != '\n') {
+            if (line.length() < LONGEST_LINE && character != '\r') {
+                line.append((char) character);
+            }
+            character = in.read();
+        }
+        return character < 0 && line.isEmpty() ? null : line.toString();
+    }
+
+    private void write() {
+        try {
+            OutputStream out = socket.getOutputStream();
+            while (!socket.isClosed()) {
+                out.write((answers.take() + "\n").getBytes(StandardCharsets.UTF_8));
+                out.flush();
+            }
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "a client is gone", e);
+            close();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    void close() {
+        session.removeListener(this);
+        whenGone.accept(this);
+        try {
+            socket.close();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "closing a client", e);
+        }
+    }
+}

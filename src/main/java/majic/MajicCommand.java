@@ -1,0 +1,48 @@
+package majic;
+
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code majic}: the window, or the console where there is no display. */
+@Command(
+        name = "majic",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        sortOptions = false,
+        description = "Commands a team of unlike robots from one window, in one small language.",
+        footer = {
+            "",
+            "Try: majic --lab, then type: 2 move 500",
+            "Exit status: 0 all went well, 1 a line failed, 2 wrong command line, 3 could not start."
+        })
+final class MajicCommand implements Callable<Integer> {
+    private final UserFolder folder;
+
+    @Mixin
+    private StartOptions start = new StartOptions();
+
+    @Option(names = "--console", description = "Read MAJIC Script from standard input instead of opening the window.")
+    private boolean console;
+
+    MajicCommand(UserFolder folder) {
+        this.folder = folder;
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        boolean windowless = !console && GraphicsEnvironment.isHeadless();
+        if (windowless) {
+            System.err.println("majic: there is no display here; this is the console (help lists the commands)");
+        }
+        try (Program program = start.program(folder)) {
+            if (console || windowless) {
+                return Console.standard(program).run(start.firstLines(program));
+            }
+            return Window.run(program, start.firstLines(program));
+        }
+    }
+}

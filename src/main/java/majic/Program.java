@@ -1,0 +1,128 @@
+package majic;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import majic.bot.BotFactory;
+import majic.bot.Team;
+import majic.bot.TimeSource;
+import majic.log.SessionLog;
+import majic.script.Session;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One running MAJIC: team, session, perhaps a lab. Closing it stops and closes all robots within 3 s, whatever their
+ * links do; it is done at the latest when the program is asked to end.
+ */
+final class Program implements AutoCloseable {
+    private static final int CLOSE_BOUND_MS = 3000;
+
+    private final UserFolder folder;
+    private final @Nullable SimulatedLab lab;
+    private final Team team;
+    private final Session session;
+    private final SessionLog log;
+    private volatile @Nullable LineServer server;
+    private final CountDownLatch quit = new CountDownLatch(1);
+    private final AtomicBoolean closed = new AtomicBoolean();
+    private final Thread closeAtEnd = new Thread(this::closeRobots, "shutdown");
+
+    /**
+     * Builds everything and starts nothing but the session log.
+     *
+     * @param folder the user's folder
+     * @param lab a running lab; null for none
+     * @throws IOException if the session log cannot be written
+     */
+    Program(UserFolder folder, @Nullable SimulatedLab lab) throws IOException {
+        this.folder = folder;
+        this.lab = lab;
+        TimeSource time = lab == null ? TimeSource.system() : lab.time();
+        BotFactory factory = new BotFactory(
+                Plugins.types(folder.file("plugins")), new UserSettings(folder.file("settings.properties")));
+        if (lab != null) {
+            factory.useLab(lab);
+        }
+        team = new Team(time);
+        Path sessions = folder.folder("sessions");
+        log = SessionLog.in(sessions, Clock.systemDefaultZone());
+        session = new Session(team, factory, log, quit::countDown);
+    }
+
+    /** From now on the end of the program, for whatever reason, closes the robots first. */
+    void closeWhenProgramEnds() {
+        Runtime.getRuntime().addShutdownHook(closeAtEnd);
+    }
+
+    UserFolder folder() {
+        return folder;
+    }
+
+    Session session() {
+        return session;
+    }
+
+    Team team() {
+        return team;
+    }
+
+    @Nullable
+    SimulatedLab lab() {
+        return lab;
+    }
+
+    /**
+     * Takes lines over a socket from now on.
+     *
+     * @param address where to listen
+     * @throws IOException if the port is taken
+     */
+    void listen(InetSocketAddress address) throws IOException {
+        server = LineServer.open(address, session);
+    }
+
+    /** Asks the program to end. */
+    void quit() {
+        quit.countDown();
+    }
+
+    boolean isQuitting() {
+        return quit.getCount() == 0;
+    }
+
+    /** Waits until somebody asks the program to end. */
+    void awaitQuit() throws InterruptedException {
+        quit.await();
+    }
+
+    @Override
+    public void close() {
+        closeRobots();
+    }
+
+    private void closeRobots() {
+        if (!closed.compareAndSet(false, true)) {
+            return;
+        }
+        quit.countDown();
+        LineServer listening = server;
+        if (listening != null) {
+            listening.close();
+        }
+        Thread closing = new Thread(team::close, "closing all robots");
+        closing.setDaemon(true);
+        closing.start();
+        try {
+            closing.join(CLOSE_BOUND_MS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        log.close();
+        if (lab != null) {
+            lab.close();
+        }
+    }
+}

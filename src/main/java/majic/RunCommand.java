@@ -1,0 +1,40 @@
+package majic;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code majic run FILE}: a file of MAJIC Script, without window. */
+@Command(
+        name = "run",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        sortOptions = false,
+        description = "Runs a file of MAJIC Script and ends; exit status 0 only if every line succeeded.")
+final class RunCommand implements Callable<Integer> {
+    private final UserFolder folder;
+
+    @Mixin
+    private StartOptions start = new StartOptions();
+
+    @Parameters(paramLabel = "FILE", description = "the script")
+    private Path file = Path.of("");
+
+    RunCommand(UserFolder folder) {
+        this.folder = folder;
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        try (Program program = start.program(folder)) {
+            List<String> lines = new ArrayList<>(start.firstLines(program));
+            lines.add("run \"" + file + "\"");
+            return Console.silent(program).run(lines);
+        }
+    }
+}

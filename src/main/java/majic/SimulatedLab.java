@@ -1,0 +1,113 @@
+package majic;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import majic.bot.BotAddress;
+import majic.bot.LabAccess;
+import majic.bot.Pose;
+import majic.bot.TimeSource;
+import majic.link.Links;
+import majicsim.Lab;
+import majicsim.LabOptions;
+
+/** A simulated lab inside this program: its simulators, and the clock that their robots' drivers share with them. */
+final class SimulatedLab implements LabAccess, AutoCloseable {
+    /** In the order they are numbered. */
+    private static final List<String> ROBOTS = List.of("aibo", "pioneer", "hemisson");
+
+    private final Lab lab;
+    private final LabClock clock;
+
+    private SimulatedLab(Lab lab, Pacing pacing) {
+        this.lab = lab;
+        this.clock = new LabClock(
+                new LabClock.Steps() {
+                    @Override
+                    public void step() {
+                        lab.step();
+                    }
+
+                    @Override
+                    public long nanos() {
+                        return lab.nanos();
+                    }
+                },
+                pacing);
+    }
+
+    /**
+     * Opens a lab whose clock follows the wall clock.
+     *
+     * @param options what kind of lab
+     * @param speed how many times as fast
+     * @return the running lab
+     * @throws IOException if a port is taken or the room does not hold the robots
+     */
+    static SimulatedLab scaled(LabOptions options, double speed) throws IOException {
+        return started(Lab.open(options), Pacing.scaled(speed));
+    }
+
+    /**
+     * Opens a lab whose clock goes on as soon as everybody who lives by it waits.
+     *
+     * @param options what kind of lab
+     * @return the running lab
+     * @throws IOException if a port is taken or the room does not hold the robots
+     */
+    static SimulatedLab stepped(LabOptions options) throws IOException {
+        Lab lab = Lab.open(options);
+        Set<String> addresses = Set.copyOf(lab.addresses().values());
+        return started(lab, Pacing.stepped(new Quietness(Links::traffic, lab::lines, addresses)));
+    }
+
+    private static SimulatedLab started(Lab lab, Pacing pacing) {
+        SimulatedLab simulated = new SimulatedLab(lab, pacing);
+        simulated.clock.start();
+        return simulated;
+    }
+
+    /** The simulators themselves, for what only a lab can do: faults, places. */
+    Lab simulators() {
+        return lab;
+    }
+
+    @Override
+    public List<String> robots() {
+        return ROBOTS;
+    }
+
+    @Override
+    public Optional<BotAddress> address(String type) {
+        return Optional.ofNullable(lab.addresses().get(type)).map(where -> new BotAddress(type, "tcp://" + where));
+    }
+
+    @Override
+    public TimeSource time() {
+        return clock;
+    }
+
+    @Override
+    public Map<String, Pose> truePoses() {
+        Map<String, Pose> poses = new LinkedHashMap<>();
+        lab.truePoses().forEach((name, at) -> poses.put(name, new Pose(at.xMm(), at.yMm(), at.headingDeg())));
+        return poses;
+    }
+
+    @Override
+    public List<Wall> walls() {
+        List<Wall> walls = new ArrayList<>();
+        lab.walls().forEach(wall -> walls.add(new Wall(wall.x1(), wall.y1(), wall.x2(), wall.y2())));
+        return walls;
+    }
+
+    @Override
+    public void close() {
+        clock.close();
+        lab.close();
+    }
+}

@@ -1,0 +1,73 @@
+package majic;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** What can be asked for at every start of a session: a lab, robots, a port to listen at. */
+final class StartOptions {
+    @Option(names = "--lab", description = "Start the simulated lab and add its three robots.")
+    private boolean lab;
+
+    @Mixin
+    private LabChoice choice = new LabChoice();
+
+    @Option(names = "--add", paramLabel = "URI", description = "Add a robot, such as pioneer://10.0.0.5; repeatable.")
+    private List<String> robots = new ArrayList<>();
+
+    @Option(
+            names = "--listen",
+            paramLabel = "HOST:PORT",
+            description = "Take lines of MAJIC Script over a socket, such as 127.0.0.1:7777, and answer in lines.")
+    private @Nullable String listen;
+
+    boolean wantsLab() {
+        return lab;
+    }
+
+    /**
+     * Builds the program these options ask for.
+     *
+     * @param folder the user's folder
+     * @return the program, its robots not yet added
+     * @throws IOException if the lab or the socket cannot open its ports, the world is none, or a file cannot be written
+     */
+    Program program(UserFolder folder) throws IOException {
+        SimulatedLab simulated = lab ? SimulatedLab.scaled(choice.options(), choice.speed()) : null;
+        Program program = new Program(folder, simulated);
+        program.closeWhenProgramEnds();
+        if (listen != null) {
+            program.listen(address(listen));
+        }
+        return program;
+    }
+
+    /**
+     * The lines that add the robots asked for.
+     *
+     * @param program the built program
+     * @return MAJIC Script
+     */
+    List<String> firstLines(Program program) {
+        List<String> lines = new ArrayList<>();
+        SimulatedLab simulated = program.lab();
+        if (simulated != null) {
+            simulated.robots().forEach(robot -> lines.add("add sim:" + robot));
+        }
+        robots.forEach(robot -> lines.add("add " + robot));
+        return lines;
+    }
+
+    private static InetSocketAddress address(String text) {
+        int colon = text.lastIndexOf(':');
+        String port = text.substring(colon + 1);
+        if (colon <= 0 || !port.matches("\\d{1,5}") || Integer.parseInt(port) > 65_535) {
+            throw new UsageException("--listen " + text + ": not an address; it looks like 127.0.0.1:7777");
+        }
+        return new InetSocketAddress(text.substring(0, colon), Integer.parseInt(port));
+    }
+}

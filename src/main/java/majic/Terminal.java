@@ -1,0 +1,72 @@
+package majic;
+
+import java.io.IOException;
+import java.util.List;
+import majic.script.MajicParser;
+import org.jline.reader.Candidate;
+import org.jline.reader.EndOfFileException;
+import org.jline.reader.LineReader;
+import org.jline.reader.LineReaderBuilder;
+import org.jline.reader.ParsedLine;
+import org.jline.reader.UserInterruptException;
+import org.jline.reader.impl.DefaultParser;
+import org.jline.terminal.TerminalBuilder;
+import org.jspecify.annotations.Nullable;
+
+/** A person at a terminal: prompt, history, completion; answers appear above the line being typed. */
+final class Terminal implements Console.Source {
+    private static final String PROMPT = "majic> ";
+
+    private final org.jline.terminal.Terminal terminal;
+    private final LineReader reader;
+
+    /**
+     * Takes over the terminal.
+     *
+     * @param program whose session it talks to
+     * @throws IOException if the terminal cannot be used
+     */
+    Terminal(Program program) throws IOException {
+        MajicParser completions = new MajicParser(program.session(), true);
+        terminal = TerminalBuilder.builder().system(true).build();
+        DefaultParser plain = new DefaultParser();
+        plain.setEscapeChars(new char[0]);
+        plain.setQuoteChars(new char[0]);
+        reader = LineReaderBuilder.builder()
+                .terminal(terminal)
+                .appName("MAJIC")
+                .parser(plain)
+                .completer((line, typed, found) -> complete(completions, typed, found))
+                .variable(LineReader.HISTORY_FILE, program.folder().file("history"))
+                .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
+                .build();
+    }
+
+    private static void complete(MajicParser completions, ParsedLine typed, List<Candidate> found) {
+        completions.complete(typed.line(), typed.cursor()).forEach(word -> found.add(new Candidate(word)));
+    }
+
+    @Override
+    public @Nullable String next() {
+        try {
+            return reader.readLine(PROMPT);
+        } catch (UserInterruptException | EndOfFileException e) {
+            return null;
+        }
+    }
+
+    @Override
+    public void show(String line) {
+        reader.printAbove(line);
+    }
+
+    @Override
+    public boolean interactive() {
+        return true;
+    }
+
+    @Override
+    public void close() throws IOException {
+        terminal.close();
+    }
+}

@@ -1,0 +1,129 @@
+package majic;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.function.BooleanSupplier;
+import majic.bot.BotFactory;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.bot.Settings;
+import majic.bot.Team;
+import majic.bot.TimeSource.Membership;
+import majic.log.SessionLog;
+import majic.script.Line;
+import majic.script.MajicParser;
+import majic.script.Session;
+import majicsim.LabOptions;
+
+/**
+ * A stepped lab, a team and a session on it, for one test. The thread that makes it lives by the lab's clock: time goes on
+ * only while it waits. Everything runs over real sockets.
+ */
+public final class LabRig implements AutoCloseable {
+    private static final double LONGEST_WAIT_S = 3 * 3600;
+
+    private final SimulatedLab lab;
+    private final Membership membership;
+    private final Team team;
+    private final Session session;
+    private final MajicParser parser;
+    private final List<String> said = Collections.synchronizedList(new ArrayList<>());
+
+    private LabRig(LabOptions options) {
+        try {
+            lab = SimulatedLab.stepped(options);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        membership = lab.time().join();
+        BotFactory factory = new BotFactory(Plugins.types(java.nio.file.Path.of("none")), Settings.inMemory());
+        factory.useLab(lab);
+        team = new Team(lab.time());
+        session = new Session(team, factory, SessionLog.none(), () -> {});
+        session.addListener(this::hear);
+        parser = new MajicParser(session, false);
+    }
+
+    /** A lab without noise, nobody connected yet. */
+    public static LabRig exact() {
+        return new LabRig(LabOptions.exactOnFreePorts());
+    }
+
+    /** A lab with noise and jitter, nobody connected yet. */
+    public static LabRig noisy(long seed) {
+        return new LabRig(LabOptions.exactOnFreePorts().withNoise(seed));
+    }
+
+    /** Adds all three robots: 1 Aibo, 2 Pioneer, 3 Hemisson. */
+    public LabRig withAllRobots() {
+        lab.robots().forEach(this::add);
+        return this;
+    }
+
+    /** Connects to the lab's robot of a type and takes it into the team. */
+    public MajicBot add(String type) {
+        MajicBot bot = session.factory().create("sim:" + type);
+        bot.connect();
+        team.add(bot, OptionalInt.empty());
+        return bot;
+    }
+
+    private void hear(Line line) {
+        if (line.kind() != Line.Kind.COMMAND) {
+            said.add(line.text());
+        }
+    }
+
+    /** Runs lines of MAJIC Script as a pipe would, and waits until all is done. */
+    public List<String> run(String... lines) throws InterruptedException {
+        said.clear();
+        for (String line : lines) {
+            parser.parseText(line);
+        }
+        parser.awaitAll();
+        return said();
+    }
+
+    /** What was said since the last {@link #run}. */
+    public List<String> said() {
+        synchronized (said) {
+            return List.copyOf(said);
+        }
+    }
+
+    /** Waits on the lab's clock. */
+    public boolean await(BooleanSupplier condition) throws InterruptedException {
+        return team.changes().await(condition, LONGEST_WAIT_S);
+    }
+
+    public Pose truePose(String type) {
+        Pose pose = lab.truePoses().get(type);
+        if (pose == null) {
+            throw new IllegalArgumentException("no " + type + " in the lab");
+        }
+        return pose;
+    }
+
+    SimulatedLab lab() {
+        return lab;
+    }
+
+    public Team team() {
+        return team;
+    }
+
+    public Session session() {
+        return session;
+    }
+
+    @Override
+    public void close() {
+        team.close();
+        membership.close();
+        lab.close();
+    }
+}
