@@ -26,6 +26,9 @@ public final class Body {
     private boolean blocked;
     private Contact contact = Contact.NONE;
     private double wallFreeMm;
+    private @Nullable Pose measuredAt;
+    private @Nullable Pose stuckAt;
+    private @Nullable Step stuckFor;
 
     private Body(String name, Shape outline, Pose at) {
         this.name = name;
@@ -194,10 +197,6 @@ public final class Body {
         blocked = cut;
     }
 
-    void pose(Pose next) {
-        pose = next;
-    }
-
     void contact(Contact now) {
         contact = now;
     }
@@ -207,7 +206,28 @@ public final class Body {
         return wallFreeMm;
     }
 
-    void wallFreeMm(double mm) {
+    /** Whether that is exact because it has not moved since it was measured. */
+    boolean isMeasured() {
+        return measuredAt == pose;
+    }
+
+    void measured(double mm) {
         wallFreeMm = mm;
+        measuredAt = pose;
+    }
+
+    void go(Pose next, double atMostMm) {
+        pose = next;
+        wallFreeMm -= atMostMm;
+    }
+
+    /** Whether a wall has already refused it this very step from where it stands. */
+    boolean isStuck(Step step) {
+        return stuckAt == pose && step.equals(stuckFor);
+    }
+
+    void stuck(Step step) {
+        stuckAt = pose;
+        stuckFor = step;
     }
 }

@@ -11,4 +11,8 @@ record Gap(double mm, Point nearest) {
     static Gap between(Shape a, Shape b) {
         return new GapFinder(a, b).find();
     }
+
+    static Gap nearer(Gap one, Gap other) {
+        return other.mm < one.mm ? other : one;
+    }
 }

@@ -69,7 +69,7 @@ final class GapFinder {
     private void cornersOfAToEdgesOfB() {
         for (int i = 0; i < a.corners(); i++) {
             for (int k = 0; k < Math.max(1, b.edges()); k++) {
-                double along = along(a.xs[i], a.ys[i], b, k);
+                double along = b.along(a.xs[i], a.ys[i], k);
                 double x = pointX(b, k, along);
                 double y = pointY(b, k, along);
                 offer(square(a.xs[i] - x, a.ys[i] - y), x, y);
@@ -80,24 +80,12 @@ final class GapFinder {
     private void cornersOfBToEdgesOfA() {
         for (int i = 0; i < b.corners(); i++) {
             for (int k = 0; k < Math.max(1, a.edges()); k++) {
-                double along = along(b.xs[i], b.ys[i], a, k);
+                double along = a.along(b.xs[i], b.ys[i], k);
                 double x = pointX(a, k, along);
                 double y = pointY(a, k, along);
                 offer(square(b.xs[i] - x, b.ys[i] - y), b.xs[i], b.ys[i]);
             }
         }
-    }
-
-    /** Where on edge k, from 0 to 1, the point nearest to (x, y) lies; a single vertex is an edge without length. */
-    private static double along(double x, double y, Shape shape, int k) {
-        int m = shape.next(k);
-        double ex = shape.xs[m] - shape.xs[k];
-        double ey = shape.ys[m] - shape.ys[k];
-        double square = square(ex, ey);
-        if (square == 0) {
-            return 0;
-        }
-        return Math.max(0, Math.min(1, ((x - shape.xs[k]) * ex + (y - shape.ys[k]) * ey) / square));
     }
 
     private static double pointX(Shape shape, int k, double along) {

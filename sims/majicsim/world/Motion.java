@@ -18,18 +18,18 @@ final class Motion {
     }
 
     void advance(Body body, double seconds) {
-        double path = body.wantedMmPerSec() * seconds;
-        double turn = body.wantedDegPerSec() * seconds;
-        if (seconds <= 0 || (path == 0 && turn == 0)) {
+        Step wanted = new Step(body.wantedMmPerSec() * seconds, body.wantedDegPerSec() * seconds);
+        if (seconds <= 0 || wanted.isNone()) {
             body.moved(0, 0, false);
             return;
         }
-        int pieces = (int) Math.ceil(travel(body, path, turn) / PIECE_MM);
-        Step done = new Step(0, 0);
+        int pieces = (int) Math.ceil(wanted.travelMm(body) / PIECE_MM);
+        Step one = new Step(wanted.mm() / pieces, wanted.deg() / pieces);
+        Step done = Step.NONE;
         for (int i = 0; i < pieces; i++) {
-            done = done.plus(piece(body, new Step(path / pieces, turn / pieces)));
+            done = done.plus(piece(body, one));
         }
-        boolean cut = !done.isAbout(path, turn);
+        boolean cut = !done.isAbout(wanted.mm(), wanted.deg());
         body.moved(done.mm() / seconds, done.deg() / seconds, cut);
     }
 
@@ -49,12 +49,26 @@ final class Motion {
     }
 
     private Step piece(Body body, Step wanted) {
+        if (body.isStuck(wanted)) {
+            return Step.NONE;
+        }
         if (go(body, wanted)) {
             return wanted;
         }
-        Step straight = farthest(body, new Step(wanted.mm(), 0));
-        Step turn = farthest(body, new Step(0, wanted.deg()));
-        return straight.plus(turn);
+        Step done = farthest(body, new Step(wanted.mm(), 0)).plus(farthest(body, new Step(0, wanted.deg())));
+        if (done.isNone() && isRefusedByWalls(body, wanted)) {
+            body.stuck(wanted);
+        }
+        return done;
+    }
+
+    /** Walls do not move, so what they refuse once they refuse again; remembering it spares a pushing robot the search. */
+    private boolean isRefusedByWalls(Body body, Step wanted) {
+        double least = Math.pow(0.5, HALVINGS);
+        Pose straight = body.pose().driven(wanted.mm() * least, 0);
+        Pose turned = body.pose().driven(0, wanted.deg() * least);
+        return (wanted.mm() == 0 || !obstacles.areWallsClearOf(body, straight))
+                && (wanted.deg() == 0 || !obstacles.areWallsClearOf(body, turned));
     }
 
     /** Goes as much of the step as there is room for. */
@@ -62,7 +76,7 @@ final class Motion {
         if (wanted.isNone() || go(body, wanted)) {
             return wanted;
         }
-        Step done = new Step(0, 0);
+        Step done = Step.NONE;
         Step half = wanted.half();
         for (int i = 0; i < HALVINGS; i++) {
             if (go(body, half)) {
@@ -75,35 +89,11 @@ final class Motion {
 
     private boolean go(Body body, Step step) {
         Pose next = body.pose().driven(step.mm(), step.deg());
-        double travel = travel(body, step.mm(), step.deg());
-        if (!obstacles.areClearOf(body, next, travel)) {
+        double travelMm = step.travelMm(body);
+        if (!obstacles.areClearOf(body, next, travelMm)) {
             return false;
         }
-        body.pose(next);
-        body.wallFreeMm(body.wallFreeMm() - travel);
+        body.go(next, travelMm);
         return true;
-    }
-
-    /** The most any point of the body can move. */
-    private static double travel(Body body, double path, double turn) {
-        return Math.abs(path) + Math.abs(Math.toRadians(turn)) * body.reachMm();
-    }
-
-    private record Step(double mm, double deg) {
-        Step plus(Step other) {
-            return new Step(mm + other.mm, deg + other.deg);
-        }
-
-        Step half() {
-            return new Step(mm / 2, deg / 2);
-        }
-
-        boolean isNone() {
-            return mm == 0 && deg == 0;
-        }
-
-        boolean isAbout(double path, double turn) {
-            return Math.abs(mm - path) < 1e-6 && Math.abs(deg - turn) < 1e-6;
-        }
     }
 }

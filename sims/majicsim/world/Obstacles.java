@@ -19,24 +19,24 @@ final class Obstacles {
 
     /** Whether the body could stand there. */
     boolean areClearOf(Body body, Pose at) {
-        Shape shape = body.shapeAt(at);
-        return wallGap(body, shape, at, 1).mm() > 0
-                && bodyGap(body, shape, at, 1).mm() > 0;
+        return areWallsClearOf(body, at) && areBodiesClearOf(body, at);
+    }
+
+    /** Whether the body could stand there if it were alone. */
+    boolean areWallsClearOf(Body body, Pose at) {
+        return wallGap(body, body.shapeAt(at), at, 1).mm() > 0;
     }
 
     /**
-     * As {@link #areClearOf}, for a motion of at most so many mm from where the body stands; walls are measured only when the
-     * room known to be free around it is used up.
+     * As {@link #areClearOf(Body, Pose)}, for a motion of at most so many mm from where the body stands; walls are measured only when
+     * the room known to be free around it is used up.
      */
     boolean areClearOf(Body body, Pose at, double travelMm) {
-        if (travelMm >= body.wallFreeMm()) {
-            body.wallFreeMm(wallGap(body, body.shapeAt(body.pose()), body.pose(), LOOK_MM)
+        if (travelMm >= body.wallFreeMm() && !body.isMeasured()) {
+            body.measured(wallGap(body, body.shapeAt(body.pose()), body.pose(), LOOK_MM)
                     .mm());
         }
-        Shape shape = body.shapeAt(at);
-        boolean wallsClear =
-                travelMm < body.wallFreeMm() || wallGap(body, shape, at, 1).mm() > 0;
-        return wallsClear && bodyGap(body, shape, at, 1).mm() > 0;
+        return (travelMm < body.wallFreeMm() || areWallsClearOf(body, at)) && areBodiesClearOf(body, at);
     }
 
     /** The nearest thing as the body stands, if it is within so many mm; otherwise something far. */
@@ -44,16 +44,28 @@ final class Obstacles {
         Shape shape = body.shapeAt(body.pose());
         Gap wall = wallGap(body, shape, body.pose(), withinMm);
         Gap other = bodyGap(body, shape, body.pose(), withinMm);
-        return wall.mm() < other.mm() ? wall : other;
+        return Gap.nearer(wall, other);
+    }
+
+    private boolean areBodiesClearOf(Body body, Pose at) {
+        for (Body other : bodies) {
+            if (isNear(body, other, at, 1)
+                    && Gap.between(body.shapeAt(at), other.shapeAt(other.pose()))
+                                    .mm()
+                            <= 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private Gap wallGap(Body body, Shape shape, Pose at, double withinMm) {
         double look = body.reachMm() + withinMm;
         Gap[] best = {FAR};
         room.index().near(at.xMm() - look, at.yMm() - look, at.xMm() + look, at.yMm() + look, wall -> {
-            Gap gap = Gap.between(shape, room.wallShape(wall));
-            if (gap.mm() < best[0].mm()) {
-                best[0] = gap;
+            Shape other = room.wallShape(wall);
+            if (other.edgeDistanceMm(at.xMm(), at.yMm()) < look) {
+                best[0] = Gap.nearer(best[0], Gap.between(shape, other));
             }
         });
         return best[0];
@@ -62,12 +74,14 @@ final class Obstacles {
     private Gap bodyGap(Body body, Shape shape, Pose at, double withinMm) {
         Gap best = FAR;
         for (Body other : bodies) {
-            double far = body.reachMm() + other.reachMm() + withinMm;
-            if (other != body && at.distanceTo(other.pose()) < far) {
-                Gap gap = Gap.between(shape, other.shapeAt(other.pose()));
-                best = gap.mm() < best.mm() ? gap : best;
+            if (isNear(body, other, at, withinMm)) {
+                best = Gap.nearer(best, Gap.between(shape, other.shapeAt(other.pose())));
             }
         }
         return best;
+    }
+
+    private static boolean isNear(Body body, Body other, Pose at, double withinMm) {
+        return other != body && at.distanceTo(other.pose()) < body.reachMm() + other.reachMm() + withinMm;
     }
 }

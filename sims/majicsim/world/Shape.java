@@ -53,6 +53,30 @@ final class Shape {
         return reach + roundMm;
     }
 
+    /** The distance from a point to the nearest edge, corners not rounded. */
+    double edgeDistanceMm(double x, double y) {
+        double best = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < Math.max(1, edges()); i++) {
+            double along = along(x, y, i);
+            double dx = xs[i] + along * (xs[next(i)] - xs[i]) - x;
+            double dy = ys[i] + along * (ys[next(i)] - ys[i]) - y;
+            best = Math.min(best, dx * dx + dy * dy);
+        }
+        return Math.sqrt(best);
+    }
+
+    /** Where on an edge, from 0 to 1, the point nearest to (x, y) lies; a single vertex is an edge without length. */
+    double along(double x, double y, int edge) {
+        int end = next(edge);
+        double ex = xs[end] - xs[edge];
+        double ey = ys[end] - ys[edge];
+        double square = ex * ex + ey * ey;
+        if (square == 0) {
+            return 0;
+        }
+        return Math.max(0, Math.min(1, ((x - xs[edge]) * ex + (y - ys[edge]) * ey) / square));
+    }
+
     boolean contains(double x, double y) {
         if (xs.length < 3) {
             return false;
