@@ -32,7 +32,7 @@ public final class Faults {
         this.noise = noise;
     }
 
-    /** Breaks all present lines at once; what was not delivered is lost. New ones may come. */
+    /** Breaks all present lines; what was not delivered is lost. New ones may come. A pseudo-terminal loses bytes and stays. */
     public void cut() {
         cutters.forEach(Runnable::run);
     }
@@ -41,8 +41,10 @@ public final class Faults {
      * Delivers everything later, in order.
      *
      * @param ms 0 or more, each way
+     * @throws IllegalArgumentException if it is below 0; nothing changes
      */
     public void delay(double ms) {
+        check(ms >= 0, "a delay must be 0 ms or more, not " + ms);
         delayMs = ms;
     }
 
@@ -50,8 +52,10 @@ public final class Faults {
      * Damages bytes.
      *
      * @param probability of each byte to be replaced by a random one, 0 to 1
+     * @throws IllegalArgumentException if it is outside that range; nothing changes
      */
     public void garble(double probability) {
+        check(probability >= 0 && probability <= 1, "a probability must be 0 to 1, not " + probability);
         garbleProbability = probability;
     }
 
@@ -81,8 +85,10 @@ public final class Faults {
      *
      * @param fromMs the shortest an exchange takes, 0 or more
      * @param toMs the longest
+     * @throws IllegalArgumentException if it is no range; nothing changes
      */
     public void jitter(double fromMs, double toMs) {
+        check(fromMs >= 0 && toMs >= fromMs, "jitter must be a range from 0 ms up, not " + fromMs + " to " + toMs);
         jitterFromMs = fromMs;
         jitterToMs = toMs;
     }
@@ -151,6 +157,12 @@ public final class Faults {
     synchronized void awaitReading(long timeoutMs) throws InterruptedException {
         if (!isReading()) {
             wait(timeoutMs);
+        }
+    }
+
+    private static void check(boolean isTrue, String message) {
+        if (!isTrue) {
+            throw new IllegalArgumentException(message);
         }
     }
 

@@ -5,7 +5,7 @@ import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * What the lines of all ports share: two lanes, the counters, and the ending. Guarded by the lab's lock, but for the counters. A
- * subclass writes bytes and ends the connection.
+ * subclass writes bytes.
  */
 abstract class RobotLine implements Line {
     private static final System.Logger LOG = System.getLogger(RobotLine.class.getName());
@@ -16,8 +16,7 @@ abstract class RobotLine implements Line {
     private final Lane in;
     private final AtomicLong consumed = new AtomicLong();
     private final AtomicLong written = new AtomicLong();
-    private volatile boolean open = true;
-    private boolean peerLeft;
+    private volatile Ending ending = Ending.NONE;
 
     RobotLine(String peer, Wiring wiring) {
         this.peer = peer;
@@ -39,23 +38,27 @@ abstract class RobotLine implements Line {
 
     @Override
     public final void send(byte[] message) {
-        if (open && message.length > 0) {
+        if (isOpen() && message.length > 0) {
             out.enter(message);
         }
     }
 
     @Override
     public void close() {
-        open = false;
+        if (isOpen()) {
+            ending = Ending.BY_ROBOT;
+        }
     }
 
     @Override
     public final boolean isOpen() {
-        return open;
+        return ending == Ending.NONE;
     }
 
-    /** Hands bytes to the firmware, or shelves them; the reader's thread, without the lock. A fault of the firmware is logged, and the
-     * line lives on, as would a robot's. */
+    /**
+     * Hands bytes to the firmware, or shelves them; the reader's thread, without the lock. A failure of the firmware is logged, and the
+     * line lives on.
+     */
     final void receive(byte[] bytes) {
         wiring.lock().lock();
         try {
@@ -73,23 +76,22 @@ abstract class RobotLine implements Line {
         out.release();
     }
 
-    /** The client has closed its end: what is still shelved from it is delivered first. */
-    final void peerLeft() {
-        open = false;
-        peerLeft = true;
+    final void clientLeft() {
+        if (ending != Ending.CUT) {
+            ending = Ending.BY_CLIENT;
+        }
         out.clear();
     }
 
     /** Somebody waits for the place of a client that has left: what is shelved from it is delivered now. */
-    final void hurryIfPeerLeft() {
-        if (peerLeft) {
+    final void hurryIfClientLeft() {
+        if (ending == Ending.BY_CLIENT) {
             in.hurry();
         }
     }
 
     final void cut() {
-        open = false;
-        peerLeft = true;
+        ending = Ending.CUT;
         loseWhatIsUnderWay();
     }
 
@@ -98,18 +100,27 @@ abstract class RobotLine implements Line {
         in.clear();
     }
 
+    final boolean isCut() {
+        return ending == Ending.CUT;
+    }
+
     /** Whether nothing more can happen on this line. */
     final boolean isOver() {
-        return !open && (peerLeft ? in.isEmpty() : out.isEmpty() && isFlushed());
+        return switch (ending) {
+            case NONE -> false;
+            case BY_ROBOT -> out.isEmpty() && isFlushed();
+            case BY_CLIENT -> in.isEmpty();
+            case CUT -> true;
+        };
     }
 
     final LineCount count() {
         return new LineCount(
-                peer, consumed.get(), written.get(), open, !wiring.faults().isReading());
+                peer, consumed.get(), written.get(), isOpen(), !wiring.faults().isReading());
     }
 
     private void deliver(byte[] bytes) {
-        if (open || peerLeft) {
+        if (ending == Ending.NONE || ending == Ending.BY_CLIENT) {
             wiring.firmware().received(this, bytes);
         }
     }

@@ -70,6 +70,10 @@ final class TcpLine extends RobotLine {
         key.selector().wakeup();
     }
 
+    void setInterest(boolean reading) {
+        key.interestOps((reading ? SelectionKey.OP_READ : 0) | (isFlushed() ? 0 : SelectionKey.OP_WRITE));
+    }
+
     SelectionKey key() {
         return key;
     }

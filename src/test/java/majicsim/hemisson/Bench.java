@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.locks.ReentrantLock;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
+import majicsim.net.LineCount;
 import majicsim.net.PtyPort;
 import majicsim.net.TcpPort;
 import majicsim.net.Wiring;
@@ -53,6 +54,19 @@ final class Bench implements AutoCloseable {
             }
         } finally {
             lock.unlock();
+        }
+    }
+
+    /** Waits until the robot has dealt with so many bytes of its TCP client; the test's time-out bounds it. */
+    void awaitConsumed(long bytes) {
+        while (tcp.lines().stream().mapToLong(LineCount::consumed).sum() < bytes) {
+            Thread.onSpinWait();
+        }
+    }
+
+    void awaitNoLine() {
+        while (!tcp.lines().isEmpty()) {
+            Thread.onSpinWait();
         }
     }
 

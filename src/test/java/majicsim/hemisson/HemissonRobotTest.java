@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import majicsim.net.LineCount;
+import java.util.Random;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
@@ -47,7 +47,7 @@ class HemissonRobotTest {
             try (Wire first = Wire.tcp(bench.tcp.address())) {
                 first.exchange("D,5,5", "d");
             }
-            awaitNoLine(bench);
+            bench.awaitNoLine();
             bench.steps(250);
             assertThat(bench.robot.body().pose().xMm()).isCloseTo(START.xMm() + 86, within(1e-6));
             try (Wire second = Wire.tcp(bench.tcp.address())) {
@@ -86,11 +86,11 @@ class HemissonRobotTest {
         try (Bench bench = new Bench(OVERRUN);
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             wire.send("D,5,5\r");
-            awaitConsumed(bench, 6);
+            bench.awaitConsumed(6);
             bench.steps(1);
             wire.expect("d\r\n");
             wire.send(burst);
-            awaitConsumed(bench, 6 + burst.length());
+            bench.awaitConsumed(6 + burst.length());
             bench.steps(250);
             assertThat(bench.robot.isDeaf()).isTrue();
             assertThat(bench.robot.body().pose().xMm()).isGreaterThan(START.xMm() + 80);
@@ -102,7 +102,7 @@ class HemissonRobotTest {
         try (Bench bench = new Bench(OVERRUN);
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             wire.send("N\rO\r");
-            awaitConsumed(bench, 4);
+            bench.awaitConsumed(4);
             bench.steps(3);
             wire.expect("n,004,004,004,004,004,004,060,060\r\no,220,220,220,220,220,220,220,220\r\n");
         }
@@ -185,6 +185,29 @@ class HemissonRobotTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void noBytesUpsetIt(long seed) throws IOException {
+        Random random = new Random(seed);
+        HemissonOptions modules = new HemissonOptions(false, false, true, HemissonOptions.REMOTE_CONTROL);
+        try (Bench bench = new Bench(modules, null, Noise.seeded(seed));
+                Wire wire = Wire.tcp(bench.tcp.address())) {
+            int sent = 0;
+            for (int i = 0; i < 200; i++) {
+                byte[] bytes = new byte[random.nextInt(1, 20)];
+                random.nextBytes(bytes);
+                bytes[0] = (byte) "BDEHIJLMNOPRTWYZ12!&*".charAt(random.nextInt(21));
+                bytes[bytes.length - 1] = '\r';
+                wire.out().write(bytes);
+                sent += bytes.length;
+            }
+            bench.awaitConsumed(sent);
+            bench.robot.powerCycle();
+            bench.steps(2);
+            wire.skipTo("HemiOS V1.50");
+        }
+    }
+
     @Test
     void theTvRemoteDrivesPastTheSerialLine() throws IOException {
         try (Bench bench = new Bench(HemissonOptions.standard());
@@ -203,18 +226,6 @@ class HemissonRobotTest {
             wire.exchange("H,1", "h");
             assertThat(bench.robot.leds()).containsExactly(false, true, false, true);
             assertThat(bench.robot.isBuzzing()).isTrue();
-        }
-    }
-
-    private static void awaitNoLine(Bench bench) {
-        while (!bench.tcp.lines().isEmpty()) {
-            Thread.onSpinWait();
-        }
-    }
-
-    private static void awaitConsumed(Bench bench, long bytes) {
-        while (bench.tcp.lines().stream().mapToLong(LineCount::consumed).sum() < bytes) {
-            Thread.onSpinWait();
         }
     }
 }

@@ -134,9 +134,8 @@ class KnownAnswersTest {
             wire.exchange("B" + "x".repeat(77), "b,HemiOS_v_1.50");
             assertThat(bench.robot.isDeaf()).isFalse();
             wire.send("B" + "x".repeat(78) + "\r" + "B\r");
-            while (!bench.robot.isDeaf()) {
-                Thread.onSpinWait();
-            }
+            bench.awaitConsumed(79 + 82);
+            assertThat(bench.robot.isDeaf()).isTrue();
             bench.robot.powerCycle();
             bench.steps(2);
             wire.expect(GREETING);

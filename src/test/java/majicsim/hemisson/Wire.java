@@ -38,6 +38,16 @@ record Wire(InputStream in, OutputStream out) implements AutoCloseable {
         assertThat(read.toString()).isEqualTo(text);
     }
 
+    /** Reads until a text has come. */
+    void skipTo(String text) throws IOException {
+        StringBuilder read = new StringBuilder();
+        while (read.indexOf(text) < 0) {
+            int c = in.read();
+            assertThat(c).isNotNegative();
+            read.append((char) c);
+        }
+    }
+
     /** Sends a command with its CR, and expects a reply with CR LF. */
     void exchange(String command, String reply) throws IOException {
         send(command + "\r");

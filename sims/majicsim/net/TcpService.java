@@ -1,0 +1,180 @@
+package majicsim.net;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+
+/**
+ * What the thread of a TCP port does: accept, read, write what a socket did not take at once, and end lines. It alone opens, reads and
+ * closes sockets, and it takes the lab's lock for every call of the firmware.
+ */
+final class TcpService implements Runnable {
+    private static final System.Logger LOG = System.getLogger(TcpService.class.getName());
+
+    private final ServerSocketChannel server;
+    private final Selector selector;
+    private final Clients clients;
+    private final Wiring wiring;
+    private final List<TcpLine> lines = new CopyOnWriteArrayList<>();
+    private final ByteBuffer chunk = ByteBuffer.allocate(4096);
+
+    TcpService(ServerSocketChannel server, Clients clients, Wiring wiring) throws IOException {
+        this.server = server;
+        this.clients = clients;
+        this.wiring = wiring;
+        this.selector = Selector.open();
+        server.register(selector, SelectionKey.OP_ACCEPT);
+        wiring.faults().attach(selector::wakeup, this::cutAll);
+    }
+
+    void step(long labNanos) {
+        wiring.faults().tick(labNanos);
+        for (TcpLine line : lines) {
+            line.release();
+            if (line.isOver()) {
+                wakeup();
+            }
+        }
+    }
+
+    List<LineCount> counts() {
+        return lines.stream().map(RobotLine::count).toList();
+    }
+
+    void wakeup() {
+        selector.wakeup();
+    }
+
+    @Override
+    public void run() {
+        try (Selector open = selector) {
+            while (server.isOpen()) {
+                lines.forEach(this::setInterest);
+                open.select();
+                readAndWrite();
+                endThoseThatAreOver();
+                acceptAll();
+            }
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "a port of the lab is lost: {0}", e.getMessage());
+        } finally {
+            lines.forEach(this::end);
+        }
+    }
+
+    private void setInterest(TcpLine line) {
+        if (line.key().isValid()) {
+            locked(() -> line.setInterest(wiring.faults().isReading()));
+        }
+    }
+
+    private void readAndWrite() {
+        for (SelectionKey key : selector.selectedKeys()) {
+            if (key.attachment() instanceof TcpLine line) {
+                if (key.isWritable()) {
+                    locked(line::flush);
+                }
+                if (key.isReadable()) {
+                    read(line);
+                }
+            }
+        }
+        selector.selectedKeys().clear();
+    }
+
+    private void read(TcpLine line) {
+        chunk.clear();
+        try {
+            int count = line.channel().read(chunk);
+            if (count > 0) {
+                byte[] bytes = new byte[count];
+                chunk.flip().get(bytes);
+                line.receive(bytes);
+                return;
+            }
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "{0} is gone: {1}", line.peer(), e.getMessage());
+        }
+        line.key().cancel();
+        locked(line::clientLeft);
+    }
+
+    private void endThoseThatAreOver() {
+        for (TcpLine line : lines) {
+            locked(() -> {
+                if (line.isOver()) {
+                    end(line);
+                }
+            });
+        }
+    }
+
+    private void end(TcpLine line) {
+        locked(() -> {
+            line.shut(line.isCut());
+            line.cut();
+            lines.remove(line);
+            wiring.firmware().disconnected(line);
+        });
+    }
+
+    private void acceptAll() throws IOException {
+        if (clients == Clients.ONE) {
+            lines.forEach(line -> locked(line::hurryIfClientLeft));
+            endThoseThatAreOver();
+        }
+        while (server.isOpen()) {
+            SocketChannel channel = server.accept();
+            if (channel == null) {
+                return;
+            }
+            if (clients == Clients.ONE && !lines.isEmpty()) {
+                LOG.log(Level.DEBUG, "a second client is turned away");
+                channel.close();
+            } else {
+                tryToWelcome(channel);
+            }
+        }
+    }
+
+    private void tryToWelcome(SocketChannel channel) throws IOException {
+        try {
+            welcome(channel);
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "a client left before it was greeted: {0}", e.getMessage());
+            channel.close();
+        }
+    }
+
+    /** The line is counted only once the firmware has greeted it, so a clock never sees it idle too early. */
+    private void welcome(SocketChannel channel) throws IOException {
+        channel.configureBlocking(false);
+        SelectionKey key = channel.register(selector, 0);
+        TcpLine line = new TcpLine(channel, key, wiring);
+        key.attach(line);
+        locked(() -> {
+            wiring.firmware().connected(line);
+            lines.add(line);
+        });
+    }
+
+    private void cutAll() {
+        locked(() -> lines.forEach(RobotLine::cut));
+        wakeup();
+    }
+
+    private void locked(Runnable work) {
+        wiring.lock().lock();
+        try {
+            work.run();
+        } finally {
+            wiring.lock().unlock();
+        }
+    }
+}
