@@ -117,6 +117,15 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
+     * How often each robot drove into something; being driven into does not count.
+     *
+     * @return since the lab was opened
+     */
+    public Map<String, Integer> bumps() {
+        return ofEach(station -> station.body().bumps());
+    }
+
+    /**
      * The robots' outlines as they stand, for a drawing.
      *
      * @return corners in room coordinates by robot

@@ -24,6 +24,7 @@ public final class Body {
     private double speedMmPerSec;
     private double turnDegPerSec;
     private boolean blocked;
+    private int bumps;
     private Contact contact = Contact.NONE;
     private double wallFreeMm;
     private @Nullable Pose measuredAt;
@@ -142,6 +143,15 @@ public final class Body {
     }
 
     /**
+     * How often it drove into something; being driven into does not count.
+     *
+     * @return since it was made
+     */
+    public int bumps() {
+        return bumps;
+    }
+
+    /**
      * What it touches after the last step, by its own motion or another's.
      *
      * @return the place around its outline, or {@link Contact#NONE}
@@ -194,6 +204,7 @@ public final class Body {
     void moved(double mmPerSec, double degPerSec, boolean cut) {
         speedMmPerSec = mmPerSec;
         turnDegPerSec = degPerSec;
+        bumps += cut && !blocked ? 1 : 0;
         blocked = cut;
     }
 

@@ -42,7 +42,10 @@ final class Failures {
     }
 
     private static String sentence(Exception problem) {
-        if (problem instanceof UsageException || problem instanceof BotException || problem instanceof IOException) {
+        if (problem instanceof UsageException
+                || problem instanceof BotException
+                || problem instanceof IOException
+                || problem instanceof Window.WindowFailed) {
             return String.valueOf(problem.getMessage());
         }
         return "an error in MAJIC, see majic.log in its folder (" + problem + ")";

@@ -42,7 +42,7 @@ final class MajicCommand implements Callable<Integer> {
             if (console || windowless) {
                 return Console.standard(program).run(start.firstLines(program));
             }
-            return Window.run(program, start.firstLines(program));
+            return new Window(program).run(start.firstLines(program));
         }
     }
 }

@@ -6,11 +6,14 @@ import java.nio.file.Path;
 import java.time.Clock;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
+import majic.bot.BotException;
 import majic.bot.BotFactory;
+import majic.bot.Settings;
 import majic.bot.Team;
 import majic.bot.TimeSource;
 import majic.log.SessionLog;
 import majic.script.Session;
+import majicsim.LabOptions;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,7 +24,9 @@ final class Program implements AutoCloseable {
     private static final int CLOSE_BOUND_MS = 3000;
 
     private final UserFolder folder;
-    private final @Nullable SimulatedLab lab;
+    private final BotFactory factory;
+    private volatile @Nullable SimulatedLab lab;
+    private final Settings settings;
     private final Team team;
     private final Session session;
     private final SessionLog log;
@@ -41,8 +46,8 @@ final class Program implements AutoCloseable {
         this.folder = folder;
         this.lab = lab;
         TimeSource time = lab == null ? TimeSource.system() : lab.time();
-        BotFactory factory = new BotFactory(
-                Plugins.types(folder.file("plugins")), new UserSettings(folder.file("settings.properties")));
+        settings = new UserSettings(folder.file("settings.properties"));
+        factory = new BotFactory(Plugins.types(folder.file("plugins")), settings);
         if (lab != null) {
             factory.useLab(lab);
         }
@@ -55,6 +60,28 @@ final class Program implements AutoCloseable {
     /** From now on the end of the program, for whatever reason, closes the robots first. */
     void closeWhenProgramEnds() {
         Runtime.getRuntime().addShutdownHook(closeAtEnd);
+    }
+
+    /**
+     * Starts a lab in a program that has none, at the wall clock's pace.
+     *
+     * @throws BotException if there is one already or it cannot open its ports
+     */
+    synchronized void startLab() {
+        if (lab != null) {
+            throw new BotException("a lab runs already");
+        }
+        try {
+            SimulatedLab started = SimulatedLab.scaled(LabOptions.standard(), 1);
+            lab = started;
+            factory.useLab(started);
+        } catch (IOException e) {
+            throw new BotException("the lab cannot start: " + e.getMessage(), e);
+        }
+    }
+
+    Settings settings() {
+        return settings;
     }
 
     UserFolder folder() {
@@ -121,8 +148,9 @@ final class Program implements AutoCloseable {
             Thread.currentThread().interrupt();
         }
         log.close();
-        if (lab != null) {
-            lab.close();
+        SimulatedLab running = lab;
+        if (running != null) {
+            running.close();
         }
     }
 }

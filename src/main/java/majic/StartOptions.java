@@ -56,7 +56,9 @@ final class StartOptions {
         List<String> lines = new ArrayList<>();
         SimulatedLab simulated = program.lab();
         if (simulated != null) {
-            simulated.robots().forEach(robot -> lines.add("add sim:" + robot));
+            for (String robot : simulated.robots()) {
+                lines.add("add sim:" + robot + " as " + (lines.size() + 1));
+            }
         }
         robots.forEach(robot -> lines.add("add " + robot));
         return lines;

@@ -1,12 +1,87 @@
 package majic;
 
+import java.awt.AWTError;
+import java.awt.HeadlessException;
+import java.lang.reflect.InvocationTargetException;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.SwingUtilities;
+import majic.gui.MajicFrame;
+import majic.gui.Surroundings;
+import majic.gui.Surroundings.SerialPortChoice;
+import majic.link.SerialPorts;
+import majic.script.MajicParser;
 
-/** Opens the window and waits until it is done with. */
+/** Opens the window and stays until the program is asked to end. */
 final class Window {
-    private Window() {}
+    private final Program program;
+    private final MajicParser parser;
 
-    static int run(Program program, List<String> firstLines) {
-        throw new UsageException("there is no window yet; use --console");
+    Window(Program program) {
+        this.program = program;
+        this.parser = new MajicParser(program.session(), true);
+    }
+
+    /**
+     * Shows the window and waits for the end.
+     *
+     * @param firstLines said once the window stands
+     * @return the exit status
+     * @throws UsageException if the display cannot be used
+     */
+    int run(List<String> firstLines) {
+        MajicFrame frame = open();
+        firstLines.forEach(parser::parseText);
+        try {
+            program.awaitQuit();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        program.close();
+        SwingUtilities.invokeLater(frame::dispose);
+        return 0;
+    }
+
+    private MajicFrame open() {
+        AtomicReference<MajicFrame> frame = new AtomicReference<>();
+        try {
+            SwingUtilities.invokeAndWait(() -> frame.set(show()));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (InvocationTargetException | AWTError e) {
+            throw new WindowFailed(e);
+        }
+        return frame.get();
+    }
+
+    private MajicFrame show() {
+        MajicFrame.installLook(program.settings());
+        Surroundings surroundings =
+                new Surroundings(Window::serialPorts, program::startLab, program::quit, program.settings());
+        MajicFrame frame = new MajicFrame(program.session(), parser, surroundings);
+        frame.setVisible(true);
+        return frame;
+    }
+
+    private static List<SerialPortChoice> serialPorts() {
+        return SerialPorts.list().stream()
+                .map(port -> new SerialPortChoice(port.name(), port.description()))
+                .toList();
+    }
+
+    /** The window could not be opened. */
+    static final class WindowFailed extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        WindowFailed(Throwable cause) {
+            super("the window cannot be opened (" + reason(cause) + "); try --console", cause);
+        }
+
+        private static String reason(Throwable cause) {
+            Throwable root = cause.getCause() == null ? cause : cause.getCause();
+            return root instanceof HeadlessException || root.getMessage() == null
+                    ? "the display cannot be used"
+                    : root.getMessage().strip().lines().findFirst().orElse("the display cannot be used");
+        }
     }
 }
