@@ -1,0 +1,144 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import majic.bot.BotEnvironment;
+import majic.bot.Guard;
+import majic.bot.Settings;
+import majic.bot.TimeSource;
+import majic.hemisson.MajicHemisson;
+import majic.link.Links;
+import majicsim.Lab;
+import majicsim.LabOptions;
+import majicsim.world.Pose;
+import majicsim.world.Segment;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The Hemisson's driver against the lab's Hemisson, on the lab's stepped clock. */
+@Timeout(120)
+class HemissonInLabTest {
+    private static final double HULL_MM = 60;
+    private static final double ROOM_MM = 10;
+
+    private Lab lab;
+    private LabClock clock;
+    private TimeSource.Membership membership;
+    private MajicHemisson bot;
+
+    @AfterEach
+    void closeAll() {
+        bot.close();
+        membership.close();
+        clock.close();
+        lab.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1000, -1000, 100, -100, 20})
+    void movesWithinTwoPercent(double mm) throws Exception {
+        open(LabOptions.exactOnFreePorts());
+        Pose before = pose();
+
+        bot.move(mm);
+
+        Pose after = pose();
+        double heading = Math.toRadians(before.headingDeg());
+        double ahead =
+                (after.xMm() - before.xMm()) * Math.cos(heading) + (after.yMm() - before.yMm()) * Math.sin(heading);
+        assertThat(ahead).isCloseTo(mm, within(Math.abs(mm) * 0.02));
+        assertThat(bot.get("x").number()).isCloseTo(ahead, within(Math.abs(mm) * 0.02));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"90,90", "-90,-90", "360,0", "-360,0", "30,30"})
+    void turnsWithinTwoPercent(double degrees, double rest) throws Exception {
+        open(LabOptions.exactOnFreePorts());
+        double before = pose().headingDeg();
+
+        bot.turn(degrees);
+
+        double off = majic.bot.Pose.normalised(pose().headingDeg() - before - rest);
+        assertThat(off).isCloseTo(0, within(Math.abs(degrees) * 0.02));
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {0, 1, 2})
+    void touchesNothingWhileItsGuardWatchesTheWayAhead(long seed) throws Exception {
+        LabOptions exact = LabOptions.exactOnFreePorts();
+        open(seed == 0 ? exact : exact.withNoise(seed));
+        Guard near = () -> bot.get("distanceFront").number() < bot.get("near").number();
+        Random random = new Random(seed);
+
+        for (int approach = 0; approach < 30; approach++) {
+            placeNearAWall(random);
+            bot.move(400, near);
+            assertThat(clearMm()).as("clear at %s", pose()).isPositive();
+        }
+    }
+
+    /** Anywhere within 200 mm of a wall, looking anywhere, with room for the hull. */
+    private void placeNearAWall(Random random) {
+        Segment wall = lab.walls().get(random.nextInt(lab.walls().size()));
+        double along = random.nextDouble();
+        double x = wall.x1() + along * (wall.x2() - wall.x1()) + 400 * (random.nextDouble() - 0.5);
+        double y = wall.y1() + along * (wall.y2() - wall.y1()) + 400 * (random.nextDouble() - 0.5);
+        Pose wanted = new Pose(x, y, random.nextDouble() * 360);
+        if (clearMm(wanted) > ROOM_MM) {
+            lab.place("hemisson", wanted);
+        }
+    }
+
+    private double clearMm() {
+        return clearMm(pose());
+    }
+
+    private double clearMm(Pose at) {
+        return lab.walls().stream()
+                .mapToDouble(wall -> distance(wall, at) - HULL_MM)
+                .min()
+                .orElseThrow();
+    }
+
+    private static double distance(Segment wall, Pose at) {
+        double wx = wall.x2() - wall.x1();
+        double wy = wall.y2() - wall.y1();
+        double share = ((at.xMm() - wall.x1()) * wx + (at.yMm() - wall.y1()) * wy) / (wx * wx + wy * wy);
+        double on = Math.max(0, Math.min(1, share));
+        return Math.hypot(wall.x1() + on * wx - at.xMm(), wall.y1() + on * wy - at.yMm());
+    }
+
+    private Pose pose() {
+        return lab.truePoses().get("hemisson");
+    }
+
+    private void open(LabOptions options) throws Exception {
+        lab = Lab.open(options);
+        Map<String, String> addresses = lab.addresses();
+        Quietness quiet = new Quietness(Links::traffic, lab::lines, Set.copyOf(addresses.values()));
+        clock = new LabClock(
+                new LabClock.Steps() {
+                    @Override
+                    public void step() {
+                        lab.step();
+                    }
+
+                    @Override
+                    public long nanos() {
+                        return lab.nanos();
+                    }
+                },
+                Pacing.stepped(quiet));
+        membership = clock.join();
+        clock.start();
+        bot = new MajicHemisson("tcp://" + addresses.get("hemisson"), new BotEnvironment(clock, Settings.inMemory()));
+        bot.connect();
+    }
+}
