@@ -20,7 +20,7 @@ final class Connection {
     private final String id;
     private final @Nullable Line line;
     private final Splitter splitter = new Splitter();
-    private final Stream stream;
+    private final CommandStream stream;
     private final ByteArrayOutputStream output = new ByteArrayOutputStream();
     private Place place = FIRST_PLACE;
     private Statement.@Nullable AssignBinary binary;
@@ -31,7 +31,7 @@ final class Connection {
         this.kernel = kernel;
         this.id = id;
         this.line = line;
-        stream = new Stream(context());
+        stream = new CommandStream(context());
     }
 
     Kernel kernel() {
@@ -47,7 +47,7 @@ final class Connection {
         return line;
     }
 
-    Stream stream() {
+    CommandStream stream() {
         return stream;
     }
 

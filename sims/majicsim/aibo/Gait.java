@@ -15,7 +15,7 @@ final class Gait {
     static final double MM_PER_CYCLE = 83.333;
     static final double DEG_PER_CYCLE = 36;
 
-    private static final double STEP_SPREAD = 0.04;
+    private static final double STEP_SPREAD = 0.05;
     private static final double BACKWARD_SHARE = 0.8;
 
     private final Body body;

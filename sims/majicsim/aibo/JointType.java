@@ -1,6 +1,7 @@
 package majicsim.aibo;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * A motor of the ERS-7 as the sheet's section 13 lists it.
@@ -9,8 +10,8 @@ import java.util.List;
  */
 record JointType(String name, double minDeg, double maxDeg, double restDeg) {
     /** The twelve joints of the legs, in the order of the groups. */
-    static final List<JointType> LEGS = java.util.stream.Stream.of("RF", "RH", "LF", "LH")
-            .flatMap(leg -> java.util.stream.Stream.of(
+    static final List<JointType> LEGS = Stream.of("RF", "RH", "LF", "LH")
+            .flatMap(leg -> Stream.of(
                     leg.startsWith("R") ? leg(leg, 1, -134, 120) : leg(leg, 1, -120, 134),
                     leg(leg, 2, -9, 91),
                     leg(leg, 3, -29, 119)))

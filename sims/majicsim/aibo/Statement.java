@@ -28,7 +28,7 @@ sealed interface Statement {
     record Block(List<Step> steps) implements Statement {
         @Override
         public Task start(Context context) {
-            return new Stream(context, steps);
+            return new CommandStream(context, steps);
         }
     }
 

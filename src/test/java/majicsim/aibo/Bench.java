@@ -1,7 +1,9 @@
 package majicsim.aibo;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.StringReader;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,6 +15,8 @@ import majicsim.world.World;
 
 /** A simulated dog alone in a room, stepped by hand, with clients that remember what they were sent. */
 final class Bench {
+    private static final String EMPTY =
+            "2D-Map\nLineMinPos: -20000 -20000\nLineMaxPos: 20000 20000\nNumLines: 0\nLINES\n";
     private static final double STEP_SEC = 0.004;
 
     private final AiboRobot dog;
@@ -22,14 +26,11 @@ final class Bench {
     private Bench(Noise noise) {
         try {
             world = new World(Room.parse(new StringReader(EMPTY), "empty"));
-        } catch (java.io.IOException e) {
-            throw new java.io.UncheckedIOException(e);
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot read the empty room", e);
         }
         dog = new AiboRobot(world, new Pose(0, 0, 0), noise);
     }
-
-    private static final String EMPTY =
-            "2D-Map\nLineMinPos: -20000 -20000\nLineMaxPos: 20000 20000\nNumLines: 0\nLINES\n";
 
     static Bench exact() {
         return new Bench(Noise.exact());

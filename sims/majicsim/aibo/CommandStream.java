@@ -10,21 +10,21 @@ import org.jspecify.annotations.Nullable;
  * A queue of commands (URBI sheet, section 3): one that ends with a semicolon holds the following back, one that ends with a comma
  * goes on beside them. A block is a stream that ends; a connection's own stream never does.
  */
-final class Stream extends Task {
+final class CommandStream extends Task {
     private final Deque<Step> pending = new ArrayDeque<>();
     private final List<Task> background = new ArrayList<>();
     private final boolean endless;
     private @Nullable Task foreground;
 
     /** A block. */
-    Stream(Context context, List<Step> steps) {
+    CommandStream(Context context, List<Step> steps) {
         super(context);
         endless = false;
         pending.addAll(steps);
     }
 
     /** The stream of a connection. */
-    Stream(Context context) {
+    CommandStream(Context context) {
         super(context);
         endless = true;
     }
