@@ -15,12 +15,16 @@ final class WorldEyes implements Eyes {
         {57.5, 0}, {51, -31}, {51, 31}, {10, -49}, {10, 49}, {-59.5, 0}, {57, -5}, {57, 5}
     };
 
-    private static final double[] BEAM_DEG = {-12, 0, 12};
+    /** The beam is some 30° wide, and weaker to its sides. */
+    private static final double[] BEAM_DEG = {-14, -7, 0, 7, 14};
+
+    private static final double[] BEAM_WEIGHT = {0.5, 0.8, 1, 0.8, 0.5};
 
     private static final double[] CURVE_MM = {0, 10, 20, 30, 40, 50, 60, 80, 100};
     private static final double[] CURVE_VALUE = {250, 150, 48, 20, 13, 8, 5, 4, 2};
     private static final double FARTHEST_MM = 100;
     private static final double MOST_STRAY = 4;
+    private static final double BELOW_ZERO = 0.02;
 
     /** White floor a few millimetres below the ground sensors. */
     private static final double WHITE_FLOOR = 165;
@@ -47,7 +51,7 @@ final class WorldEyes implements Eyes {
             Point place = body.pose().toWorld(PLACES_MM[i][0], PLACES_MM[i][1]);
             ambient[i] = byteOf(255 - AMBIENT_FALL * world.ambientLight(place.xMm(), place.yMm()) + reading());
             double ideal = i < LOOKS_TO_DEG.length ? beam(place, LOOKS_TO_DEG[i]) : floor(place);
-            response[i] = (int) Math.round(ideal * noise.scale(RESPONSE_NOISE) + reading());
+            response[i] = (int) Math.round(Math.max(stray(), ideal * noise.scale(RESPONSE_NOISE)));
         }
     }
 
@@ -55,14 +59,19 @@ final class WorldEyes implements Eyes {
         return WHITE_FLOOR * world.floorReflectivity(place.xMm(), place.yMm());
     }
 
-    /** The strongest echo of a few rays, or some stray light. */
+    /** What is read with nothing in range: little, and now and then less than nothing. */
+    private double stray() {
+        return noise.chance(BELOW_ZERO) ? -1 : noise.uniform(0, MOST_STRAY);
+    }
+
+    /** The strongest echo of a few rays. */
     private double beam(Point from, double directionDeg) {
-        double strongest = noise.uniform(0, MOST_STRAY);
-        for (double aside : BEAM_DEG) {
-            double direction = body.pose().toWorldDeg(directionDeg + aside);
+        double strongest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < BEAM_DEG.length; i++) {
+            double direction = body.pose().toWorldDeg(directionDeg + BEAM_DEG[i]);
             Hit hit = world.ray(body, from.xMm(), from.yMm(), direction, FARTHEST_MM);
             if (hit.found()) {
-                strongest = Math.max(strongest, curve(hit.distanceMm()) * hit.reflectivity());
+                strongest = Math.max(strongest, curve(hit.distanceMm()) * hit.reflectivity() * BEAM_WEIGHT[i]);
             }
         }
         return strongest;

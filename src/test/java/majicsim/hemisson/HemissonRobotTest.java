@@ -5,8 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
+import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
+import majicsim.world.Room;
+import majicsim.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -120,7 +125,7 @@ class HemissonRobotTest {
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             bench.robot.body().place(new Pose(4500 - 57.5 - 20, 0, 0));
             bench.steps(11);
-            wire.exchange("N", "n,048,021,021,002,002,002,165,165");
+            wire.exchange("N", "n,048,017,017,002,002,002,165,165");
         }
     }
 
@@ -131,6 +136,21 @@ class HemissonRobotTest {
             wire.exchange("N", "n,002,002,002,002,002,002,165,165");
             wire.exchange("O", "o,220,220,220,220,220,220,220,220");
         }
+    }
+
+    @Test
+    void aFreeNoisyRobotReadsFromZeroToFourAndNowAndThenLessThanNothing() {
+        World world = new World(Room.standard());
+        Body body = Body.disc("hemisson", HemissonRobot.RADIUS_MM, START);
+        Eyes eyes = new WorldEyes(world, body, Noise.seeded(5));
+        int[] ambient = new int[Eyes.COUNT];
+        int[] response = new int[Eyes.COUNT];
+        Set<Integer> seen = new TreeSet<>();
+        for (int i = 0; i < 1000; i++) {
+            eyes.look(ambient, response);
+            seen.add(response[0]);
+        }
+        assertThat(seen).containsExactly(-1, 0, 1, 2, 3, 4);
     }
 
     @Test
