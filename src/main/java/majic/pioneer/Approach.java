@@ -20,11 +20,11 @@ record Approach(double cruise, double deceleration, double creep, double toleran
     private static final double SHARE = 0.5;
 
     static Approach straight(double cruiseMmPerSec) {
-        return new Approach(cruiseMmPerSec, SHARE * Ramps.DECELERATION, 15, 3);
+        return new Approach(cruiseMmPerSec, SHARE * Ramps.DECELERATION, 15, 2);
     }
 
     static Approach turning(double cruiseDegPerSec) {
-        return new Approach(cruiseDegPerSec, SHARE * Ramps.TURN_ACCELERATION, 3, 0.5);
+        return new Approach(cruiseDegPerSec, SHARE * Ramps.TURN_ACCELERATION, 3, 0.55);
     }
 
     /**
