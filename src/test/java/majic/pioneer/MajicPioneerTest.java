@@ -7,6 +7,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotListener;
@@ -14,6 +17,7 @@ import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
+import majic.bot.MotionStopped;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -98,14 +102,14 @@ class MajicPioneerTest {
     }
 
     @Test
-    void aStallEndsTheMotionWithTheWayCovered() throws IOException {
+    void aStallEndsTheMotionWithTheWayCovered() throws Exception {
         connect(Peer.Quirk.NONE);
         bot.addListener(whenBeyond(50, peer::stall));
 
         assertThatThrownBy(() -> bot.move(1000))
                 .isInstanceOf(MotionFailed.class)
                 .hasMessageMatching("stalled after \\d+(\\.\\d)? mm");
-        assertThat(peer.heard()).endsWith("STOP 0", "VEL 0", "RVEL 0");
+        assertThat(peer.hearsLast("STOP 0", "VEL 0", "RVEL 0")).isTrue();
     }
 
     @Test
@@ -139,13 +143,85 @@ class MajicPioneerTest {
     }
 
     @Test
-    void closingStopsSwitchesOffAndSaysGoodBye() throws IOException {
+    void aGuardEndsTheMotionAtTheReadingThatShowsIt() throws Exception {
+        connect(Peer.Quirk.NONE);
+
+        double covered = number(bot.move(1000, () -> bot.state().pose().xMm() > 60));
+
+        assertThat(covered).isBetween(60.0, 200.0);
+        assertThat(bot.state().speedMmPerSec()).isZero();
+        assertThat(peer.hearsLast("STOP 0", "VEL 0", "RVEL 0")).isTrue();
+    }
+
+    @Test
+    void aGuardThatHoldsAlreadyLeavesTheMotorsOff() throws IOException {
+        connect(Peer.Quirk.NONE);
+
+        assertThat(number(bot.move(1000, () -> true))).isZero();
+        assertThat(peer.heard()).noneMatch(command -> command.startsWith("ENABLE"));
+    }
+
+    @Test
+    void stopEndsAMotionAndReturnsWhenTheRobotStands() throws IOException {
+        connect(Peer.Quirk.NONE);
+        AtomicReference<Throwable> failure = new AtomicReference<>();
+        Thread mover = new Thread(() -> {
+            try {
+                bot.move(1000);
+            } catch (BotException e) {
+                failure.set(e);
+            }
+        });
+        bot.addListener(whenBeyond(50, new Thread(bot::stop)::start));
+
+        mover.start();
+        join(mover);
+
+        assertThat(failure.get()).isInstanceOf(MotionStopped.class).hasMessage("stopped");
+        bot.stop();
+        assertThat(bot.state().speedMmPerSec()).isZero();
+    }
+
+    @Test
+    void aRobotThatStandsSilentIsGivenUpLater() throws Exception {
+        connect(Peer.Quirk.NONE);
+        CountDownLatch lost = new CountDownLatch(1);
+        bot.addListener(new BotListener() {
+            @Override
+            public void connectionChanged(MajicBot from, MajicBot.Connection now) {
+                lost.countDown();
+            }
+        });
+        peer.fallSilent();
+
+        assertThat(lost.await(5, TimeUnit.SECONDS)).isTrue();
+        assertThat(bot.connection()).isEqualTo(MajicBot.Connection.LOST);
+    }
+
+    @Test
+    void pulsesKeepComingWhileNothingElseIsSent() throws Exception {
+        connect(Peer.Quirk.NONE);
+
+        assertThat(peer.hears("PULSE 0")).isTrue();
+    }
+
+    private static void join(Thread thread) {
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @Test
+    void closingStopsSwitchesOffAndSaysGoodBye() throws Exception {
         connect(Peer.Quirk.NONE);
         bot.drive(100, 0);
 
         bot.close();
 
-        assertThat(peer.heard()).endsWith("STOP 0", "VEL 0", "RVEL 0", "ENABLE 0", "CLOSE 1");
+        assertThat(peer.hearsLast("STOP 0", "VEL 0", "RVEL 0", "ENABLE 0", "CLOSE 1"))
+                .isTrue();
     }
 
     private void hangUp() {

@@ -97,6 +97,22 @@ final class Peer implements AutoCloseable {
         return heard.contains(command);
     }
 
+    /** Waits, a second at most, until these are the last commands it heard, pulses not counted. */
+    synchronized boolean hearsLast(String... commands) throws InterruptedException {
+        long deadline = System.nanoTime() + 1_000_000_000;
+        while (!endsWith(commands) && System.nanoTime() < deadline) {
+            wait(100);
+        }
+        return endsWith(commands);
+    }
+
+    private boolean endsWith(String... commands) {
+        List<String> orders =
+                heard.stream().filter(command -> !command.equals("PULSE 0")).toList();
+        int from = Math.max(0, orders.size() - commands.length);
+        return orders.subList(from, orders.size()).equals(List.of(commands));
+    }
+
     void fallSilent() {
         sendsSips = false;
     }
