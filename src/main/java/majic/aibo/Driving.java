@@ -105,6 +105,9 @@ final class Driving {
             boolean risenWell = risen.failure() == null && !risen.isStopRequested();
             session.dog().senses().assumeMotors(risenWell);
             session.dog().setAfoot(risenWell);
+            if (!risenWell) {
+                forget();
+            }
         }
     }
 

@@ -18,6 +18,11 @@ final class JointParameters {
     private static final double LONGEST_MS = 30_000;
     private static final double LATE_S = 2;
 
+    /** The joint follows its order with a lag. */
+    private static final double SETTLING_S = 0.6;
+
+    private static final double ARRIVED_DEG = 1;
+
     private final Senses senses;
     private final Supplier<AiboSession> session;
 
@@ -52,6 +57,7 @@ final class JointParameters {
         }
         String command = name + ".val = " + Dialect.number(target) + " time:" + Dialect.number(Math.rint(ms));
         open.feet().perform(motion, open.runner().command(open.links().sensors(), command), ms / 1000 + LATE_S);
+        motion.await(() -> Math.abs(senses.number(sensor).orElse(target) - target) < ARRIVED_DEG, SETTLING_S);
     }
 
     private double usualMs(Sensor sensor, double target) {

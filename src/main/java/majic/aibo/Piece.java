@@ -8,12 +8,6 @@ final class Piece {
     /** The longest time the dog is ever told to walk, ms: so long it would walk on if all links fell silent. */
     static final double LONGEST_MS = 2000;
 
-    /** A timed gait ends 0 to 2 cycles of 32 ms late (URBI sheet 3, 15): ask for the mean of it less ... */
-    private static final double OVERRUN_MS = 32;
-
-    /** ... but never for much less. */
-    private static final double OVERRUN_SHARE = 0.05;
-
     private final Gait gait;
     private final double amount;
     private final double durationMs;
@@ -38,7 +32,7 @@ final class Piece {
 
     /** What to ask the dog for. */
     String call() {
-        return gait.call(Math.round(durationMs - Math.min(OVERRUN_MS, durationMs * OVERRUN_SHARE)));
+        return gait.call(Math.round(durationMs));
     }
 
     /** What it has covered at a time of the server's clock, mm or degrees with sign. */
@@ -56,7 +50,6 @@ final class Piece {
             return 0;
         }
         long end = ask.isDone() ? Math.min(serverMs, ask.doneMs()) : serverMs;
-        double askedMs = durationMs - Math.min(OVERRUN_MS, durationMs * OVERRUN_SHARE);
-        return Math.max(0, Math.min(1, (end - ask.beganMs()) / askedMs));
+        return Math.max(0, Math.min(1, (end - ask.beganMs()) / durationMs));
     }
 }
