@@ -1,0 +1,36 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import majic.bot.Settings;
+import org.junit.jupiter.api.Test;
+
+class AiboPanelTest {
+    private final Dog dog = new Dog(new Calibration(Settings.inMemory(), "host"));
+
+    @Test
+    void theDrawingShowsWhereTheHeadLooksAndWhatItMeets() {
+        BufferedImage ahead = drawn();
+        dog.senses().put(Sensor.HEAD_PAN, new UrbiValue.Num(40));
+        dog.senses().put(Sensor.NEAR, new UrbiValue.Num(30));
+
+        BufferedImage aside = drawn();
+
+        assertThat(dog.infraRed().headMm()).isEqualTo(Optional.of(300.0));
+        assertThat(pixels(aside)).isNotEqualTo(pixels(ahead));
+    }
+
+    private BufferedImage drawn() {
+        DogDrawing drawing = new DogDrawing(dog);
+        drawing.setSize(400, 300);
+        BufferedImage image = new BufferedImage(400, 300, BufferedImage.TYPE_INT_RGB);
+        drawing.paint(image.getGraphics());
+        return image;
+    }
+
+    private static int[] pixels(BufferedImage image) {
+        return image.getRGB(0, 0, 400, 300, null, 0, 400);
+    }
+}
