@@ -2,6 +2,7 @@ package majic;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -40,7 +41,7 @@ public final class LabRig implements AutoCloseable {
             throw new UncheckedIOException(e);
         }
         membership = lab.time().join();
-        BotFactory factory = new BotFactory(Plugins.types(java.nio.file.Path.of("none")), Settings.inMemory());
+        BotFactory factory = new BotFactory(Plugins.types(Path.of("none")), Settings.inMemory());
         factory.useLab(lab);
         team = new Team(lab.time());
         session = new Session(team, factory, SessionLog.none(), () -> {});

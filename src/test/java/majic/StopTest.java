@@ -1,0 +1,91 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import majic.bot.Answer;
+import majic.bot.BotFactory;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.bot.Settings;
+import majic.bot.Team;
+import majic.bot.TeamListener;
+import majic.bot.TimeSource;
+import majicsim.LabOptions;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** STOP with twenty robots of ten labs, half of which no longer read what they are sent. */
+@Timeout(60)
+class StopTest {
+    private static final int LABS = 10;
+    private static final int STUCK = 5;
+    private static final int ROBOTS = 20;
+    private static final long ANSWERS_WITHIN_S = 3;
+
+    private final List<SimulatedLab> labs = new ArrayList<>();
+    private final Team team = new Team(TimeSource.system());
+    private final List<Answer> answers = Collections.synchronizedList(new ArrayList<>());
+    private final CountDownLatch answered = new CountDownLatch(ROBOTS);
+
+    @AfterEach
+    void close() {
+        team.close();
+        labs.forEach(SimulatedLab::close);
+    }
+
+    @Test
+    void reachesEveryRobotThatCanBeReachedAndAnswersForAll() throws Exception {
+        for (int count = 0; count < LABS; count++) {
+            join("pioneer", "hemisson");
+        }
+        List<MajicBot> bots =
+                team.members().stream().map(member -> member.bot()).toList();
+        bots.forEach(bot -> bot.drive(100, 0));
+        labs.subList(0, STUCK).forEach(lab -> {
+            lab.simulators().faults("pioneer").stopReading();
+            lab.simulators().faults("hemisson").stopReading();
+        });
+        team.addListener(new TeamListener() {
+            @Override
+            public void answered(Answer answer) {
+                answers.add(answer);
+                answered.countDown();
+            }
+        });
+
+        team.stopAll();
+
+        assertThat(answered.await(ANSWERS_WITHIN_S, TimeUnit.SECONDS)).isTrue();
+        assertThat(answers).extracting(Answer::robot).doesNotHaveDuplicates().hasSize(ROBOTS);
+        for (SimulatedLab lab : labs.subList(STUCK, LABS)) {
+            assertStands(lab, "hemisson");
+        }
+    }
+
+    private static void assertStands(SimulatedLab lab, String robot) throws InterruptedException {
+        Pose before = lab.truePoses().get(robot);
+        lab.time().sleep(0.1);
+        assertThat(lab.truePoses().get(robot)).isEqualTo(before);
+    }
+
+    private void join(String... types) throws IOException {
+        SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+        labs.add(lab);
+        BotFactory factory = new BotFactory(Plugins.types(Path.of("none")), Settings.inMemory());
+        factory.useLab(lab);
+        for (String type : types) {
+            MajicBot bot = factory.create("sim:" + type);
+            bot.connect();
+            team.add(bot, OptionalInt.empty());
+        }
+    }
+}
