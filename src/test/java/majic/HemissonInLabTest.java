@@ -1,13 +1,16 @@
 package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import majic.bot.BotEnvironment;
+import majic.bot.BotException;
 import majic.bot.Guard;
+import majic.bot.LinkLost;
 import majic.bot.Settings;
 import majic.bot.TimeSource;
 import majic.hemisson.MajicHemisson;
@@ -17,6 +20,7 @@ import majicsim.LabOptions;
 import majicsim.world.Pose;
 import majicsim.world.Segment;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -82,6 +86,57 @@ class HemissonInLabTest {
             bot.move(400, near);
             assertThat(clearMm()).as("clear at %s", pose()).isPositive();
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.5, 1.5, 4})
+    void standsAfterAnOutageThatItWasMovingThrough(double outageSeconds) throws Exception {
+        open(LabOptions.exactOnFreePorts());
+        after(1, () -> lab.faults("hemisson").outage(outageSeconds));
+
+        assertThatThrownBy(() -> bot.move(1500)).isInstanceOf(BotException.class);
+        clock.sleep(outageSeconds + 2);
+
+        Pose standing = pose();
+        clock.sleep(1);
+        assertThat(pose()).isEqualTo(standing);
+    }
+
+    @Test
+    void halvedMessagesAreNoticedByNobody() throws Exception {
+        open(LabOptions.exactOnFreePorts());
+        lab.faults("hemisson").halfPackets();
+        Pose before = pose();
+
+        bot.move(100);
+
+        assertThat(Math.hypot(pose().xMm() - before.xMm(), pose().yMm() - before.yMm()))
+                .isCloseTo(100, within(2.0));
+    }
+
+    @Test
+    void aCutLineIsToldAndTheNextConnectionStopsTheRobot() throws Exception {
+        open(LabOptions.exactOnFreePorts());
+        after(1, () -> lab.faults("hemisson").cut());
+        assertThatThrownBy(() -> bot.move(1500)).isInstanceOf(LinkLost.class).hasMessageContaining("lift it");
+
+        bot.connect();
+
+        Pose standing = pose();
+        clock.sleep(1);
+        assertThat(pose()).isEqualTo(standing);
+    }
+
+    private void after(double seconds, Runnable fault) {
+        clock.thread("fault", () -> {
+                    try {
+                        clock.sleep(seconds);
+                        fault.run();
+                    } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                    }
+                })
+                .start();
     }
 
     /** Anywhere within 200 mm of a wall, looking anywhere, with room for the hull. */

@@ -245,10 +245,13 @@ final class Conversation {
         }
     }
 
-    /** After missed answers a late one could be taken for the stop's, so the speeds themselves are asked then. */
+    /**
+     * The answer to a stop is one letter, and after missed answers it could be a late one to an earlier command; nor does
+     * it tell whether the digits arrived whole. So a robot that may have moved is asked for its speeds as well.
+     */
     private void concludeStop(Exchange answered, Reply reply) {
         boolean verified = answered.purpose() == Purpose.VERIFY;
-        if (answered.purpose() == Purpose.STOP && doubtful) {
+        if (answered.purpose() == Purpose.STOP && (doubtful || mayMove)) {
             queue.addFirst(new Exchange(Question.VERIFY));
         } else if (verified && reply.numbers().stream().anyMatch(speed -> speed != 0)) {
             queue.stop();

@@ -79,13 +79,15 @@ class ConversationTest {
     }
 
     @Test
-    void anAnsweredStopStands() {
+    void aRobotThatMovedStandsWhenItsSpeedsSaySo() {
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
         assertThat(conversation.mayMove()).isTrue();
 
         conversation.stop();
         hear("d");
+        assertThat(conversation.isStanding()).isFalse();
+        hear("e,00,00");
 
         assertThat(conversation.isStanding()).isTrue();
     }
@@ -171,6 +173,17 @@ class ConversationTest {
         hear("d");
 
         assertThat(link.commands()).containsExactly("N", "D,4,4");
+    }
+
+    @Test
+    void aFirmwareThatCannotTellItsSpeedsIsBelieved() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.stop();
+        hear("d");
+        hear("Unknown Command ?!");
+
+        assertThat(conversation.isStanding()).isTrue();
     }
 
     private void hear(String line) {
