@@ -46,7 +46,7 @@ final class DogDrawing extends JComponent {
 
     private void paintFromAbove(Graphics2D pen) {
         double scale = getHeight() / (VIEW_MM + 2 * DOG_LENGTH_MM);
-        pen.translate(getWidth() / 3.0, getHeight() - DOG_LENGTH_MM * scale);
+        pen.translate(getWidth() / 4.0, getHeight() - DOG_LENGTH_MM * scale);
         pen.scale(scale, -scale);
         pen.setStroke(new BasicStroke((float) (1.5 / scale)));
         pen.setColor(color("Label.foreground", Color.GRAY));
@@ -89,7 +89,7 @@ final class DogDrawing extends JComponent {
     private void paintFromTheSide(Graphics2D pen) {
         double neck = dog.senses().number(Sensor.NECK).orElse(0.0);
         double tilt = dog.senses().number(Sensor.HEAD_TILT).orElse(0.0);
-        pen.translate(getWidth() * 0.72, getHeight() * 0.6);
+        pen.translate(getWidth() * 0.8, getHeight() * 0.3);
         pen.setStroke(new BasicStroke(3));
         pen.setColor(color("Label.foreground", Color.GRAY));
         pen.draw(new RoundRectangle2D.Double(-2.5 * SIDE_LIMB, 0, 2.5 * SIDE_LIMB, SIDE_LIMB, 12, 12));

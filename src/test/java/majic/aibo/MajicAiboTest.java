@@ -124,6 +124,23 @@ class MajicAiboTest {
     }
 
     @Test
+    void aStopThatOvertakesTheWalkIsSentUntilItHasHit() {
+        standing();
+        aibo.connect();
+        dog.latenessMs = 400;
+        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> aibo.move(2000));
+        awaitSent("robot.walk");
+
+        aibo.stop();
+
+        assertThat(dog.hasWalked()).isTrue();
+        assertThat(dog.isWalking()).isFalse();
+        assertThat(dog.received("stop walk").size()).isGreaterThan(1);
+        assertThatThrownBy(walk::join).hasCauseInstanceOf(MotionStopped.class);
+        assertThat(dog.received("robot.walk")).hasSize(1);
+    }
+
+    @Test
     void aGuardEndsTheWalkWhereItIs() throws Exception {
         standing();
         aibo.connect();

@@ -39,6 +39,9 @@ final class ScriptedDog implements AutoCloseable {
     volatile boolean introducesItself = true;
     volatile boolean refusesGuards;
 
+    /** How much later than others a connection delivers, from the first walk on it. */
+    volatile long latenessMs;
+
     private static ScheduledExecutorService clock() {
         ScheduledThreadPoolExecutor clock = new ScheduledThreadPoolExecutor(1);
         clock.setRemoveOnCancelPolicy(true);
@@ -97,6 +100,15 @@ final class ScriptedDog implements AutoCloseable {
         }
     }
 
+    boolean hasWalked() {
+        return endings.containsKey("walk");
+    }
+
+    boolean isWalking() {
+        ScheduledFuture<?> walk = running.get("walk");
+        return walk != null && !walk.isDone();
+    }
+
     void hangUp() {
         lines.forEach(Line::close);
     }
@@ -129,6 +141,7 @@ final class ScriptedDog implements AutoCloseable {
     /** One connection. */
     private final class Line {
         private final Socket socket;
+        private boolean late;
 
         Line(Socket socket) {
             this.socket = socket;
@@ -170,6 +183,15 @@ final class ScriptedDog implements AutoCloseable {
 
         private void run(String command) {
             remember(command);
+            late |= latenessMs > 0 && command.contains("robot.walk");
+            if (late) {
+                clock.schedule(() -> execute(command), latenessMs, TimeUnit.MILLISECONDS);
+            } else {
+                execute(command);
+            }
+        }
+
+        private void execute(String command) {
             Matcher poll = POLL.matcher(command);
             Matcher ending = ENDING.matcher(command);
             if (command.equals("quit")) {
