@@ -112,25 +112,22 @@ public final class MajicPioneer extends MajicBot {
     @Override
     protected Value moveBy(double mm, Motion motion) {
         Session open = current();
-        Troubles.Heading heading = mm < 0 ? Troubles.Heading.BACK : Troubles.Heading.AHEAD;
-        return maneuver(open, new Way.Straight(open.state()), Approach.straight(cruiseMmPerSec()), mm, heading, motion);
+        return cover(open, new Way.Straight(open.state(), mm, Approach.straight(cruiseMmPerSec())), motion);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
         Session open = current();
-        Approach approach = Approach.turning(cruiseTurnDegPerSec());
-        return maneuver(open, new Way.Turning(open.state()), approach, degrees, Troubles.Heading.AROUND, motion);
+        return cover(open, new Way.Turning(open.state(), degrees, Approach.turning(cruiseTurnDegPerSec())), motion);
     }
 
-    private Value maneuver(
-            Session open, Way way, Approach approach, double target, Troubles.Heading heading, Motion motion) {
+    private Value cover(Session open, Way way, Motion motion) {
         if (!motion.pause(0)) {
             return way.value(open.state());
         }
         motors().switchOn(motion);
         Bumpers bumpers = Bumpers.of(open.model(), open.config());
-        return new Maneuver(open, way, approach, target, new Troubles(bumpers, heading, open.state())).run(motion);
+        return new Maneuver(open, way, new Troubles(bumpers, way.heading(), open.state())).run(motion);
     }
 
     @Override

@@ -19,20 +19,16 @@ final class Maneuver {
 
     private final Session session;
     private final Way way;
-    private final Approach approach;
-    private final double target;
     private final Troubles troubles;
     private final double limitS;
     private final int holdsBefore;
     private int standingSips;
 
-    Maneuver(Session session, Way way, Approach approach, double target, Troubles troubles) {
+    Maneuver(Session session, Way way, Troubles troubles) {
         this.session = session;
         this.way = way;
-        this.approach = approach;
-        this.target = target;
         this.troubles = troubles;
-        this.limitS = Math.abs(target) / approach.cruise() * 2 + 5;
+        this.limitS = Math.abs(way.target()) / way.approach().cruise() * 2 + 5;
         this.holdsBefore = session.wheels().holds();
     }
 
@@ -47,7 +43,7 @@ final class Maneuver {
         boolean there = false;
         while (!there) {
             PioneerState now = session.state();
-            double rate = approach.rate(target - way.covered(now), way.rate(now));
+            double rate = way.approach().rate(way.target() - way.covered(now), way.rate(now));
             motion.send(() -> way.go(session.wheels(), rate, now));
             if (!motion.nextReading(READING_S)) {
                 return endEarly(motion);
@@ -61,9 +57,9 @@ final class Maneuver {
     private boolean isThere(double rate) {
         PioneerState now = session.state();
         standingSips = now.isMoving() ? 0 : standingSips + 1;
-        double off = Math.abs(target - way.covered(now));
-        return standingSips > 0 && rate == 0 && off <= way.acceptable()
-                || standingSips >= SETTLED_SIPS && off <= way.acceptable();
+        double off = Math.abs(way.target() - way.covered(now));
+        int enough = rate == 0 ? 1 : SETTLED_SIPS;
+        return standingSips >= enough && off <= way.acceptable();
     }
 
     private void check(double seconds) {

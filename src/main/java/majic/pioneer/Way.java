@@ -3,8 +3,17 @@ package majic.pioneer;
 import majic.bot.Unit;
 import majic.bot.Value;
 
-/** A way to be covered from where the robot is now: straight or turning on the spot. */
+/** A way to be covered from where the robot stands at its start: straight or turning on the spot. Immutable. */
 sealed interface Way {
+
+    /** How long it is, in its unit, signed. */
+    double target();
+
+    /** How fast to cover it. */
+    Approach approach();
+
+    /** Which side of the robot goes first. */
+    Troubles.Heading heading();
 
     /** How much of it is covered, in its unit, signed. */
     double covered(PioneerState now);
@@ -30,12 +39,19 @@ sealed interface Way {
      * Straight on, with the heading kept.
      *
      * @param start where it begins
+     * @param target mm, ahead positive
+     * @param approach in mm
      */
-    record Straight(PioneerState start) implements Way {
+    record Straight(PioneerState start, double target, Approach approach) implements Way {
         /** deg/s for each degree off the heading. */
         private static final double HEADING_GAIN = 1.5;
 
         private static final double MOST_DEG_PER_SEC = 8;
+
+        @Override
+        public Troubles.Heading heading() {
+            return target < 0 ? Troubles.Heading.BACK : Troubles.Heading.AHEAD;
+        }
 
         @Override
         public double covered(PioneerState now) {
@@ -71,8 +87,15 @@ sealed interface Way {
      * On the spot; full turns count.
      *
      * @param start where it begins
+     * @param target degrees, counterclockwise positive
+     * @param approach in degrees
      */
-    record Turning(PioneerState start) implements Way {
+    record Turning(PioneerState start, double target, Approach approach) implements Way {
+        @Override
+        public Troubles.Heading heading() {
+            return Troubles.Heading.AROUND;
+        }
+
         @Override
         public double covered(PioneerState now) {
             return now.turnedDeg() - start.turnedDeg();

@@ -55,7 +55,9 @@ class ApproachTest {
         int sips = 0;
         while (standing < 3 && sips < 600) {
             PioneerState now = tracker.track(robot.sip(), ++sips * 100_000_000L);
-            way = way == null ? straight ? new Way.Straight(now) : new Way.Turning(now) : way;
+            way = way == null
+                    ? straight ? new Way.Straight(now, target, approach) : new Way.Turning(now, target, approach)
+                    : way;
             double rate = approach.rate(target - way.covered(now), way.rate(now));
             standing = rate == 0 && robot.stands() ? standing + 1 : 0;
             for (int tick = 0; tick < TICKS_PER_SIP; tick++) {
