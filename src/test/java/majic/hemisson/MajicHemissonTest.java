@@ -153,7 +153,7 @@ class MajicHemissonTest {
 
         assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(MotionStopped.class);
         stopper.join();
-        assertThat(robot.commands()).endsWith("D,0,0");
+        assertThat(robot.commands()).endsWith("D,0,0", "E");
     }
 
     @Test
@@ -254,7 +254,7 @@ class MajicHemissonTest {
         bot.connect();
 
         bot.drive(42, 0);
-        await(() -> afterMotion().contains("D,0,0"));
+        await(() -> robot.count("D,3,3") == 1 && afterMotion().contains("D,0,0"));
 
         assertThat(millisBetween("D,3,3", "D,0,0")).isBetween(500L, 900L);
     }
