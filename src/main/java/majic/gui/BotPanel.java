@@ -67,6 +67,7 @@ final class BotPanel extends JPanel {
         JComponent display = ownDisplay();
         if (display == null) {
             JLabel none = new JLabel("no display available", SwingConstants.CENTER);
+            none.setName("noDisplay");
             none.setEnabled(false);
             return none;
         }

@@ -15,7 +15,7 @@ class MajicDialog extends JDialog {
 
     MajicDialog(Window owner, String title) {
         super(owner, title, ModalityType.MODELESS);
-        setName(title);
+        setName(title + " dialog");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     }
 

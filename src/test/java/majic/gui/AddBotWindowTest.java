@@ -1,0 +1,83 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import majic.bot.Settings;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class AddBotWindowTest {
+    private static final int SHORT_MS = 300;
+
+    private final TestWindow window = TestWindow.open();
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void aRobotThatAnswersJoinsTheTeam() {
+        window.click("Add Bot");
+        connectTo("here");
+        window.await("its tab", () -> window.titles().contains("1"));
+        window.await("the dialog to close", () -> !window.isShowing("Add Bot dialog"));
+        assertThat(window.frame.getBot(1).isConnected()).isTrue();
+    }
+
+    @Test
+    void aRobotThatDoesNotAnswerLeavesAMessageWithWhatToTry() {
+        window.click("Add Bot");
+        connectTo("absent");
+        window.await("the reason", () -> window.text("outcome").contains("nothing answers at //absent:4242"));
+        assertThat(window.text("outcome")).contains("Wind the toy up.");
+        assertThat(window.frame.totalBots()).isZero();
+    }
+
+    @Test
+    void aRobotThatHangsIsGivenUpAndClosed() {
+        window.run(() -> new AddBotDialog(window.frame, window.session, surroundings(), SHORT_MS).setVisible(true));
+        connectTo("silent");
+        window.await("giving up", () -> window.text("outcome").contains("Wind the toy up."));
+        window.await(
+                "the robot to be closed", () -> window.type.made.get(0).told.contains("shut"));
+    }
+
+    @Test
+    void cancelGivesUpAtOnce() {
+        window.click("Add Bot");
+        connectTo("silent");
+        window.await("the attempt", () -> !window.type.made.isEmpty());
+        window.click("Cancel");
+        window.await(
+                "the robot to be closed", () -> window.type.made.get(0).told.contains("shut"));
+        assertThat(window.isShowing("Add Bot dialog")).isFalse();
+    }
+
+    @Test
+    void anEmptyHostIsAskedFor() {
+        window.click("Add Bot");
+        window.click("OK");
+        assertThat(window.text("outcome")).startsWith("Host: fill in");
+    }
+
+    @Test
+    void theMenuStartsTheLabAndAddsItsRobots() {
+        window.run(window.frame::startLab);
+        window.await("the lab's robot", () -> window.titles().contains("1"));
+    }
+
+    private void connectTo(String host) {
+        window.awaitDialog("Add Bot");
+        window.focus("host");
+        window.type(host);
+        window.click("OK");
+    }
+
+    private static Surroundings surroundings() {
+        return new Surroundings(List::of, null, () -> {}, Settings.inMemory());
+    }
+}

@@ -1,0 +1,56 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import javax.swing.JTextField;
+import majic.bot.BotException;
+import majic.bot.BotType;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class AddressInputTest {
+    private final NetworkInput input = new NetworkInput(new ToyType(BotType.Reach.TCP));
+
+    @Test
+    void hostAndPortMakeAnAddress() {
+        fill("10.0.0.5", "8101");
+        assertThat(input.address()).isEqualTo("toy://10.0.0.5:8101");
+    }
+
+    @Test
+    void aSerialServerIsNamedAsOne() {
+        NetworkInput server = new NetworkInput(new ToyType(BotType.Reach.SERIAL, BotType.Reach.TCP));
+        field(server, "host").setText("gateway");
+        assertThat(server.address()).isEqualTo("toy:tcp://gateway:4242");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "0", "65536", "-1", "eight", "999999999999"})
+    void aPortThatIsNoneIsRefused(String port) {
+        fill("host", port);
+        assertThatThrownBy(input::address).isInstanceOf(BotException.class).hasMessageStartingWith("Port: ");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "  ", "two words", "http://robot"})
+    void aHostThatIsNoneIsRefused(String host) {
+        fill(host, "1");
+        assertThatThrownBy(input::address).isInstanceOf(BotException.class).hasMessageStartingWith("Host: ");
+    }
+
+    private void fill(String host, String port) {
+        field(input, "host").setText(host);
+        field(input, "port").setText(port);
+    }
+
+    private static JTextField field(NetworkInput input, String name) {
+        for (var component : input.getComponents()) {
+            if (component instanceof JTextField field && name.equals(field.getName())) {
+                return field;
+            }
+        }
+        throw new AssertionError("no field " + name);
+    }
+}

@@ -1,0 +1,84 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.event.KeyEvent;
+import majic.bot.BotException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class DriveByHandWindowTest {
+    private static final String AHEAD = "drive 200 0";
+
+    private final TestWindow window = TestWindow.open();
+    private final ToyBot bot = window.add("one");
+
+    @AfterEach
+    void close() {
+        window.letGo(KeyEvent.VK_UP);
+        window.close();
+    }
+
+    @Test
+    void aHeldArrowKeyDrivesAgainAndAgainAndLettingGoStops() {
+        holdUp();
+        window.await("renewals", () -> bot.told.stream().filter(AHEAD::equals).count() >= 3);
+        assertThat(bot.told).doesNotContain("halt");
+        window.letGo(KeyEvent.VK_UP);
+        awaitStanding();
+    }
+
+    @Test
+    void losingTheFocusStops() {
+        holdUp();
+        window.run(() -> window.find("commandLine", CommandLine.class).requestFocus());
+        awaitStanding();
+    }
+
+    @Test
+    void aHeldRobotRefusesMotionFromElsewhere() {
+        holdUp();
+        assertThatThrownBy(() -> window.team.member(1).check(true, null))
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("driven by hand");
+    }
+
+    @Test
+    void stopEndsTheHandThoughTheKeyIsStillHeld() {
+        holdUp();
+        window.press(KeyEvent.VK_F12);
+        awaitStanding();
+    }
+
+    @Test
+    void anArrowButtonDrivesWhileTheMouseHoldsIt() {
+        window.holdMouse("drive LEFT");
+        window.await("a turn", () -> bot.told.contains("drive 0 40"));
+        window.letGoMouse();
+        awaitStanding();
+    }
+
+    @Test
+    void aRobotThatCannotBeDrivenSaysWhyOnce() {
+        window.team.stopAll();
+        window.focus("drivePad1");
+        window.hold(KeyEvent.VK_UP);
+        window.awaitMessage("STOP is latched; \"release\" allows motion again");
+        assertThat(bot.told).doesNotContain(AHEAD);
+    }
+
+    private void holdUp() {
+        window.focus("drivePad1");
+        window.hold(KeyEvent.VK_UP);
+        window.await("the robot to drive", () -> bot.told.contains(AHEAD));
+    }
+
+    private void awaitStanding() {
+        window.await(
+                "the robot to stand", () -> bot.told.get(bot.told.size() - 1).equals("halt"));
+        window.await("the hand to be off", () -> window.team.member(1).owner() == null);
+    }
+}

@@ -1,0 +1,75 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.OptionalInt;
+import majic.bot.BotFactory;
+import majic.bot.BotType;
+import majic.bot.Pose;
+import majic.bot.Settings;
+import majic.bot.Team;
+import majic.bot.TimeSource;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(30)
+class MapFeedTest {
+    private final BotFactory factory = new BotFactory(List.of(new ToyType(BotType.Reach.TCP)), Settings.inMemory());
+    private final Team team = new Team(TimeSource.system());
+    private final MapFeed feed = new MapFeed(team, factory, scene -> {});
+
+    @AfterEach
+    void close() {
+        team.close();
+        feed.close();
+    }
+
+    @Test
+    void aRobotOfTheLabIsPlacedWhereItReallyStarted() {
+        ToyLab lab = new ToyLab();
+        factory.useLab(lab);
+        ToyBot bot = add("sim:toy");
+        feed.scene();
+        bot.at(new Pose(100, 0, 0), true);
+        lab.place(new Pose(1003, 595, 91));
+        MapScene.Robot robot = feed.scene().robots().get(0);
+        assertThat(robot.believed().distanceMm(new Pose(1000, 600, 0))).isLessThan(1e-6);
+        assertThat(robot.truth()).isEqualTo(new Pose(1003, 595, 91));
+        assertThat(feed.scene().walls()).hasSize(4);
+    }
+
+    @Test
+    void withoutALabRobotsAreDrawnSideBySide() {
+        add("toy://one");
+        add("toy://two");
+        MapScene scene = feed.scene();
+        assertThat(scene.startsAreGuessed()).isTrue();
+        assertThat(scene.robots()).extracting(robot -> robot.believed().yMm()).containsExactly(0.0, -1000.0);
+    }
+
+    @Test
+    void theTrailRemembersTheWay() {
+        ToyBot bot = add("toy://one");
+        feed.scene();
+        bot.at(new Pose(50, 0, 0), true);
+        feed.scene();
+        bot.at(new Pose(55, 0, 0), true);
+        assertThat(feed.scene().robots().get(0).trail())
+                .containsExactly(new MapScene.Point(0, 0), new MapScene.Point(50, 0));
+    }
+
+    @Test
+    void anUnchangedTeamMakesAnEqualScene() {
+        add("toy://one");
+        assertThat(feed.scene()).isEqualTo(feed.scene());
+    }
+
+    private ToyBot add(String address) {
+        ToyBot bot = (ToyBot) factory.create(address);
+        bot.connect();
+        team.add(bot, OptionalInt.empty());
+        return bot;
+    }
+}

@@ -1,0 +1,36 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.text.BadLocationException;
+import majic.script.Line;
+import org.junit.jupiter.api.Test;
+
+class MessageDocumentTest {
+    private final MessageDocument document = new MessageDocument();
+
+    @Test
+    void kindsDifferBySignAndNotByColourAlone() throws BadLocationException {
+        document.append(List.of(
+                new Line(Line.Kind.COMMAND, "1 move 5"),
+                new Line(Line.Kind.ANSWER, "1 move 5: done"),
+                new Line(Line.Kind.NOTICE, "1: motors are on"),
+                new Line(Line.Kind.ERROR, "no such robot")));
+        assertThat(text()).isEqualTo("> 1 move 5\n  1 move 5: done\n* 1: motors are on\n! no such robot");
+    }
+
+    @Test
+    void theOldestLinesAreForgotten() throws BadLocationException {
+        document.append(IntStream.rangeClosed(1, MessageDocument.MOST_LINES + 7)
+                .mapToObj(number -> new Line(Line.Kind.ANSWER, "line " + number))
+                .toList());
+        assertThat(text().lines()).hasSize(MessageDocument.MOST_LINES);
+        assertThat(text()).startsWith("  line 8\n").endsWith("line 2007");
+    }
+
+    private String text() throws BadLocationException {
+        return document.getText(0, document.getLength());
+    }
+}

@@ -1,0 +1,82 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javax.swing.JTabbedPane;
+import majic.bot.Pose;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class TeamWindowTest {
+    private final TestWindow window = TestWindow.open();
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void aRobotsTabShowsItsNumberAndTellsItsMake() {
+        window.add("one");
+        JTabbedPane tabs = window.find("bots", JTabbedPane.class);
+        assertThat(window.titles()).containsExactly("1");
+        assertThat(tabs.getToolTipTextAt(0)).isEqualTo("Toy (Playthings Toy)");
+        assertThat(window.frame.totalBots()).isEqualTo(1);
+        assertThat(window.frame.getBot(1)).isSameAs(window.type.made.get(0));
+    }
+
+    @Test
+    void aRobotsTabSaysWhereItIsAndWhatItDoes() {
+        window.add("one").at(new Pose(120, -30, 45), true);
+        window.await("its place", () -> window.text("pose1").equals("x 120 mm   y -30 mm   heading 45°"));
+        assertThat(window.text("condition1")).isEqualTo("connected, moving");
+    }
+
+    @Test
+    void aRobotWithoutDisplaySaysSo() {
+        window.add("plain");
+        window.await("the words", () -> window.isShowing("noDisplay"));
+    }
+
+    @Test
+    void aLostRobotCanBeConnectedAgain() {
+        ToyBot bot = window.add("one");
+        bot.loseLink();
+        window.awaitMessage("1: connection lost: the cable is out");
+        window.click("reconnect1");
+        window.await("the link", bot::isConnected);
+        window.await("the button to go", () -> !window.isShowing("reconnect1"));
+    }
+
+    @Test
+    void killBotClosesTheRobotItsTabAndSaysSo() {
+        ToyBot bot = window.add("one");
+        window.click("Kill Bot");
+        window.click("OK");
+        window.awaitMessage("Bot 1 is dead");
+        window.await("the tab to go", () -> window.titles().isEmpty());
+        assertThat(bot.told).contains("shut");
+    }
+
+    @Test
+    void killBotWithoutRobotsSaysThatThereAreNone() {
+        window.click("Kill Bot");
+        window.awaitMessage("There are no robots yet");
+    }
+
+    @Test
+    void closingTheWindowQuitsOnce() {
+        window.run(window.frame::quit);
+        window.run(window.frame::quit);
+        window.await("the end", () -> window.quits.get() == 1);
+    }
+
+    @Test
+    void theMapShowsTheTeam() {
+        window.add("one");
+        TeamMap map = window.find("teamMap", TeamMap.class);
+        window.await("a robot on the map", () -> map.scene().robots().size() == 1);
+    }
+}

@@ -1,0 +1,195 @@
+package majic.gui;
+
+import java.awt.Component;
+import java.awt.Dialog;
+import java.awt.Point;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import javax.swing.AbstractButton;
+import javax.swing.JLabel;
+import javax.swing.JTabbedPane;
+import javax.swing.text.JTextComponent;
+import majic.bot.BotFactory;
+import majic.bot.BotType;
+import majic.bot.Settings;
+import majic.bot.Team;
+import majic.bot.TimeSource;
+import majic.log.SessionLog;
+import majic.script.MajicParser;
+import majic.script.Session;
+import org.assertj.swing.core.BasicRobot;
+import org.assertj.swing.core.Robot;
+import org.assertj.swing.edt.FailOnThreadViolationRepaintManager;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.assertj.swing.timing.Condition;
+import org.assertj.swing.timing.Pause;
+import org.assertj.swing.timing.Timeout;
+
+/**
+ * A real window with toys for robots, and fingers to use it. The only class that knows the library for window tests.
+ * Without a display it cannot be opened, and the test fails. Touching Swing off its thread fails the test too.
+ */
+final class TestWindow implements AutoCloseable {
+    private static final long PATIENCE_MS = 10_000;
+
+    final ToyType type = new ToyType(BotType.Reach.TCP);
+    final Settings settings = Settings.inMemory();
+    final BotFactory factory = new BotFactory(List.of(type), settings);
+    final Team team = new Team(TimeSource.system());
+    final AtomicInteger quits = new AtomicInteger();
+    final Session session = new Session(team, factory, SessionLog.none(), quits::incrementAndGet);
+    final MajicParser parser = new MajicParser(session, true);
+    final MajicFrame frame;
+    private final Robot robot;
+
+    private TestWindow() {
+        FailOnThreadViolationRepaintManager.install();
+        robot = BasicRobot.robotWithNewAwtHierarchy();
+        robot.settings().delayBetweenEvents(20);
+        frame = GuiActionRunner.execute(this::makeFrame);
+        robot.showWindow(frame);
+        robot.waitForIdle();
+    }
+
+    static TestWindow open() {
+        return new TestWindow();
+    }
+
+    private MajicFrame makeFrame() {
+        MajicFrame.installLook(settings);
+        Surroundings surroundings =
+                new Surroundings(List::of, () -> factory.useLab(new ToyLab()), this::quit, settings);
+        return new MajicFrame(session, parser, surroundings);
+    }
+
+    private void quit() {
+        quits.incrementAndGet();
+    }
+
+    /** Adds a connected toy and waits for its tab. */
+    ToyBot add(String address) {
+        ToyBot bot = (ToyBot) factory.create("toy:" + address);
+        bot.connect();
+        int number = team.add(bot, OptionalInt.empty()).number();
+        await("a tab for robot " + number, () -> titles().contains("" + number));
+        return bot;
+    }
+
+    List<String> titles() {
+        JTabbedPane tabs = find("bots", JTabbedPane.class);
+        return GuiActionRunner.execute(() -> IntStream.range(0, tabs.getTabCount())
+                .mapToObj(tabs::getTitleAt)
+                .toList());
+    }
+
+    <T extends Component> T find(String name, Class<T> kind) {
+        return robot.finder().findByName(name, kind, false);
+    }
+
+    /** A component that has to come up first. */
+    <T extends Component> T awaitShowing(String name, Class<T> kind) {
+        await(
+                name + " to show",
+                () -> robot.finder()
+                                .findAll(found ->
+                                        kind.isInstance(found) && name.equals(found.getName()) && found.isShowing())
+                                .size()
+                        == 1);
+        return robot.finder().findByName(name, kind, true);
+    }
+
+    Dialog awaitDialog(String title) {
+        return awaitShowing(title + " dialog", Dialog.class);
+    }
+
+    boolean isShowing(String name) {
+        return !robot.finder()
+                .findAll(found -> name.equals(found.getName()) && found.isShowing())
+                .isEmpty();
+    }
+
+    String text(String name) {
+        Component component = find(name, Component.class);
+        return GuiActionRunner.execute(() -> {
+            if (component instanceof JTextComponent field) {
+                return field.getText();
+            }
+            return component instanceof JLabel label ? label.getText() : ((AbstractButton) component).getText();
+        });
+    }
+
+    void focus(String name) {
+        robot.focusAndWaitForFocusGain(find(name, Component.class));
+    }
+
+    /** Types into whatever has the focus. */
+    void type(String text) {
+        robot.enterText(text);
+        robot.waitForIdle();
+    }
+
+    /** Types a line of commands and presses Enter. */
+    void command(String line) {
+        focus("commandLine");
+        type(line);
+        press(KeyEvent.VK_ENTER);
+    }
+
+    void press(int keyCode) {
+        robot.pressAndReleaseKey(keyCode);
+        robot.waitForIdle();
+    }
+
+    void hold(int keyCode) {
+        robot.pressKey(keyCode);
+    }
+
+    void letGo(int keyCode) {
+        robot.releaseKey(keyCode);
+    }
+
+    void holdMouse(String name) {
+        robot.pressMouse(find(name, Component.class), new Point(5, 5));
+    }
+
+    void letGoMouse() {
+        robot.releaseMouseButtons();
+    }
+
+    void click(String name) {
+        robot.click(awaitShowing(name, Component.class));
+        robot.waitForIdle();
+    }
+
+    /** Does something on the event dispatch thread. */
+    void run(Runnable action) {
+        GuiActionRunner.execute(action::run);
+        robot.waitForIdle();
+    }
+
+    void awaitMessage(String part) {
+        await("the message \"" + part + "\"", () -> text("messages").contains(part));
+    }
+
+    /** Waits for something to become true, and fails if it does not. */
+    void await(String what, BooleanSupplier condition) {
+        Pause.pause(
+                new Condition(what) {
+                    @Override
+                    public boolean test() {
+                        return condition.getAsBoolean();
+                    }
+                },
+                Timeout.timeout(PATIENCE_MS));
+    }
+
+    @Override
+    public void close() {
+        robot.cleanUp();
+        team.close();
+    }
+}
