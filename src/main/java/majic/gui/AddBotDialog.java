@@ -4,6 +4,7 @@ import java.awt.CardLayout;
 import java.awt.Window;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
@@ -12,6 +13,7 @@ import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import javax.swing.Timer;
 import majic.bot.BotException;
+import majic.bot.Member;
 import majic.script.Session;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
@@ -27,6 +29,7 @@ final class AddBotDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private final transient Session session;
+    private final transient Consumer<Member> joined;
     private final transient Map<String, AddressInput> inputs;
     private final JComboBox<String> type = new JComboBox<>();
     private final CardLayout cards = new CardLayout();
@@ -37,9 +40,16 @@ final class AddBotDialog extends MajicDialog {
     private final Timer giveUp;
     private transient @Nullable ConnectAttempt attempt;
 
-    AddBotDialog(Window owner, Session session, Surroundings surroundings, int giveUpMs) {
+    /**
+     * A dialog that is not shown yet.
+     *
+     * @param joined takes a robot that was added
+     * @param giveUpMs how long an attempt may take
+     */
+    AddBotDialog(Window owner, Session session, Surroundings surroundings, Consumer<Member> joined, int giveUpMs) {
         super(owner, "Add Bot");
         this.session = session;
+        this.joined = joined;
         this.inputs = AddressInputs.all(session.factory(), surroundings);
         this.giveUp = new Timer(giveUpMs, event -> giveUp());
         giveUp.setRepeats(false);
@@ -120,9 +130,10 @@ final class AddBotDialog extends MajicDialog {
     /** What becomes of the attempt under way. */
     private final class Ending implements ConnectAttempt.Outcome {
         @Override
-        public void joined() {
+        public void joined(Member member) {
             attempt = null;
             dispose();
+            joined.accept(member);
         }
 
         @Override

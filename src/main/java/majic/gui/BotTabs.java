@@ -48,6 +48,15 @@ final class BotTabs extends JPanel implements TeamListener {
         return tabs.getSelectedComponent() instanceof BotPanel panel ? Optional.of(panel.member()) : Optional.empty();
     }
 
+    /** Brings a robot's tab to the front. */
+    void select(Member member) {
+        int index = panelAt(member);
+        if (index >= 0) {
+            tabs.setSelectedIndex(index);
+        }
+    }
+
+    /** The tab in front stays there: somebody may be driving its robot by hand. */
     @Override
     public void added(Member member) {
         if (!team.members().contains(member) || panelAt(member) >= 0) {
@@ -58,7 +67,6 @@ final class BotTabs extends JPanel implements TeamListener {
                 .count();
         BotPanel panel = new BotPanel(team, member, () -> showCondition(member), complain);
         tabs.insertTab("" + member.number(), StateIcon.of(member.bot()), panel, tip(member), place);
-        tabs.setSelectedIndex(place);
         cards.show(this, SOMEBODY);
     }
 

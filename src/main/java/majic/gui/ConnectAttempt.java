@@ -4,6 +4,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.bot.Member;
 import majic.script.Session;
 import org.jspecify.annotations.Nullable;
 
@@ -20,8 +21,12 @@ final class ConnectAttempt {
 
     /** Hears how the attempt ends, on the event dispatch thread. */
     interface Outcome {
-        /** The robot is in the team. */
-        void joined();
+        /**
+         * The robot is in the team.
+         *
+         * @param member as what
+         */
+        void joined(Member member);
 
         /**
          * The robot is not in the team, and its connection is closed.
@@ -70,8 +75,8 @@ final class ConnectAttempt {
         try {
             made.connect();
             if (phase.compareAndSet(Phase.CONNECTING, Phase.JOINING)) {
-                session.team().add(made, OptionalInt.empty());
-                Edt.later(outcome::joined);
+                Member member = session.team().add(made, OptionalInt.empty());
+                Edt.later(() -> outcome.joined(member));
             } else {
                 made.close();
             }

@@ -14,7 +14,7 @@ record Extent(double minX, double minY, double maxX, double maxY) {
     /** What an empty map shows. */
     private static final Extent DEFAULT = new Extent(-1500, -1000, 1500, 1000);
 
-    private static final double MARGIN_MM = 300;
+    private static final double MARGIN_MM = 200;
 
     /** The smallest one around everything in a scene, with some floor around robots that stand free. */
     static Extent of(MapScene scene) {

@@ -107,7 +107,7 @@ public final class MajicFrame extends JFrame {
 
     /** Opens the dialog that connects a robot (thesis, contract C3). */
     public void addBot() {
-        new AddBotDialog(this, session, surroundings, AddBotDialog.GIVE_UP_MS).setVisible(true);
+        new AddBotDialog(this, session, surroundings, tabs::select, AddBotDialog.GIVE_UP_MS).setVisible(true);
     }
 
     /** Opens the dialog that lets a robot go (thesis, contract C4); says so if there is none. */

@@ -10,6 +10,9 @@ import majic.bot.LabAccess.Wall;
 
 /** Draws a scene: grid, walls, robots, scale and key, in that order. */
 final class MapPainter {
+    /** What scale and key need below the room. */
+    static final int FOOT_PX = 24;
+
     private static final Stroke THIN = new BasicStroke(1);
     private static final Stroke WALL = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final int INSET = 12;

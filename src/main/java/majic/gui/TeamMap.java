@@ -48,7 +48,7 @@ final class TeamMap extends JPanel {
     /** How the floor lies on this component now. */
     MapView view() {
         MapView view = chosen;
-        return view != null ? view : MapView.fitting(Extent.of(scene), getWidth(), getHeight());
+        return view != null ? view : MapView.fitting(Extent.of(scene), getWidth(), getHeight() - MapPainter.FOOT_PX);
     }
 
     /** Shows the floor as somebody chose; null to show everything again. */

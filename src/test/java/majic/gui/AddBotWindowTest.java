@@ -39,7 +39,8 @@ class AddBotWindowTest {
 
     @Test
     void aRobotThatHangsIsGivenUpAndClosed() {
-        window.run(() -> new AddBotDialog(window.frame, window.session, surroundings(), SHORT_MS).setVisible(true));
+        window.run(() -> new AddBotDialog(window.frame, window.session, surroundings(), member -> {}, SHORT_MS)
+                .setVisible(true));
         connectTo("silent");
         window.await("giving up", () -> window.text("outcome").contains("Wind the toy up."));
         window.await(

@@ -41,7 +41,7 @@ class MapViewTest {
     @Test
     void theExtentOfARoomIsTheRoomAndAMargin() {
         MapScene scene = new MapScene(List.of(new Wall(0, 0, 4000, 3000)), List.of(), false);
-        assertThat(Extent.of(scene)).isEqualTo(new Extent(-300, -300, 4300, 3300));
+        assertThat(Extent.of(scene)).isEqualTo(new Extent(-200, -200, 4200, 3200));
     }
 
     @Test
