@@ -25,16 +25,13 @@ import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.Robot;
 import org.assertj.swing.edt.FailOnThreadViolationRepaintManager;
 import org.assertj.swing.edt.GuiActionRunner;
-import org.assertj.swing.timing.Condition;
-import org.assertj.swing.timing.Pause;
-import org.assertj.swing.timing.Timeout;
 
 /**
  * A real window with toys for robots, and fingers to use it. The only class that knows the library for window tests.
  * Without a display it cannot be opened, and the test fails. Touching Swing off its thread fails the test too.
  */
 final class TestWindow implements AutoCloseable {
-    private static final long PATIENCE_MS = 10_000;
+    private static final int PATIENCE_S = 10;
 
     final ToyType type = new ToyType(BotType.Reach.TCP);
     final Settings settings = Settings.inMemory();
@@ -177,14 +174,7 @@ final class TestWindow implements AutoCloseable {
 
     /** Waits for something to become true, and fails if it does not. */
     void await(String what, BooleanSupplier condition) {
-        Pause.pause(
-                new Condition(what) {
-                    @Override
-                    public boolean test() {
-                        return condition.getAsBoolean();
-                    }
-                },
-                Timeout.timeout(PATIENCE_MS));
+        Patience.await(what, condition, PATIENCE_S);
     }
 
     @Override

@@ -1,0 +1,49 @@
+package majic;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Window;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import javax.swing.JFrame;
+import javax.swing.RootPaneContainer;
+import javax.swing.SwingUtilities;
+
+/** A picture of a window and the dialogs before it, painted by the components themselves: the same on every display. */
+final class WindowPicture {
+    private WindowPicture() {}
+
+    /** Paints and saves; called off the event dispatch thread. */
+    static void save(JFrame frame, Path file) throws Exception {
+        BufferedImage image = new BufferedImage(frame.getWidth(), frame.getHeight(), BufferedImage.TYPE_INT_RGB);
+        SwingUtilities.invokeAndWait(() -> paint(frame, image));
+        write(image, file);
+    }
+
+    private static void paint(JFrame frame, BufferedImage image) {
+        Graphics2D g = image.createGraphics();
+        frame.getRootPane().paint(g);
+        for (Window dialog : frame.getOwnedWindows()) {
+            if (dialog.isShowing() && dialog instanceof RootPaneContainer content) {
+                Graphics2D part = (Graphics2D) g.create(
+                        dialog.getX() - frame.getX(),
+                        dialog.getY() - frame.getY(),
+                        dialog.getWidth(),
+                        dialog.getHeight());
+                content.getRootPane().paint(part);
+                part.setColor(Color.GRAY);
+                part.drawRect(0, 0, dialog.getWidth() - 1, dialog.getHeight() - 1);
+                part.dispose();
+            }
+        }
+        g.dispose();
+    }
+
+    private static void write(BufferedImage image, Path file) throws IOException {
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        ImageIO.write(image, "png", file.toFile());
+    }
+}

@@ -1,0 +1,29 @@
+package majic.gui;
+
+import java.util.function.BooleanSupplier;
+import org.assertj.swing.timing.Condition;
+import org.assertj.swing.timing.Pause;
+import org.assertj.swing.timing.Timeout;
+
+/** Waits for what a window shows. */
+public final class Patience {
+    private Patience() {}
+
+    /**
+     * Waits for something to become true, and fails if it does not.
+     *
+     * @param what names it in the failure
+     * @param condition asked again and again, on the calling thread
+     * @param seconds how long to wait
+     */
+    public static void await(String what, BooleanSupplier condition, int seconds) {
+        Pause.pause(
+                new Condition(what) {
+                    @Override
+                    public boolean test() {
+                        return condition.getAsBoolean();
+                    }
+                },
+                Timeout.timeout(seconds * 1000L));
+    }
+}
