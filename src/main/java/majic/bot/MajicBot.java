@@ -105,13 +105,11 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         try {
             open();
         } catch (BotException e) {
-            become(Connection.LOST);
+            endConnecting(Connection.LOST);
             throw e;
         }
-        synchronized (this) {
-            if (connection == Connection.CONNECTING) {
-                become(Connection.CONNECTED);
-            }
+        if (!endConnecting(Connection.CONNECTED)) {
+            shut();
         }
         requireConnected();
     }
@@ -700,6 +698,14 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
                     parameter + ": " + name + " has no such parameter" + Suggestion.didYouMean(parameter, names));
         }
         return entry;
+    }
+
+    /** Takes the outcome of connecting; false if the robot was closed meanwhile, and then stays so. */
+    private synchronized boolean endConnecting(Connection now) {
+        if (connection == Connection.CONNECTING) {
+            become(now);
+        }
+        return connection != Connection.CLOSED;
     }
 
     private void become(Connection now) {

@@ -65,7 +65,7 @@ final class RobotGlyph {
         Pose truth = robot.truth();
         if (truth != null) {
             g.setStroke(TRUTH);
-            g.setColor(color);
+            g.setColor(Palette.mixed(0.85));
             g.draw(circle(truth));
             g.draw(nose(truth));
         }

@@ -1,0 +1,82 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
+import majic.bot.BotFactory;
+import majic.bot.BotType;
+import majic.bot.MajicBot.Connection;
+import majic.bot.Member;
+import majic.bot.Settings;
+import majic.bot.Team;
+import majic.bot.TimeSource;
+import majic.log.SessionLog;
+import majic.script.Session;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(30)
+class ConnectAttemptTest {
+    private final ToyType type = new ToyType(BotType.Reach.TCP);
+    private final Team team = new Team(TimeSource.system(), 1);
+    private final Session session =
+            new Session(team, new BotFactory(List.of(type), Settings.inMemory()), SessionLog.none(), () -> {});
+    private final BlockingQueue<String> heard = new ArrayBlockingQueue<>(10);
+
+    @AfterEach
+    void close() {
+        team.close();
+    }
+
+    @Test
+    void aConnectedRobotJoins() throws InterruptedException {
+        attempt("toy://here").start();
+        assertThat(heard.poll(10, TimeUnit.SECONDS)).isEqualTo("joined as 1");
+    }
+
+    @Test
+    void aFullTeamIsNotConnectedToAnybody() throws InterruptedException {
+        attempt("toy://here").start();
+        heard.poll(10, TimeUnit.SECONDS);
+        attempt("toy://there").start();
+        assertThat(heard.poll(10, TimeUnit.SECONDS)).startsWith("failed: the team is full");
+        assertThat(type.made).hasSize(1);
+    }
+
+    @Test
+    void anUnknownTypeFails() throws InterruptedException {
+        attempt("doll://here").start();
+        assertThat(heard.poll(10, TimeUnit.SECONDS)).startsWith("failed: doll: no such type of robot");
+    }
+
+    @Test
+    void aCancelledAttemptEndsClosedAndUnheard() throws InterruptedException {
+        ConnectAttempt attempt = attempt("toy://silent");
+        attempt.start();
+        Patience.await("the robot to be made", () -> !type.made.isEmpty(), 10);
+        ToyBot bot = type.made.get(0);
+        Patience.await("the connecting", () -> bot.connection() == Connection.CONNECTING, 10);
+        attempt.cancel();
+        assertThat(bot.closed.await(10, TimeUnit.SECONDS)).isTrue();
+        assertThat(heard.poll(200, TimeUnit.MILLISECONDS)).isNull();
+        assertThat(bot.connection()).isEqualTo(Connection.CLOSED);
+    }
+
+    private ConnectAttempt attempt(String address) {
+        return new ConnectAttempt(session, address, new ConnectAttempt.Outcome() {
+            @Override
+            public void joined(Member member) {
+                heard.add("joined as " + member.number());
+            }
+
+            @Override
+            public void failed(String reason) {
+                heard.add("failed: " + reason);
+            }
+        });
+    }
+}
