@@ -65,12 +65,6 @@ class AddBotWindowTest {
         assertThat(window.text("outcome")).startsWith("Host: fill in");
     }
 
-    @Test
-    void theMenuStartsTheLabAndAddsItsRobots() {
-        window.run(window.frame::startLab);
-        window.await("the lab's robot", () -> window.titles().contains("1"));
-    }
-
     private void connectTo(String host) {
         window.awaitDialog("Add Bot");
         window.focus("host");

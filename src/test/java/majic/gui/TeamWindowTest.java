@@ -51,16 +51,6 @@ class TeamWindowTest {
     }
 
     @Test
-    void killBotClosesTheRobotItsTabAndSaysSo() {
-        ToyBot bot = window.add("one");
-        window.click("Kill Bot");
-        window.click("OK");
-        window.awaitMessage("Bot 1 is dead");
-        window.await("the tab to go", () -> window.titles().isEmpty());
-        assertThat(bot.told).contains("shut");
-    }
-
-    @Test
     void killBotWithoutRobotsSaysThatThereAreNone() {
         window.click("Kill Bot");
         window.awaitMessage("There are no robots yet");
