@@ -130,7 +130,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     final MotionReport turn(double degrees, Guard until, Permit permit) {
-        pace.checkTurn(degrees);
+        Pace.checkTurn(degrees);
         return perform(until, permit, motion -> turnBy(degrees, motion));
     }
 

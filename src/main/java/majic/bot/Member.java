@@ -77,6 +77,15 @@ public final class Member {
     }
 
     /**
+     * Whether a stop is on its way to it.
+     *
+     * @return true until the robot was told and has confirmed it
+     */
+    public synchronized boolean isStopping() {
+        return stopsUnderWay > 0;
+    }
+
+    /**
      * Whether another order would be accepted.
      *
      * @return false while the queue is full

@@ -48,6 +48,10 @@ final class Pace {
     }
 
     void checkMove(double mm) {
+        checkMove(mm, maxMoveMm);
+    }
+
+    static void checkMove(double mm, double maxMoveMm) {
         if (!Double.isFinite(mm)) {
             throw new ParameterException("move", "move " + mm + ": not a distance");
         }
@@ -59,7 +63,7 @@ final class Pace {
         }
     }
 
-    void checkTurn(double degrees) {
+    static void checkTurn(double degrees) {
         if (!Double.isFinite(degrees) || Math.abs(degrees) > 36_000) {
             throw new ParameterException("turn", "turn " + degrees + ": not an angle of at most 36000 deg");
         }

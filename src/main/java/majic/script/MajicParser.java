@@ -1,17 +1,29 @@
 package majic.script;
 
-import java.util.ArrayList;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
+import majic.bot.BotException;
 
 /**
  * Takes lines of MAJIC Script, checks them and hands them to the robots they are for. Each place where lines come from
  * has its own. Thread-safe.
  */
 public final class MajicParser {
+    static final int LONGEST_LINE = 4000;
+    static final String TOO_LONG = "the line is longer than " + LONGEST_LINE + " characters";
+
+    private static final Pattern STOP = Pattern.compile("(?iu)\\bstop\\b");
+    private static final int MOST_REMEMBERED = 10_000;
+
     private final Session session;
-    private final boolean interactive;
-    private final List<String> commands = new ArrayList<>();
+    private final Source source;
+    private final Dispatcher dispatcher;
+    private final Deque<String> commands = new ArrayDeque<>();
+    private int total;
+    private final TypedBlock block = new TypedBlock();
 
     /**
      * A parser with nothing to do yet.
@@ -21,35 +33,144 @@ public final class MajicParser {
      *     {@code wait} never holds a {@code stop}; false for a pipe, where every line takes its turn
      */
     public MajicParser(Session session, boolean interactive) {
+        this(session, interactive ? Source.PROMPT : Source.PIPE);
+    }
+
+    private MajicParser(Session session, Source source) {
         this.session = session;
-        this.interactive = interactive;
+        this.source = source;
+        this.dispatcher = new Dispatcher(session, source);
+    }
+
+    /**
+     * A parser for a program at the other end of a socket: every line takes its turn as in a pipe, but a {@code stop}
+     * is done at once.
+     *
+     * @param session what the lines act on, and where answers are told
+     * @return a new parser
+     */
+    public static MajicParser remote(Session session) {
+        return new MajicParser(session, Source.SOCKET);
     }
 
     /**
      * Takes one line, checks it, and gives the orders in it or queues it behind a {@code wait}. Returns at once. Lines
      * of an open block are kept until its {@code end}. The session's listeners hear the line, then what becomes of it;
-     * they hear of a refusal as well, so whoever calls need not show it again.
+     * they hear of a refusal as well, so whoever calls need not show it again. A line with the word {@code stop} that
+     * cannot be understood is taken as STOP.
      *
-     * @param text the line
+     * @param text the line; if there are several, all up to the first wrong one are taken
      * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence
      */
     public Optional<String> parseText(String text) {
-        session.say(Line.Kind.COMMAND, text);
-        synchronized (commands) {
-            commands.add(text);
+        for (String line : text.split("\\R")) {
+            Optional<String> wrong = line.isBlank() ? Optional.empty() : parseLine(line);
+            if (wrong.isPresent()) {
+                return wrong;
+            }
         }
         return Optional.empty();
+    }
+
+    private synchronized Optional<String> parseLine(String line) {
+        session.say(Line.Kind.COMMAND, line);
+        try {
+            take(line);
+            remember(line);
+            return Optional.empty();
+        } catch (ScriptException | BotException | ExecutionEnded e) {
+            return Optional.of(refuse(line, String.valueOf(e.getMessage())));
+        }
+    }
+
+    private String refuse(String line, String why) {
+        dispatcher.tally().fail(line);
+        String message = why;
+        if (STOP.matcher(line).find()) {
+            message = "taken as STOP: " + why;
+            block.take();
+            session.team().stopAll();
+        }
+        session.say(Line.Kind.ERROR, message);
+        return message;
+    }
+
+    private void take(String line) {
+        if (line.length() > LONGEST_LINE) {
+            throw new BotException(TOO_LONG);
+        }
+        Parser parser = parser(line);
+        Piece piece = parser.piece();
+        refuseMistakes(parser.mistakes());
+        if (piece instanceof Piece.Plain plain) {
+            check(plain.statement());
+            takePlain(plain, line);
+        } else if (!(piece instanceof Piece.Nothing)) {
+            takeBlockLine(piece, line);
+        }
+    }
+
+    private void takePlain(Piece.Plain plain, String line) {
+        if (block.isOpen() && !isUrgent(line)) {
+            block.add(plain, line);
+            return;
+        }
+        block.take();
+        dispatcher.give(plain.statement(), line);
+    }
+
+    /** Alone on a line at a prompt these two cannot wait for the end of a block; "all stop" is for use in one. */
+    private boolean isUrgent(String line) {
+        String word = line.strip();
+        return source == Source.PROMPT && (word.equalsIgnoreCase("stop") || word.equalsIgnoreCase("quit"));
+    }
+
+    private void takeBlockLine(Piece piece, String line) {
+        if (piece instanceof Piece.Open open) {
+            check(open.head());
+        }
+        block.add(piece, line);
+        if (!block.isOpen()) {
+            String text = block.take();
+            Parser whole = parser(text);
+            List<Statement> script = whole.script();
+            refuseMistakes(whole.mistakes());
+            script.forEach(this::check);
+            script.forEach(statement -> dispatcher.give(statement, text));
+        }
+    }
+
+    private Parser parser(String text) {
+        return new Parser(Scanner.scan(text), ScriptRun.words(session));
+    }
+
+    private void check(Statement statement) {
+        if (!dispatcher.teamMayChange()) {
+            refuseMistakes(Checker.check(List.of(statement), session, dispatcher.selection()));
+        }
+    }
+
+    private static void refuseMistakes(List<Mistake> mistakes) {
+        if (!mistakes.isEmpty()) {
+            throw new BotException(mistakes.get(0).message());
+        }
+    }
+
+    private void remember(String line) {
+        total++;
+        commands.add(line);
+        if (commands.size() > MOST_REMEMBERED) {
+            commands.remove();
+        }
     }
 
     /**
      * The lines that were accepted, as they were given: the thesis's {@code cmdList}.
      *
-     * @return a snapshot, oldest first
+     * @return a snapshot, oldest first; of very many lines only the last ten thousand
      */
-    public List<String> commands() {
-        synchronized (commands) {
-            return List.copyOf(commands);
-        }
+    public synchronized List<String> commands() {
+        return List.copyOf(commands);
     }
 
     /**
@@ -57,8 +178,8 @@ public final class MajicParser {
      *
      * @return the count
      */
-    public int totalCommands() {
-        return commands().size();
+    public synchronized int totalCommands() {
+        return total;
     }
 
     /**
@@ -66,27 +187,44 @@ public final class MajicParser {
      *
      * @return true after a line such as {@code repeat 4}
      */
-    public boolean isBlockOpen() {
-        return false;
+    public synchronized boolean isBlockOpen() {
+        return block.isOpen();
     }
 
     /**
-     * At the end of a pipe: waits until all lines and all they began have ended.
+     * Waits until few lines wait for their turn. Whoever reads a long pipe calls it before each line, so that the pipe
+     * waits and not the memory fills.
+     *
+     * @throws InterruptedException if the thread is interrupted meanwhile
+     */
+    public void awaitRoom() throws InterruptedException {
+        dispatcher.awaitRoom();
+    }
+
+    /**
+     * At the end of a pipe: waits until all lines and all they began have ended, and everybody has heard of it.
      *
      * @return as {@link #allSucceeded()}
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
     public boolean awaitAll() throws InterruptedException {
+        synchronized (this) {
+            if (block.isOpen()) {
+                refuse(block.take(), "the \"end\" of the last block is missing; nothing of it was run");
+            }
+        }
+        dispatcher.awaitAll();
+        session.flush();
         return allSucceeded();
     }
 
     /**
      * Whether every line so far did what it was told.
      *
-     * @return false once a line was refused, or something it ordered failed or was stopped
+     * @return false once a line was refused, or something it ordered failed or was stopped by anybody else
      */
     public boolean allSucceeded() {
-        return true;
+        return dispatcher.tally().trouble().isEmpty();
     }
 
     /**
@@ -97,6 +235,6 @@ public final class MajicParser {
      * @return whole words, sorted, each to replace the one before the caret
      */
     public List<String> complete(String text, int caret) {
-        return List.of();
+        return new Completion(session, dispatcher.selection()).complete(text.substring(0, caret));
     }
 }

@@ -5,11 +5,16 @@ import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import majic.bot.Answer;
 import majic.bot.BotFactory;
 import majic.bot.Member;
 import majic.bot.Team;
 import majic.bot.TeamListener;
+import majic.log.ParameterLog;
+import majic.log.Sampling;
 import majic.log.SessionLog;
 
 /**
@@ -20,12 +25,19 @@ import majic.log.SessionLog;
 public final class Session {
     private static final Logger LOG = System.getLogger(Session.class.getName());
 
+    private static final long FLUSH_BOUND_MS = 1000;
+
     private final Team team;
     private final BotFactory factory;
     private final SessionLog log;
     private final Runnable quit;
-    private final List<SessionListener> listeners = new CopyOnWriteArrayList<>();
+    private final List<Listening> listeners = new CopyOnWriteArrayList<>();
     private final Object saying = new Object();
+    private final AtomicLong stops = new AtomicLong();
+    private final Comings comings;
+    private final SessionRecord sessionRecord;
+    private final ParameterLog parameterLog = new ParameterLog();
+    private final Sampling sampling;
 
     /**
      * A session with nobody listening yet.
@@ -40,6 +52,9 @@ public final class Session {
         this.factory = factory;
         this.log = log;
         this.quit = quit;
+        this.comings = new Comings(this);
+        this.sessionRecord = new SessionRecord(team);
+        this.sampling = new Sampling(parameterLog, team.time(), notice -> say(Line.Kind.NOTICE, notice));
         team.addListener(new TeamRelay());
     }
 
@@ -71,29 +86,46 @@ public final class Session {
     }
 
     /**
-     * Begins to tell somebody what is said.
+     * Begins to tell somebody what is said, on a thread of its own.
      *
      * @param listener who
      */
     public void addListener(SessionListener listener) {
-        listeners.add(listener);
+        listeners.add(new Listening(listener).start());
     }
 
     /**
-     * Ends telling somebody.
+     * Ends telling somebody, once all that was said so far has been told.
      *
      * @param listener who was added
      */
     public void removeListener(SessionListener listener) {
-        listeners.remove(listener);
+        for (Listening listening : listeners) {
+            if (listening.isTo(listener) && listeners.remove(listening)) {
+                listening.end();
+            }
+        }
     }
 
-    /** Tells everybody; when this returns, everybody has heard it. One lock keeps the order the same for all. */
+    /** Waits until everybody has heard what was said so far, for one second at most. */
+    public void flush() {
+        CountDownLatch deaf = new CountDownLatch(listeners.size());
+        listeners.forEach(listening -> listening.afterwards(deaf::countDown));
+        try {
+            if (!deaf.await(FLUSH_BOUND_MS, TimeUnit.MILLISECONDS)) {
+                LOG.log(Level.DEBUG, "a listener of the session does not listen");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Says something to everybody; never waits. One lock keeps the order the same for all. */
     void say(Line.Kind kind, String text) {
         Line line = new Line(kind, text);
         synchronized (saying) {
             log.write(kind.name().toLowerCase(Locale.ROOT), text);
-            listeners.forEach(listener -> tell(listener, line));
+            listeners.forEach(listening -> listening.tell(line));
         }
     }
 
@@ -101,12 +133,27 @@ public final class Session {
         quit.run();
     }
 
-    private static void tell(SessionListener listener, Line line) {
-        try {
-            listener.line(line);
-        } catch (RuntimeException e) {
-            LOG.log(Level.WARNING, "a listener of the session failed", e);
-        }
+    /** How often STOP was pressed; who waits compares it with what it was. */
+    long stops() {
+        return stops.get();
+    }
+
+    /** Where robots come from and go to. */
+    Comings comings() {
+        return comings;
+    }
+
+    /** What was done so far, to be replayed. */
+    SessionRecord record() {
+        return sessionRecord;
+    }
+
+    ParameterLog parameterLog() {
+        return parameterLog;
+    }
+
+    Sampling sampling() {
+        return sampling;
     }
 
     /** Puts what the team says into words for the session. */
@@ -128,6 +175,10 @@ public final class Session {
 
         @Override
         public void latchChanged(boolean latched) {
+            if (latched) {
+                stops.incrementAndGet();
+                team.changes().raise();
+            }
             say(
                     Line.Kind.NOTICE,
                     latched

@@ -4,8 +4,8 @@ package majic.script;
 @FunctionalInterface
 public interface SessionListener {
     /**
-     * Something was said. Called on any thread, one line at a time and in the order things happened; be quick, since
-     * robots wait meanwhile.
+     * Something was said. Called on a thread that this listener alone has, one line at a time and in the order things
+     * happened; it may take its time.
      *
      * @param line what was said
      */

@@ -1,0 +1,97 @@
+package majic.log;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import majic.bot.Value;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The parameter log: readings with their time, to be saved as comma-separated values. A few thousand are kept in
+ * memory, the rest in a temporary file that goes with the program. Thread-safe.
+ */
+public final class ParameterLog {
+    private static final Logger LOG = System.getLogger(ParameterLog.class.getName());
+    private static final String HEADER = "time_s,robot,parameter,value,unit";
+    private static final int MOST_IN_MEMORY = 4096;
+
+    private final List<String> rows = new ArrayList<>();
+    private @Nullable Path spilled;
+    private long lost;
+
+    /**
+     * Adds a reading.
+     *
+     * @param seconds when, on the clock of the session
+     * @param robot the robot's number
+     * @param parameter its name
+     * @param value what was read
+     */
+    public synchronized void add(double seconds, int robot, String parameter, Value value) {
+        rows.add(String.format(Locale.ROOT, "%.3f,%d,%s,%s", seconds, robot, quoted(parameter), columns(value)));
+        if (rows.size() >= MOST_IN_MEMORY) {
+            spill();
+        }
+    }
+
+    /**
+     * Writes all readings so far into a file, replacing what it held.
+     *
+     * @param file where to
+     * @throws IOException if it cannot be written; the readings are kept
+     */
+    public synchronized void save(Path file) throws IOException {
+        if (spilled == null) {
+            Files.writeString(file, HEADER + System.lineSeparator());
+        } else {
+            Files.copy(spilled, file, StandardCopyOption.REPLACE_EXISTING);
+        }
+        Files.write(file, rows, StandardOpenOption.APPEND);
+        if (lost > 0) {
+            throw new IOException(lost + " readings are missing, there was no room for them");
+        }
+    }
+
+    private void spill() {
+        try {
+            Path file = spilled == null ? newFile() : spilled;
+            spilled = file;
+            try (BufferedWriter out = Files.newBufferedWriter(file, StandardOpenOption.APPEND)) {
+                for (String row : rows) {
+                    out.write(row);
+                    out.newLine();
+                }
+            }
+        } catch (IOException e) {
+            lost += rows.size();
+            LOG.log(Level.WARNING, "no room for the parameter log", e);
+        }
+        rows.clear();
+    }
+
+    private static Path newFile() throws IOException {
+        Path file = Files.createTempFile("majic-parameters-", ".csv");
+        file.toFile().deleteOnExit();
+        Files.writeString(file, HEADER + System.lineSeparator());
+        return file;
+    }
+
+    private static String columns(Value value) {
+        if (value instanceof Value.Number number) {
+            return number.amount() + "," + number.unit().symbol();
+        }
+        return value instanceof Value.Unknown ? "unknown," : quoted(value.toString()) + ",";
+    }
+
+    private static String quoted(String text) {
+        return text.matches("[^,\"\\r\\n]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
+    }
+}

@@ -1,0 +1,111 @@
+package majic.log;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.Member;
+import majic.bot.Signal;
+import majic.bot.TimeSource;
+
+/** Takes readings of robots at a steady pace, into the parameter log. Thread-safe. */
+public final class Sampling {
+    private final ParameterLog log;
+    private final TimeSource time;
+    private final Consumer<String> notices;
+    private final long startNanos;
+    private final Signal changes;
+    private final Map<Member, Set<Series>> running = new ConcurrentHashMap<>();
+
+    /** Some parameters of one robot. Compared by identity: the same may be logged twice. */
+    private static final class Series {
+        private final List<String> parameters;
+        private final double seconds;
+
+        Series(List<String> parameters, double seconds) {
+            this.parameters = parameters;
+            this.seconds = seconds;
+        }
+    }
+
+    /**
+     * With nothing to sample yet.
+     *
+     * @param log where readings go
+     * @param time the clock to go by; readings are timed from now on
+     * @param notices told when a robot can no longer be read; called on any thread
+     */
+    public Sampling(ParameterLog log, TimeSource time, Consumer<String> notices) {
+        this.log = log;
+        this.time = time;
+        this.notices = notices;
+        this.startNanos = time.nanos();
+        this.changes = time.signal();
+    }
+
+    /**
+     * Begins to log some parameters of a robot, beside what is logged of it already. Returns at once.
+     *
+     * @param member which robot
+     * @param parameters their names
+     * @param seconds time from one reading to the next, more than zero
+     */
+    public void start(Member member, List<String> parameters, double seconds) {
+        Series series = new Series(List.copyOf(parameters), seconds);
+        running.computeIfAbsent(member, key -> ConcurrentHashMap.newKeySet()).add(series);
+        time.thread("parameter log of robot " + member.number(), () -> run(member, series))
+                .start();
+    }
+
+    /**
+     * Ends all logging of a robot.
+     *
+     * @param member which robot
+     */
+    public void stop(Member member) {
+        running.remove(member);
+        changes.raise();
+    }
+
+    private void run(Member member, Series series) {
+        try {
+            long dueNanos = time.nanos();
+            while (isWanted(member, series)) {
+                read(member, series);
+                dueNanos = Math.max(dueNanos + (long) (series.seconds * 1e9), time.nanos());
+                changes.await(() -> !isWanted(member, series), (dueNanos - time.nanos()) / 1e9);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (BotException e) {
+            forget(member, series);
+            notices.accept(member.number() + ": no longer logged: " + e.getMessage());
+        }
+    }
+
+    private boolean isWanted(Member member, Series series) {
+        return running.getOrDefault(member, Set.of()).contains(series);
+    }
+
+    private void forget(Member member, Series series) {
+        Set<Series> all = running.get(member);
+        if (all != null) {
+            all.remove(series);
+        }
+    }
+
+    private void read(Member member, Series series) {
+        if (!member.bot().isConnected()) {
+            throw new BotException("connection lost");
+        }
+        for (String parameter : series.parameters) {
+            log.add(
+                    time.secondsSince(startNanos),
+                    member.number(),
+                    parameter,
+                    member.bot().get(parameter));
+        }
+    }
+}

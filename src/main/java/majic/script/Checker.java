@@ -1,0 +1,104 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import majic.bot.BotException;
+import majic.bot.Member;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Looks through a script for what cannot work with the robots that are there, before anything of it runs. Behind an
+ * {@code add} or {@code run} robots may be others by then, so what is wrong only for want of a robot is left for later.
+ */
+final class Checker implements Statement.Visitor<@Nullable Void> {
+    private final Session session;
+    private final Selection selection;
+    private final List<Mistake> mistakes = new ArrayList<>();
+    private boolean teamMayChange;
+
+    private Checker(Session session, Selection selection) {
+        this.session = session;
+        this.selection = selection;
+    }
+
+    /** Everything wrong in a script, in its order. */
+    static List<Mistake> check(List<Statement> script, Session session, Selection selection) {
+        Checker checker = new Checker(session, selection);
+        script.forEach(checker::attempt);
+        return checker.mistakes;
+    }
+
+    /** What is wrong with one command, if anything. */
+    static Optional<Mistake> check(Statement statement, Session session, Selection selection) {
+        return check(List.of(statement), session, selection).stream().findFirst();
+    }
+
+    private void attempt(Statement statement) {
+        try {
+            statement.accept(this);
+        } catch (ScriptException e) {
+            mistakes.add(e.mistake());
+        } catch (BotException e) {
+            mistakes.add(new ScriptException(statement.at(), String.valueOf(e.getMessage())).mistake());
+        }
+    }
+
+    @Override
+    public @Nullable Void repeat(Statement.Repeat repeat) {
+        repeat.body().forEach(this::attempt);
+        return null;
+    }
+
+    @Override
+    public @Nullable Void whileLoop(Statement.While loop) {
+        head(loop.condition());
+        loop.body().forEach(this::attempt);
+        return null;
+    }
+
+    @Override
+    public @Nullable Void choice(Statement.If choice) {
+        head(choice.condition());
+        choice.body().forEach(this::attempt);
+        choice.otherwise().forEach(this::attempt);
+        return null;
+    }
+
+    private void head(Condition condition) {
+        try {
+            if (!teamMayChange) {
+                Comparing.check(condition, selection, null);
+            }
+        } catch (ScriptException e) {
+            mistakes.add(e.mistake());
+        }
+    }
+
+    @Override
+    public @Nullable Void forRobots(Statement.ForRobots line) {
+        if (!teamMayChange) {
+            for (Member member : selection.members(line.robots())) {
+                line.command().accept(new CommandCheck(selection, member));
+            }
+        }
+        return null;
+    }
+
+    @Override
+    public @Nullable Void forSession(Statement.ForSession line) {
+        SessionCommand command = line.command();
+        if (!teamMayChange) {
+            command.accept(new SessionCheck(session, selection));
+        }
+        teamMayChange |= changesTeam(command);
+        return null;
+    }
+
+    /** Whether other robots may be there once this has been done. */
+    static boolean changesTeam(SessionCommand command) {
+        return command instanceof SessionCommand.Add
+                || command instanceof SessionCommand.Remove
+                || command instanceof SessionCommand.Run;
+    }
+}

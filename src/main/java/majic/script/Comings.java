@@ -1,0 +1,71 @@
+package majic.script;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.ConcurrentHashMap;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.Member;
+
+/** Robots join and leave the team here. Both block for as long as the robot takes. Thread-safe. */
+final class Comings {
+    private final Session session;
+    private final Map<Integer, String> addresses = new ConcurrentHashMap<>();
+
+    Comings(Session session) {
+        this.session = session;
+    }
+
+    /**
+     * Connects to a robot and takes it in; says so.
+     *
+     * @throws BotException if it cannot be reached or taken in; nothing is left open
+     */
+    Member add(String address, OptionalInt number) {
+        session.team().checkRoom(number);
+        MajicBot bot = session.factory().create(address);
+        connect(bot, address);
+        Member member = join(bot, number);
+        addresses.put(member.number(), address);
+        session.say(Line.Kind.ANSWER, member.number() + ": " + bot.type().label() + " at " + address + " connected");
+        session.record().added(address, member.number());
+        return member;
+    }
+
+    private static void connect(MajicBot bot, String address) {
+        try {
+            bot.connect();
+        } catch (BotException e) {
+            bot.close();
+            throw new BotException(address + ": " + withAdvice(e, bot), e);
+        }
+    }
+
+    private static String withAdvice(BotException problem, MajicBot bot) {
+        String message = String.valueOf(problem.getMessage());
+        String sentence = message.endsWith(".") ? message : message + ".";
+        return sentence + " " + bot.type().advice();
+    }
+
+    private Member join(MajicBot bot, OptionalInt number) {
+        try {
+            return session.team().add(bot, number);
+        } catch (BotException e) {
+            bot.close();
+            throw e;
+        }
+    }
+
+    /** Stops a robot, closes it and lets it go; the session says so. */
+    void remove(Member member) {
+        session.team().remove(member.number());
+        addresses.remove(member.number());
+        session.record().removed(member.number());
+    }
+
+    /** Where a robot was found. */
+    Optional<String> address(Member member) {
+        return Optional.ofNullable(addresses.get(member.number()));
+    }
+}

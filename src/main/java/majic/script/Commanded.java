@@ -1,0 +1,65 @@
+package majic.script;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import majic.bot.Member;
+import org.jspecify.annotations.Nullable;
+
+/** Finds the robots that a script gives orders to, as far as they are there; those it only reads do not count. */
+final class Commanded implements Statement.Visitor<@Nullable Void> {
+    private final Selection selection;
+    private final Set<Member> found = new LinkedHashSet<>();
+
+    private Commanded(Selection selection) {
+        this.selection = selection;
+    }
+
+    static Set<Member> in(List<Statement> script, Selection selection) {
+        Commanded commanded = new Commanded(selection);
+        script.forEach(statement -> statement.accept(commanded));
+        return commanded.found;
+    }
+
+    /** Whether a command makes its robot do something. */
+    static boolean orders(Command command) {
+        return command instanceof Command.Move
+                || command instanceof Command.Turn
+                || command instanceof Command.Drive
+                || command instanceof Command.Set
+                || command instanceof Command.Act
+                || command instanceof Command.Own;
+    }
+
+    @Override
+    public @Nullable Void repeat(Statement.Repeat repeat) {
+        repeat.body().forEach(statement -> statement.accept(this));
+        return null;
+    }
+
+    @Override
+    public @Nullable Void whileLoop(Statement.While loop) {
+        loop.body().forEach(statement -> statement.accept(this));
+        return null;
+    }
+
+    @Override
+    public @Nullable Void choice(Statement.If choice) {
+        choice.body().forEach(statement -> statement.accept(this));
+        choice.otherwise().forEach(statement -> statement.accept(this));
+        return null;
+    }
+
+    @Override
+    public @Nullable Void forRobots(Statement.ForRobots line) {
+        if (orders(line.command())) {
+            found.addAll(selection.present(line.robots()));
+        }
+        return null;
+    }
+
+    @Override
+    public @Nullable Void forSession(Statement.ForSession line) {
+        return null;
+    }
+}

@@ -1,0 +1,184 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import java.util.TreeSet;
+import majic.bot.BotAddress;
+import majic.bot.BotCommand;
+import majic.bot.Member;
+import majic.bot.Parameter;
+
+/** Finds what could stand at the end of a line that is being typed. */
+final class Completion {
+    private static final List<String> CONDITION_WORDS = List.of("until", "while", "if", "and", "or", "not", "any");
+
+    private final Session session;
+    private final Selection selection;
+
+    Completion(Session session, Selection selection) {
+        this.session = session;
+        this.selection = selection;
+    }
+
+    /** Whole words that begin like the last one of the text, sorted. */
+    List<String> complete(String text) {
+        int start = text.length();
+        while (start > 0 && isPartOfWord(text.charAt(start - 1))) {
+            start--;
+        }
+        String begun = text.substring(start).toLowerCase(Locale.ROOT);
+        TreeSet<String> found = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+        found.addAll(candidates(Scanner.scan(text.substring(0, start))));
+        return found.stream()
+                .filter(word -> word.toLowerCase(Locale.ROOT).startsWith(begun))
+                .toList();
+    }
+
+    private static boolean isPartOfWord(char sign) {
+        return Character.isLetterOrDigit(sign) || sign == '_' || sign == ':' || sign == '/';
+    }
+
+    private Collection<String> candidates(List<Token> before) {
+        List<Token> tokens = before.stream().filter(token -> !token.isEnd()).toList();
+        if (tokens.isEmpty()) {
+            return firstWords();
+        }
+        Token first = tokens.get(0);
+        if (isSession(first)) {
+            return afterSession(tokens);
+        }
+        int command = commandAt(tokens);
+        List<Member> members = members(tokens.subList(0, command));
+        return command == tokens.size() ? commandWords(members) : afterCommand(tokens, command, members);
+    }
+
+    private static boolean isSession(Token first) {
+        String word = first.text().toLowerCase(Locale.ROOT);
+        return SessionParser.WORDS.contains(word) || Parser.BLOCK_WORDS.contains(word);
+    }
+
+    private Collection<String> firstWords() {
+        List<String> words = new ArrayList<>(SessionParser.WORDS);
+        words.addAll(Parser.BLOCK_WORDS);
+        words.addAll(robotWords());
+        return words;
+    }
+
+    private Collection<String> robotWords() {
+        List<String> words = new ArrayList<>(List.of("all"));
+        for (Member member : session.team().members()) {
+            words.add(String.valueOf(member.number()));
+            words.add(member.bot().type().name());
+        }
+        return words;
+    }
+
+    private Collection<String> afterSession(List<Token> tokens) {
+        Token last = tokens.get(tokens.size() - 1);
+        return switch (tokens.get(0).text().toLowerCase(Locale.ROOT)) {
+            case "add", "probe" -> tokens.size() == 1 ? addresses() : List.of("as");
+            case "save" -> tokens.size() == 1 ? List.of("log", "session") : List.of();
+            case "remove" -> robotWords();
+            case "help" -> tokens.size() == 1 ? Help.topics() : List.of();
+            case "while", "if" -> afterCondition(last, session.team().members());
+            default -> List.of();
+        };
+    }
+
+    private Collection<String> addresses() {
+        List<String> words = new ArrayList<>();
+        session.factory().types().forEach(type -> words.add(type.name() + ":"));
+        session.factory()
+                .lab()
+                .ifPresent(lab -> lab.robots().forEach(robot -> words.add(BotAddress.SIMULATED + ":" + robot)));
+        return words;
+    }
+
+    /** Where the robots of a line end: behind the last comma there is one more. */
+    private static int commandAt(List<Token> tokens) {
+        int index = 1;
+        while (index + 1 < tokens.size() && tokens.get(index).kind() == Token.Kind.COMMA) {
+            index += 2;
+        }
+        boolean call = index < tokens.size() && tokens.get(index).kind() == Token.Kind.DOT;
+        return call ? index + 1 : index;
+    }
+
+    private List<Member> members(List<Token> names) {
+        List<Token> tokens = new ArrayList<>(names);
+        Token last = tokens.get(tokens.size() - 1);
+        tokens.add(new Token(Token.Kind.END, "", last.line(), last.end(), last.end()));
+        try {
+            return selection.present(new RobotsParser(new Cursor(tokens)).robots());
+        } catch (ScriptException e) {
+            return List.of();
+        }
+    }
+
+    private static Collection<String> commandWords(List<Member> members) {
+        List<String> words = new ArrayList<>(CommandParser.WORDS);
+        members.forEach(member -> words.addAll(
+                member.bot().commands().stream().map(BotCommand::name).toList()));
+        return words;
+    }
+
+    private Collection<String> afterCommand(List<Token> tokens, int command, List<Member> members) {
+        Token last = tokens.get(tokens.size() - 1);
+        boolean named = tokens.size() == command + 1 || last.kind() == Token.Kind.COMMA || last.is("now");
+        return switch (tokens.get(command).text().toLowerCase(Locale.ROOT)) {
+            case "get", "help" -> named ? parameters(members, false) : List.of();
+            case "log" -> named ? with(parameters(members, false), "off") : List.of("every");
+            case "set" ->
+                tokens.size() == command + 1 ? parameters(members, true) : words(tokens.get(command + 1), members);
+            case "act" -> List.of("off");
+            case "move", "turn" ->
+                tokens.size() > command + 1 ? with(afterCondition(last, members), "until") : List.of();
+            case "drive" -> with(with(afterCondition(last, members), "until"), "for");
+            default -> List.of();
+        };
+    }
+
+    private Collection<String> afterCondition(Token last, List<Member> members) {
+        boolean begins = CONDITION_WORDS.stream().anyMatch(last::is) || last.kind() == Token.Kind.LEFT;
+        if (begins) {
+            return with(with(parameters(members, false), "any"), "not");
+        }
+        return last.kind() == Token.Kind.OPERATOR
+                ? with(with(with(parameters(members, false), "clear"), "yes"), "no")
+                : List.of("and", "or");
+    }
+
+    private static Collection<String> parameters(List<Member> members, boolean writable) {
+        return members.stream()
+                .flatMap(member -> member.bot().parameters().stream())
+                .filter(parameter -> writable ? parameter.writable() : parameter.readable())
+                .map(Parameter::name)
+                .toList();
+    }
+
+    private static Collection<String> words(Token name, List<Member> members) {
+        List<String> words = new ArrayList<>();
+        members.stream()
+                .flatMap(member -> member.bot().parameters().stream())
+                .filter(parameter -> name.is(parameter.name()))
+                .forEach(parameter -> words.addAll(words(parameter)));
+        return words;
+    }
+
+    private static List<String> words(Parameter parameter) {
+        return switch (parameter.kind()) {
+            case ON_OFF -> List.of("on", "off");
+            case YES_NO -> List.of("yes", "no");
+            case CHOICE -> parameter.choices();
+            case NUMBER, TEXT, LIST -> List.of();
+        };
+    }
+
+    private static Collection<String> with(Collection<String> words, String further) {
+        List<String> all = new ArrayList<>(words);
+        all.add(further);
+        return all;
+    }
+}

@@ -1,0 +1,73 @@
+package majic.script;
+
+import org.jspecify.annotations.Nullable;
+
+/** What {@code until}, {@code while} and {@code if} ask. {@code toString()} is how answers repeat it. */
+sealed interface Condition {
+    <R> R accept(Visitor<R> visitor);
+
+    /** One method for each kind of condition. */
+    interface Visitor<R> {
+        R or(Or or);
+
+        R and(And and);
+
+        R not(Not not);
+
+        R comparison(Comparison comparison);
+    }
+
+    record Or(Condition left, Condition right) implements Condition {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.or(this);
+        }
+
+        @Override
+        public String toString() {
+            return left + " or " + right;
+        }
+    }
+
+    record And(Condition left, Condition right) implements Condition {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.and(this);
+        }
+
+        @Override
+        public String toString() {
+            return bracketed(left) + " and " + bracketed(right);
+        }
+    }
+
+    record Not(Condition inner) implements Condition {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.not(this);
+        }
+
+        @Override
+        public String toString() {
+            return inner instanceof Comparison ? "not " + inner : "not (" + inner + ")";
+        }
+    }
+
+    /** A parameter held against a value; without robots it is the parameter of the command's robot. */
+    record Comparison(@Nullable Robots robots, Token parameter, Operator operator, Literal value) implements Condition {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.comparison(this);
+        }
+
+        @Override
+        public String toString() {
+            String what = parameter.text() + " " + operator + " " + value.text();
+            return robots == null ? what : Wording.of(robots) + " " + what;
+        }
+    }
+
+    private static String bracketed(Condition part) {
+        return part instanceof Or ? "(" + part + ")" : part.toString();
+    }
+}

@@ -1,0 +1,95 @@
+package majic.script;
+
+import java.util.List;
+import majic.bot.Value;
+import majic.script.Token.Kind;
+import org.jspecify.annotations.Nullable;
+
+/** The rules for conditions. */
+final class ConditionParser {
+    /** Deeper than anybody thinks, and far from the end of the stack. */
+    private static final int DEEPEST = 100;
+
+    private final Cursor at;
+    private final RobotsParser robots;
+    private int depth;
+
+    ConditionParser(Cursor at) {
+        this.at = at;
+        this.robots = new RobotsParser(at);
+    }
+
+    /** {@code condition = conjunction { "or" conjunction } ;} */
+    Condition condition() {
+        Condition left = conjunction();
+        while (at.match("or")) {
+            left = new Condition.Or(left, conjunction());
+        }
+        return left;
+    }
+
+    /** {@code conjunction = negation { "and" negation } ;} */
+    private Condition conjunction() {
+        Condition left = negation();
+        while (at.match("and")) {
+            left = new Condition.And(left, negation());
+        }
+        return left;
+    }
+
+    /** {@code negation = "not" negation | "(" condition ")" | comparison ;} */
+    private Condition negation() {
+        if (!at.check("not") && !at.check(Kind.LEFT)) {
+            return comparison();
+        }
+        if (++depth > DEEPEST) {
+            throw new ScriptException(at.peek(), "the condition is nested too deeply");
+        }
+        Condition inner = at.match("not") ? new Condition.Not(negation()) : brackets();
+        depth--;
+        return inner;
+    }
+
+    private Condition brackets() {
+        at.advance();
+        Condition inner = condition();
+        at.consume(Kind.RIGHT, "\")\"");
+        return inner;
+    }
+
+    /** {@code comparison = [ "any" | robots ] PARAMETER operator literal ;} */
+    private Condition comparison() {
+        Robots who = whose();
+        Token parameter = at.consume(Kind.WORD, "a parameter");
+        Operator operator = operator();
+        return new Condition.Comparison(who, parameter, operator, literal());
+    }
+
+    private @Nullable Robots whose() {
+        if (at.check("any")) {
+            Token any = at.advance();
+            return new Robots(any, List.of(new Robots.Any(any)));
+        }
+        boolean parameterFirst = at.check(Kind.WORD)
+                && at.peekSecond().kind() != Kind.WORD
+                && at.peekSecond().kind() != Kind.COMMA;
+        return parameterFirst || at.peek().isEnd() ? null : robots.robots();
+    }
+
+    /** {@code operator = "<" | "<=" | ">" | ">=" | "==" | "!=" ;} */
+    private Operator operator() {
+        Token token = at.consume(Kind.OPERATOR, "one of < <= > >= == !=");
+        return Operator.of(token.text()).orElseThrow(() -> new ScriptException(token, "=: write == to compare"));
+    }
+
+    /** {@code literal = NUMBER | WORD | QUOTED ;} */
+    private Literal literal() {
+        if (!at.check(Kind.NUMBER) && !at.check(Kind.WORD) && !at.check(Kind.QUOTED)) {
+            throw at.unexpected("a value");
+        }
+        Token token = at.advance();
+        return token.kind() == Kind.NUMBER
+                ? Quantity.readAny(token)
+                : new Literal(token, Value.text(token.text()), token.written());
+    }
+}

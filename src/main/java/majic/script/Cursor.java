@@ -1,0 +1,149 @@
+package majic.script;
+
+import java.util.List;
+import majic.bot.Value;
+import majic.script.Token.Kind;
+
+/** A place in a list of tokens that moves forward: the four helpers that every grammar rule is written with. */
+final class Cursor {
+    private final List<Token> tokens;
+    private int next;
+
+    /** The last token is an END. */
+    Cursor(List<Token> tokens) {
+        this.tokens = tokens;
+    }
+
+    Token peek() {
+        return tokens.get(next);
+    }
+
+    Token peekSecond() {
+        return tokens.get(Math.min(next + 1, tokens.size() - 1));
+    }
+
+    Token previous() {
+        return tokens.get(Math.max(0, next - 1));
+    }
+
+    Token advance() {
+        Token token = peek();
+        if (token.kind() != Kind.END) {
+            next++;
+        }
+        return token;
+    }
+
+    boolean check(Kind kind) {
+        return peek().kind() == kind;
+    }
+
+    boolean check(String word) {
+        return peek().is(word);
+    }
+
+    boolean match(Kind kind) {
+        boolean matches = check(kind);
+        if (matches) {
+            advance();
+        }
+        return matches;
+    }
+
+    boolean match(String word) {
+        boolean matches = check(word);
+        if (matches) {
+            advance();
+        }
+        return matches;
+    }
+
+    /** Takes a token of a kind, or complains that something else was expected, as in "a distance". */
+    Token consume(Kind kind, String expected) {
+        if (!check(kind)) {
+            throw unexpected(expected);
+        }
+        return advance();
+    }
+
+    /** A number of some quantity. */
+    Literal number(Quantity quantity) {
+        return quantity.read(consume(Kind.NUMBER, quantity.what() + " (" + quantity.symbols() + ")"));
+    }
+
+    /** A whole number without unit. */
+    int count(String expected) {
+        Token token = consume(Kind.NUMBER, expected);
+        try {
+            return Integer.parseInt(token.text());
+        } catch (NumberFormatException e) {
+            throw new ScriptException(token, token.text() + ": " + expected + " is expected here");
+        }
+    }
+
+    /** A number, a word, a quoted text, or all that stands together without a blank, as addresses and files do. */
+    Literal value(String expected, boolean inCall) {
+        if (peek().isEnd() || check(Kind.OPEN_QUOTE) || endsValue(peek(), inCall)) {
+            throw unexpected(expected);
+        }
+        Token first = advance();
+        StringBuilder all = new StringBuilder(first.written());
+        boolean alone = true;
+        while (previous().touches(peek()) && !endsValue(peek(), inCall) && !check(Kind.OPEN_QUOTE)) {
+            all.append(advance().written());
+            alone = false;
+        }
+        if (alone && first.kind() == Kind.NUMBER) {
+            return Quantity.readAny(first);
+        }
+        String text = alone ? first.text() : all.toString();
+        return new Literal(first, Value.text(text), all.toString());
+    }
+
+    private static boolean endsValue(Token token, boolean inCall) {
+        return inCall && (token.kind() == Kind.COMMA || token.kind() == Kind.RIGHT);
+    }
+
+    void endOfLine() {
+        if (check(Kind.OPEN_QUOTE)) {
+            throw unexpected("nothing");
+        }
+        if (!peek().isEnd()) {
+            throw new ScriptException(
+                    peek(), peek().written() + ": nothing more is expected behind \"" + lineSoFar() + "\"");
+        }
+    }
+
+    /** What was written of this line so far. */
+    private String lineSoFar() {
+        int start = next;
+        while (start > 0 && !tokens.get(start - 1).isEnd()) {
+            start--;
+        }
+        StringBuilder text = new StringBuilder();
+        for (int index = start; index < next; index++) {
+            boolean apart = index > start && !tokens.get(index - 1).touches(tokens.get(index));
+            text.append(apart ? " " : "").append(tokens.get(index).written());
+        }
+        return text.toString();
+    }
+
+    void toNextLine() {
+        while (!peek().isEnd()) {
+            advance();
+        }
+    }
+
+    ScriptException unexpected(String expected) {
+        Token found = peek();
+        if (found.kind() == Kind.OPEN_QUOTE) {
+            return new ScriptException(found, found.text() + ": the quote is not closed");
+        }
+        if (!found.isEnd()) {
+            return new ScriptException(found, found.written() + ": " + expected + " is expected here");
+        }
+        String where =
+                next == 0 || previous().isEnd() ? "" : "behind \"" + previous().written() + "\" ";
+        return new ScriptException(found, where + expected + " is missing");
+    }
+}

@@ -1,0 +1,166 @@
+package majic.script;
+
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicInteger;
+import majic.bot.BotException;
+import majic.bot.Member;
+import majic.bot.Signal;
+import majic.bot.Team;
+
+/**
+ * Gets checked lines carried out: at once on the caller's thread, beside it, or in their turn behind others. Thread-safe.
+ */
+final class Dispatcher {
+    /** How many lines of a person may wait behind a {@code wait}. */
+    static final int MOST_HELD = 100;
+
+    private final Session session;
+    private final Team team;
+    private final Source source;
+    private final Selection selection;
+    private final Tally tally = new Tally();
+    private final LineQueue queue;
+    private final AtomicInteger beside = new AtomicInteger();
+    private long ownStops;
+
+    Dispatcher(Session session, Source source) {
+        this.session = session;
+        this.team = session.team();
+        this.source = source;
+        this.selection = new Selection(team, OptionalInt.empty());
+        this.queue = new LineQueue(team, this::inTurn);
+    }
+
+    Selection selection() {
+        return selection;
+    }
+
+    /** What all lines came to so far. */
+    Tally tally() {
+        return tally;
+    }
+
+    boolean teamMayChange() {
+        return queue.teamMayChange();
+    }
+
+    /** Waits until a line would not have to wait behind many others. */
+    void awaitRoom() throws InterruptedException {
+        team.changes().await(() -> queue.size() < MOST_HELD, Signal.FOR_EVER);
+    }
+
+    /** Waits until all lines have ended, with all that they began. */
+    void awaitAll() throws InterruptedException {
+        team.changes().await(() -> queue.isEmpty() && beside.get() == 0 && tally.allEnded(), Signal.FOR_EVER);
+    }
+
+    /**
+     * Takes a line.
+     *
+     * @throws BotException if it cannot be done now; nothing happened
+     * @throws ScriptException if it cannot be done with the robots there are; nothing happened
+     */
+    void give(Statement statement, String text) {
+        Given line = new Given(statement, text, stops());
+        if (goesNow(line)) {
+            perform(line);
+        } else if (goesBeside(line) && queue.isEmpty()) {
+            begin(line);
+        } else if (source == Source.PROMPT && queue.size() >= MOST_HELD) {
+            throw new BotException("too many lines wait already (" + MOST_HELD + "); \"stop\" ends the wait");
+        } else {
+            queue.add(line);
+        }
+    }
+
+    private boolean goesNow(Given line) {
+        boolean free = queue.isEmpty() && line.isQuick();
+        return switch (source) {
+            case PROMPT -> free || line.overtakes();
+            case PIPE -> free && hasRoom(line);
+            case SOCKET -> line.isStop() || (free && hasRoom(line));
+        };
+    }
+
+    /** For a person everything that takes its time runs beside what is typed next, but a wait, which holds it. */
+    private boolean goesBeside(Given line) {
+        return source == Source.PROMPT && !line.isWait() && !line.isQuick();
+    }
+
+    private boolean hasRoom(Given line) {
+        return !(line.statement() instanceof Statement.ForRobots robots)
+                || selection.present(robots.robots()).stream().allMatch(Member::hasRoom);
+    }
+
+    private void begin(Given line) {
+        beside.incrementAndGet();
+        team.time()
+                .thread("script: " + line.title(), () -> {
+                    attempt(line);
+                    beside.decrementAndGet();
+                    team.changes().raise();
+                })
+                .start();
+    }
+
+    private void inTurn(Given line) {
+        if (line.mayMove() && line.stops() != stops()) {
+            tally.fail(line.title());
+            session.say(Line.Kind.ANSWER, line.title() + ": not run: stopped");
+        } else if (goesBeside(line)) {
+            begin(line);
+        } else {
+            attempt(line);
+        }
+    }
+
+    /** Carries a line out whose giver has gone; what goes wrong can only be said. */
+    private void attempt(Given line) {
+        try {
+            perform(line);
+        } catch (ExecutionEnded e) {
+            tally.fail(line.title());
+            session.say(Line.Kind.ANSWER, line.title() + ": " + e.ending());
+        } catch (ScriptException | BotException e) {
+            tally.fail(line.title());
+            session.say(Line.Kind.ERROR, line.title() + ": failed: " + e.getMessage());
+        }
+    }
+
+    private void perform(Given line) {
+        Execution execution = Execution.ofLine(
+                session, source == Source.PROMPT ? Execution.Manner.TYPED : Execution.Manner.IN_TURN, tally);
+        SessionRecord.Entry entry = session.record().prepare(line, selection, execution.isTyped());
+        if (line.isStopAll()) {
+            stopEverything(line, execution);
+        } else if (line.isBlock()) {
+            session.record().commit(entry);
+            runBlock(line, execution);
+            return;
+        } else {
+            new Interpreter(execution).run(List.of(line.statement()));
+        }
+        session.record().commit(entry);
+    }
+
+    private void runBlock(Given line, Execution execution) {
+        ScriptRun run = new ScriptRun(execution.asScript(line.title()), line.title(), "", source == Source.PROMPT);
+        if (!run.run(List.of(line.statement()))) {
+            tally.fail(line.title());
+        }
+    }
+
+    /** STOP drops the lines held behind this one, unless it is one of them itself and had its turn. */
+    private synchronized void stopEverything(Given line, Execution execution) {
+        boolean inTurn = queue.isEmpty() || queue.isCurrent(line);
+        execution.stopEverything();
+        if (inTurn) {
+            ownStops++;
+        }
+    }
+
+    private synchronized long stops() {
+        return session.stops() - ownStops;
+    }
+}

@@ -1,0 +1,270 @@
+package majic.script;
+
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import majic.bot.Answer;
+import majic.bot.Member;
+import majic.bot.MotionStopped;
+import majic.bot.Order;
+import majic.bot.Owner;
+import majic.bot.Pending;
+import majic.bot.Team;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One line or one script while it runs: what it ordered, whose robots it has, whether it may go on. Used by the thread
+ * that runs it; {@link #end()} comes from any.
+ */
+final class Execution {
+    private static final int MOST_FILES = 8;
+
+    private final Session session;
+    private final Team team;
+    private final Selection selection;
+    private final Manner manner;
+    private final Tally lines;
+    private final Tally own = new Tally();
+    private final @Nullable Owner owner;
+    private final Set<Member> used = new LinkedHashSet<>();
+    private final long stopsBefore;
+    private volatile boolean ended;
+    private long motions;
+    private int files;
+
+    /** How commands are given. */
+    enum Manner {
+        /** By a person: readings at once, nothing waits for room in a queue. */
+        TYPED,
+        /** One after the other, as in a pipe or a file. */
+        IN_TURN
+    }
+
+    private Execution(
+            Session session, Manner manner, Tally lines, @Nullable String script, OptionalInt me, long stopsBefore) {
+        this.session = session;
+        this.team = session.team();
+        this.selection = new Selection(team, me);
+        this.manner = manner;
+        this.lines = lines;
+        this.owner = script == null ? null : new Owner(Owner.Kind.SCRIPT, script, this::end);
+        this.stopsBefore = stopsBefore;
+    }
+
+    /** One line, which has no robot to itself and ends only by its own end. */
+    static Execution ofLine(Session session, Manner manner, Tally lines) {
+        return new Execution(session, manner, lines, null, OptionalInt.empty(), session.stops());
+    }
+
+    /** A script, which has every robot it commands to itself. */
+    static Execution ofScript(Session session, String name, Tally lines, OptionalInt me) {
+        return new Execution(session, Manner.IN_TURN, lines, name, me, session.stops());
+    }
+
+    /** A script that this line begins. */
+    Execution asScript(String name) {
+        return new Execution(session, Manner.IN_TURN, lines, name, OptionalInt.empty(), stopsBefore);
+    }
+
+    /** Counts the line as not succeeded. */
+    void fail(String what) {
+        lines.fail(what);
+    }
+
+    /** Runs a file within this script; its mistakes are told with its name. */
+    void nested(String file, Runnable body) {
+        if (files == MOST_FILES) {
+            throw new ExecutionEnded(Answer.Outcome.FAILED, file + ": files run each other too deeply");
+        }
+        files++;
+        try {
+            body.run();
+        } catch (ScriptException e) {
+            throw new ExecutionEnded(Answer.Outcome.FAILED, e.mistake().in(file));
+        } finally {
+            files--;
+        }
+    }
+
+    Session session() {
+        return session;
+    }
+
+    Selection selection() {
+        return selection;
+    }
+
+    boolean isTyped() {
+        return manner == Manner.TYPED;
+    }
+
+    boolean isScript() {
+        return owner != null;
+    }
+
+    /** How many orders that move a robot were given so far. */
+    long motions() {
+        return motions;
+    }
+
+    /** Ends a script at the next thing it does; returns at once. */
+    void end() {
+        ended = true;
+        team.changes().raise();
+    }
+
+    /** Takes robots into a script. */
+    void claim(Collection<Member> members) {
+        if (owner != null) {
+            for (Member member : members) {
+                member.claim(owner);
+                used.add(member);
+            }
+        }
+    }
+
+    /** Gives an order to each of some robots, or to none. */
+    void submit(List<Member> members, Function<Member, Order> orders) {
+        checkAlive();
+        claim(members);
+        read(members, orders);
+    }
+
+    /** As {@link #submit}, for orders that only read: a script needs no robot to itself for them. */
+    void read(List<Member> members, Function<Member, Order> orders) {
+        List<Order> ready = members.stream().map(orders).toList();
+        if (manner == Manner.IN_TURN) {
+            await(() -> members.stream().allMatch(Member::hasRoom), Double.POSITIVE_INFINITY);
+        }
+        for (int index = 0; index < ready.size(); index++) {
+            members.get(index).check(ready.get(index).moves(), owner);
+        }
+        for (int index = 0; index < ready.size(); index++) {
+            Order order = ready.get(index);
+            motions += order.moves() ? 1 : 0;
+            track(members.get(index), members.get(index).submit(whileAlive(order), owner));
+        }
+    }
+
+    /** Carries an order out beside the queue. */
+    void runNow(List<Member> members, Function<Member, Order> orders) {
+        for (Member member : members) {
+            track(member, member.runNow(orders.apply(member)));
+        }
+    }
+
+    private void track(Member member, Pending pending) {
+        lines.add(member, pending);
+        if (owner != null) {
+            own.add(member, pending);
+        }
+    }
+
+    /** When something of a script failed, what was queued elsewhere must not begin before the stop gets there. */
+    private Order whileAlive(Order order) {
+        if (owner == null) {
+            return order;
+        }
+        return new Order(order.text(), order.moves(), robot -> {
+            if (own.trouble().isPresent()) {
+                throw new MotionStopped("stopped");
+            }
+            return order.job().carryOut(robot);
+        });
+    }
+
+    void stop(List<Member> members) {
+        own.forget(members);
+        lines.forget(members);
+        team.stop(members, owner);
+    }
+
+    /** STOP. A script that says it ends by it like all others. */
+    void stopEverything() {
+        own.forget(team.members());
+        lines.forget(team.members());
+        team.stopAll();
+    }
+
+    /** Lets time pass. */
+    void pause(double seconds) {
+        await(() -> false, seconds);
+    }
+
+    /** Waits for something, unless this has to end before. */
+    void await(BooleanSupplier condition, double seconds) {
+        try {
+            team.changes().await(() -> condition.getAsBoolean() || isOver(), seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
+        }
+        checkAlive();
+    }
+
+    /** Waits until robots have nothing to do and nobody else has them. */
+    void awaitFinished(Collection<Member> members) {
+        await(() -> members.stream().allMatch(this::isFinished), Double.POSITIVE_INFINITY);
+    }
+
+    private boolean isFinished(Member member) {
+        Owner other = member.owner();
+        return member.isIdle() && (other == null || other == owner);
+    }
+
+    /** Waits until robots have done what they were told, unless they are somebody else's anyway. */
+    void awaitReadable(Collection<Member> members) {
+        await(
+                () -> members.stream()
+                        .allMatch(member -> member.isIdle() || (member.owner() != null && member.owner() != owner)),
+                Double.POSITIVE_INFINITY);
+    }
+
+    /** The robots that a plain {@code wait} waits for. */
+    Collection<Member> everybody() {
+        return owner == null ? team.members() : Set.copyOf(used);
+    }
+
+    /** Waits for all orders of a script. */
+    void finish() {
+        await(own::allEnded, Double.POSITIVE_INFINITY);
+    }
+
+    /** Stops the robots of a script that still do something; those a stop is on its way to are left alone. */
+    void stopAllUsed() {
+        List<Member> busy = used.stream()
+                .filter(member -> !member.isIdle() && !member.isStopping())
+                .toList();
+        if (!team.isLatched() && !busy.isEmpty()) {
+            team.stop(busy, owner);
+        }
+    }
+
+    /** Gives the robots of a script back. */
+    void freeAll() {
+        if (owner != null) {
+            used.forEach(member -> member.free(Objects.requireNonNull(owner)));
+        }
+    }
+
+    void checkAlive() {
+        if (ended || session.stops() != stopsBefore) {
+            throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
+        }
+        own.trouble().ifPresent(trouble -> {
+            boolean failed = trouble.outcome() == Answer.Outcome.FAILED;
+            throw failed
+                    ? new ExecutionEnded(trouble.outcome(), trouble.text() + " failed")
+                    : new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
+        });
+    }
+
+    private boolean isOver() {
+        return ended || session.stops() != stopsBefore || own.trouble().isPresent();
+    }
+}

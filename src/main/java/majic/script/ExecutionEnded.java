@@ -1,0 +1,20 @@
+package majic.script;
+
+import majic.bot.Answer;
+
+/** A script cannot go on: something in it failed, or somebody stopped it. The message says why, as half a sentence. */
+final class ExecutionEnded extends RuntimeException {
+    private static final long serialVersionUID = 1;
+
+    private final Answer.Outcome outcome;
+
+    ExecutionEnded(Answer.Outcome outcome, String message) {
+        super(message, null, false, false);
+        this.outcome = outcome;
+    }
+
+    /** How answers tell it. */
+    String ending() {
+        return outcome == Answer.Outcome.STOPPED ? "stopped" : "failed: " + getMessage();
+    }
+}

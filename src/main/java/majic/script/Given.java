@@ -1,0 +1,119 @@
+package majic.script;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import majic.bot.Team;
+
+/**
+ * A line or block as it was given to a parser. Immutable.
+ *
+ * @param statement what it says
+ * @param text as it was typed
+ * @param stops how often STOP had been pressed by then
+ */
+record Given(Statement statement, String text, long stops) {
+    /** Its first line, as answers call it. */
+    String title() {
+        return text.strip().lines().findFirst().orElse("").replaceAll("\\s+", " ");
+    }
+
+    boolean isBlock() {
+        return !(statement instanceof Statement.ForRobots) && !(statement instanceof Statement.ForSession);
+    }
+
+    /** Whether it goes past a wait when a person types it. */
+    boolean overtakes() {
+        if (statement instanceof Statement.ForRobots line) {
+            Command command = line.command();
+            return command instanceof Command.Stop || command instanceof Command.Get || command instanceof Command.Help;
+        }
+        return statement instanceof Statement.ForSession line
+                && (line.command() instanceof SessionCommand.StopAll
+                        || line.command() instanceof SessionCommand.Help
+                        || line.command() instanceof SessionCommand.Bots
+                        || line.command() instanceof SessionCommand.Release
+                        || line.command() instanceof SessionCommand.Quit);
+    }
+
+    boolean isStop() {
+        return isStopAll() || (statement instanceof Statement.ForRobots line && line.command() instanceof Command.Stop);
+    }
+
+    boolean isStopAll() {
+        return statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.StopAll;
+    }
+
+    /** Whether it holds up the lines behind it, also those a person types. */
+    boolean isWait() {
+        return (statement instanceof Statement.ForRobots line && line.command() instanceof Command.Await)
+                || (statement instanceof Statement.ForSession session
+                        && (session.command() instanceof SessionCommand.Await
+                                || session.command() instanceof SessionCommand.Pause));
+    }
+
+    /** Whether it is done at once, so that the caller's thread can do it. */
+    boolean isQuick() {
+        if (isWait() || isBlock()) {
+            return false;
+        }
+        return !(statement instanceof Statement.ForSession line)
+                || line.command() instanceof SessionCommand.StopAll
+                || line.command() instanceof SessionCommand.Help
+                || line.command() instanceof SessionCommand.Bots
+                || line.command() instanceof SessionCommand.Release
+                || line.command() instanceof SessionCommand.Quit
+                || line.command() instanceof SessionCommand.Lab;
+    }
+
+    /** Whether it may set robots moving, and so is dropped by a STOP that comes before its turn. */
+    boolean mayMove() {
+        if (statement instanceof Statement.ForRobots line) {
+            return Commanded.orders(line.command());
+        }
+        return isBlock()
+                || (statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.Run);
+    }
+
+    /** Whether other robots may be there afterwards. */
+    boolean changesTeam() {
+        return isBlock() || (statement instanceof Statement.ForSession line && Checker.changesTeam(line.command()));
+    }
+
+    /** The robots it makes do something, as far as they are there. */
+    Set<Integer> robots(Selection selection) {
+        return Commanded.in(List.of(statement), selection).stream()
+                .map(member -> member.number())
+                .collect(Collectors.toSet());
+    }
+
+    /**
+     * How a saved session repeats it: a reading at once stays one, a STOP becomes a stop of the robots there are, which
+     * does not end the script that replays it.
+     *
+     * @return empty if there is nothing to repeat
+     */
+    String forRecord(Team team, boolean typed) {
+        if (statement instanceof Statement.ForRobots line) {
+            return forRecord(line, typed);
+        }
+        if (isStopAll()) {
+            String robots = team.members().stream()
+                    .map(member -> String.valueOf(member.number()))
+                    .collect(Collectors.joining(","));
+            return robots.isEmpty() ? "" : robots + " stop";
+        }
+        boolean repeats = isBlock() || isWait() || mayMove();
+        return repeats ? text.strip() : "";
+    }
+
+    private String forRecord(Statement.ForRobots line, boolean typed) {
+        if (line.command() instanceof Command.Help) {
+            return "";
+        }
+        if (typed && line.command() instanceof Command.Get get) {
+            return Wording.of(line.robots()) + " " + Wording.of(new Command.Get(get.at(), get.parameters(), true));
+        }
+        return text.strip();
+    }
+}

@@ -1,0 +1,161 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import majic.bot.BotCommand;
+import majic.bot.MajicBot;
+import majic.bot.Member;
+import majic.bot.Parameter;
+import majic.bot.Range;
+import majic.bot.Suggestion;
+import majic.bot.Unit;
+import org.jspecify.annotations.Nullable;
+
+/** The answers to {@code help}, for a robot and for the language. */
+final class Help {
+    private static final Map<String, String> ROBOT_COMMANDS = new TreeMap<>(Map.of(
+            "move", "1 move DISTANCE [until CONDITION]: straight, then stands; negative is backward",
+            "turn", "1 turn ANGLE [until CONDITION]: on the spot, left positive, then stands",
+            "drive", "1 drive SPEED TURNRATE [for TIME | until CONDITION]: a curve, one second if nothing is said",
+            "stop", "1 stop: ends the motion, empties the queue, ends act and script; \"stop\" alone is STOP for all",
+            "get", "1 get P[,P...]: reads parameters; \"get now P\" does not wait for its turn",
+            "set", "1 set P VALUE...: sets a parameter",
+            "log", "1 log P[,P...] every TIME: to the parameter log; \"1 log off\" ends it",
+            "act", "1 act NAME: runs a behaviour; \"1 act off\" ends it",
+            "wait", "1 wait: holds what follows until robot 1 has finished; \"wait\" for all, \"wait 2s\" for a time",
+            "help", "1 help [P]: commands and parameters of robot 1; \"help\" alone: the language"));
+
+    private static final Map<String, String> SESSION_COMMANDS = new TreeMap<>(Map.of(
+            "add", "add URI [as N]: add aibo://192.168.1.20, add pioneer://10.0.0.5:8101, add sim:pioneer",
+            "remove", "remove ROBOTS: stops and closes them",
+            "bots", "bots: who is here, in which state",
+            "probe", "probe URI: what answers there, and what to try if nothing does",
+            "release", "release: allows motion again after STOP",
+            "run", "run FILE: runs a script",
+            "save", "save session FILE, save log FILE: what was done as a script, what was logged as CSV",
+            "lab", "lab: the true poses in the simulated lab",
+            "quit", "quit: stops and closes all robots and ends MAJIC"));
+
+    private static final Map<String, String> BLOCKS = new TreeMap<>(Map.of(
+            "repeat", "repeat [N] ... end: N times, or for ever",
+            "while", "while CONDITION ... end: as long as it holds, as in while 1 distanceFront > 300",
+            "if", "if CONDITION ... [else ...] end: conditions take and, or, not and brackets"));
+
+    private Help() {}
+
+    /** What {@code help} can be asked about. */
+    static TreeSet<String> topics() {
+        TreeSet<String> topics = new TreeSet<>(List.of("commands", "robots"));
+        topics.addAll(ROBOT_COMMANDS.keySet());
+        topics.addAll(SESSION_COMMANDS.keySet());
+        topics.addAll(BLOCKS.keySet());
+        return topics;
+    }
+
+    /** For the language, or one word of it. */
+    static List<String> of(Session session, @Nullable Token topic) {
+        String word = topic == null ? "" : topic.text().toLowerCase(Locale.ROOT);
+        return switch (word) {
+            case "" -> all();
+            case "commands" -> all().subList(1, all().size());
+            case "robots" -> robots(session);
+            default ->
+                all().stream()
+                        .filter(line -> topicOf(line).equals(word))
+                        .map(line -> "help: " + line.strip())
+                        .toList();
+        };
+    }
+
+    private static List<String> all() {
+        List<String> lines = new ArrayList<>();
+        lines.add("robots are named by a number, a list 1,3, a range 1-4, a type, or all");
+        lines.addAll(ROBOT_COMMANDS.values());
+        lines.addAll(BLOCKS.values());
+        lines.addAll(SESSION_COMMANDS.values());
+        return lines;
+    }
+
+    private static String topicOf(String line) {
+        String[] words = line.split("[ :]+");
+        return words[0].equals("1") ? words[1] : words[0];
+    }
+
+    private static List<String> robots(Session session) {
+        List<String> lines = new ArrayList<>();
+        session.factory()
+                .types()
+                .forEach(type -> lines.add(type.name() + ": " + type.make() + ", added with \"add " + type.name()
+                        + (type.defaultPort() > 0 ? "://HOST:" + type.defaultPort() : ":PORT") + "\""));
+        lines.add(session.team().roll());
+        return lines;
+    }
+
+    /** For one robot, or one parameter or command of it. */
+    static List<String> of(Member member, @Nullable Token topic) {
+        MajicBot bot = member.bot();
+        List<String> lines = new ArrayList<>();
+        if (topic == null) {
+            lines.add(String.join(", ", ROBOT_COMMANDS.keySet()));
+        }
+        bot.commands().stream().filter(own -> isAsked(own.name(), topic)).forEach(own -> lines.add(describe(own)));
+        bot.parameters().stream().filter(own -> isAsked(own.name(), topic)).forEach(own -> lines.add(describe(own)));
+        if (lines.isEmpty() && topic != null) {
+            lines.add(ROBOT_COMMANDS
+                    .getOrDefault(topic.text().toLowerCase(Locale.ROOT), "nothing known")
+                    .substring(2));
+        }
+        return lines.stream().map(line -> member.number() + " " + line).toList();
+    }
+
+    private static boolean isAsked(String name, @Nullable Token topic) {
+        return topic == null || topic.is(name);
+    }
+
+    private static String describe(BotCommand command) {
+        String arguments = command.arguments().stream()
+                .map(argument -> " " + argument.name().toUpperCase(Locale.ROOT))
+                .collect(Collectors.joining());
+        return command.name() + arguments + ": " + command.help() + (command.moves() ? " (may move the robot)" : "");
+    }
+
+    private static String describe(Parameter parameter) {
+        List<String> facts = new ArrayList<>();
+        facts.add(values(parameter));
+        facts.add((parameter.readable() ? "get" : "") + (parameter.writable() ? " set" : ""));
+        facts.add(parameter.moves() ? "moves the robot" : "");
+        parameter.extras().forEach(extra -> facts.add("then " + extra.name() + " " + values(extra)));
+        String known = facts.stream()
+                .map(String::strip)
+                .filter(fact -> !fact.isEmpty())
+                .collect(Collectors.joining("; "));
+        return parameter.name() + " (" + known + "): " + parameter.help();
+    }
+
+    private static String values(Parameter parameter) {
+        return switch (parameter.kind()) {
+            case NUMBER, LIST -> {
+                boolean bounded = !parameter.range().equals(Range.ANY);
+                String unit = parameter.unit() == Unit.NONE
+                        ? "number"
+                        : parameter.unit().symbol();
+                yield bounded ? parameter.range() + " " + unit : unit;
+            }
+            case YES_NO -> "yes/no";
+            case ON_OFF -> "on/off";
+            case CHOICE -> String.join("/", parameter.choices());
+            case TEXT -> "text";
+        };
+    }
+
+    static String noSuchCommand(String word, MajicBot bot) {
+        List<String> words = new ArrayList<>(CommandParser.WORDS);
+        words.addAll(bot.commands().stream().map(BotCommand::name).toList());
+        return word + ": " + bot.name() + " has no such command" + Suggestion.didYouMean(word, words);
+    }
+}

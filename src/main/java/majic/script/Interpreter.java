@@ -1,0 +1,88 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import majic.bot.Answer;
+import majic.bot.Member;
+import majic.bot.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/** Turns a tree into effects: gives orders, waits, goes round in loops. Throws whatever ends the script. */
+final class Interpreter implements Statement.Visitor<@Nullable Void> {
+    /** A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on. */
+    private static final double SHORTEST_ROUND_S = 0.01;
+
+    private final Execution execution;
+    private final TimeSource time;
+
+    Interpreter(Execution execution) {
+        this.execution = execution;
+        this.time = execution.session().team().time();
+    }
+
+    void run(List<Statement> statements) {
+        for (Statement statement : statements) {
+            execution.checkAlive();
+            statement.accept(this);
+        }
+    }
+
+    @Override
+    public @Nullable Void repeat(Statement.Repeat repeat) {
+        for (int round = 0; repeat.times().isEmpty() || round < repeat.times().getAsInt(); round++) {
+            round(repeat.body());
+        }
+        return null;
+    }
+
+    @Override
+    public @Nullable Void whileLoop(Statement.While loop) {
+        while (holds(loop.condition(), loop.at())) {
+            round(loop.body());
+        }
+        return null;
+    }
+
+    @Override
+    public @Nullable Void choice(Statement.If choice) {
+        run(holds(choice.condition(), choice.at()) ? choice.body() : choice.otherwise());
+        return null;
+    }
+
+    @Override
+    public @Nullable Void forRobots(Statement.ForRobots line) {
+        List<Member> members = execution.selection().members(line.robots());
+        members.forEach(member -> line.command().accept(new CommandCheck(execution.selection(), member)));
+        line.command().accept(new Telling(execution, members));
+        return null;
+    }
+
+    @Override
+    public @Nullable Void forSession(Statement.ForSession line) {
+        line.command().accept(new SessionCheck(execution.session(), execution.selection()));
+        line.command().accept(new SessionDoing(execution));
+        return null;
+    }
+
+    private void round(List<Statement> body) {
+        long motionsBefore = execution.motions();
+        long began = time.nanos();
+        run(body);
+        if (execution.motions() == motionsBefore && time.secondsSince(began) < SHORTEST_ROUND_S) {
+            execution.await(() -> false, SHORTEST_ROUND_S);
+        }
+    }
+
+    private boolean holds(Condition condition, Token at) {
+        Collection<Member> asked = new ArrayList<>(Readings.allAsked(condition, execution.selection(), null));
+        execution.awaitReadable(asked);
+        Comparing.check(condition, execution.selection(), null);
+        Truth truth = condition.accept(new Readings(execution.selection(), null));
+        if (truth.undecided() != null) {
+            throw new ExecutionEnded(
+                    Answer.Outcome.FAILED, at.text() + " " + condition + " cannot be told: " + truth.undecided());
+        }
+        return truth.holds();
+    }
+}

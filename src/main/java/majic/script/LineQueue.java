@@ -1,0 +1,69 @@
+package majic.script;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.function.Consumer;
+import majic.bot.Team;
+import org.jspecify.annotations.Nullable;
+
+/** The lines that wait for their turn, and the thread that carries them out one after the other. Thread-safe. */
+final class LineQueue {
+    private final Team team;
+    private final Consumer<Given> carryOut;
+    private final Deque<Given> waiting = new ArrayDeque<>();
+    private boolean running;
+    private @Nullable Given current;
+
+    /**
+     * An empty queue without a thread.
+     *
+     * @param team whose clock the thread lives by, and at whose changes others wait for the queue
+     * @param carryOut does a line, waiting as long as it takes; must not throw
+     */
+    LineQueue(Team team, Consumer<Given> carryOut) {
+        this.team = team;
+        this.carryOut = carryOut;
+    }
+
+    synchronized boolean isEmpty() {
+        return !running;
+    }
+
+    synchronized boolean isCurrent(Given line) {
+        return line == current;
+    }
+
+    synchronized int size() {
+        return waiting.size();
+    }
+
+    /** Whether a line before the next one may let robots come or go. */
+    synchronized boolean teamMayChange() {
+        return waiting.stream().anyMatch(Given::changesTeam) || (current != null && current.changesTeam());
+    }
+
+    void add(Given line) {
+        synchronized (this) {
+            waiting.add(line);
+            if (running) {
+                return;
+            }
+            running = true;
+        }
+        team.time().thread("script lines", this::run).start();
+    }
+
+    private void run() {
+        for (Given line = next(); line != null; line = next()) {
+            carryOut.accept(line);
+            team.changes().raise();
+        }
+        team.changes().raise();
+    }
+
+    private synchronized @Nullable Given next() {
+        current = waiting.poll();
+        running = current != null;
+        return current;
+    }
+}

@@ -1,0 +1,42 @@
+package majic.script;
+
+import java.util.List;
+
+/**
+ * The robots a command or a condition speaks of.
+ *
+ * @param at where they are named
+ * @param items one or more
+ */
+record Robots(Token at, List<Item> items) {
+    /** One way to name robots. */
+    sealed interface Item {
+        Token at();
+    }
+
+    /** By number. */
+    record One(Token at, int number) implements Item {}
+
+    /** Those there are between two numbers, both included. */
+    record Span(Token at, int first, int last) implements Item {}
+
+    /** All of a type. */
+    record OfType(Token at) implements Item {}
+
+    /** Every robot. */
+    record All(Token at) implements Item {}
+
+    /** In a condition: at least one robot. */
+    record Any(Token at) implements Item {}
+
+    /** The robot a behaviour was given. */
+    record Me(Token at) implements Item {}
+
+    boolean isAny() {
+        return items.get(0) instanceof Any;
+    }
+
+    boolean isAll() {
+        return items.size() == 1 && items.get(0) instanceof All;
+    }
+}

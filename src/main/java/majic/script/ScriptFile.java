@@ -1,0 +1,64 @@
+package majic.script;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import majic.bot.BotException;
+
+/** A script in a file: read whole and checked before anything of it runs. */
+final class ScriptFile {
+    private static final long LARGEST_BYTES = 1_000_000;
+
+    private ScriptFile() {}
+
+    /**
+     * Runs a file: within a script as a part of it, otherwise as a script of its own. Blocks until it has ended.
+     *
+     * @throws BotException if it cannot be read
+     * @throws ExecutionEnded if it has mistakes, which were said then, or ends before its time
+     */
+    static void run(Path path, Execution execution) {
+        String file = path.toString();
+        List<Statement> script = ScriptRun.parse(file, read(path), execution.session(), execution.selection());
+        if (execution.isScript()) {
+            execution.nested(file, () -> new Interpreter(execution).run(script));
+            return;
+        }
+        Execution alone = execution.asScript(String.valueOf(path.getFileName()));
+        if (!new ScriptRun(alone, "run " + file, file, true).run(script)) {
+            execution.fail("run " + file);
+        }
+    }
+
+    private static String read(Path path) {
+        try {
+            if (!Files.isRegularFile(path)) {
+                throw new BotException(path + ": there is no such file");
+            }
+            if (Files.size(path) > LARGEST_BYTES) {
+                throw new BotException(path + ": too long for a script, more than " + LARGEST_BYTES + " bytes");
+            }
+            return Files.readString(path);
+        } catch (IOException e) {
+            throw new BotException(path + ": cannot be read (" + reason(e) + ")", e);
+        }
+    }
+
+    /** What the system's refusal means, in a few words. */
+    static String reason(IOException problem) {
+        if (problem instanceof NoSuchFileException) {
+            return "there is no such folder or file";
+        }
+        if (problem instanceof AccessDeniedException) {
+            return "it is not allowed";
+        }
+        if (problem instanceof CharacterCodingException) {
+            return "it is not UTF-8 text";
+        }
+        return problem.getClass().getSimpleName() + ", " + problem.getMessage();
+    }
+}

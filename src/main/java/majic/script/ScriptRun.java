@@ -1,0 +1,109 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+import majic.bot.Answer;
+import majic.bot.BotException;
+import majic.bot.BotType;
+import majic.bot.TimeSource;
+
+/**
+ * One script from its beginning to its end: takes its robots, runs, waits for them, gives them back. When something in
+ * it fails it ends and stops every robot that it used.
+ */
+final class ScriptRun {
+    private static final Pattern LINES = Pattern.compile("\\R");
+
+    private final Execution execution;
+    private final String title;
+    private final String file;
+    private final boolean waits;
+
+    /**
+     * A run.
+     *
+     * @param execution of a script
+     * @param title what answers call it
+     * @param file where it stands; empty if it was typed
+     * @param waits whether it ends, and says so, only when its robots have finished
+     */
+    ScriptRun(Execution execution, String title, String file, boolean waits) {
+        this.execution = execution;
+        this.title = title;
+        this.file = file;
+        this.waits = waits;
+    }
+
+    /**
+     * Reads a script.
+     *
+     * @throws ExecutionEnded if it has mistakes; all of them were said
+     */
+    static List<Statement> parse(String file, String text, Session session, Selection selection) {
+        List<Mistake> mistakes = new ArrayList<>();
+        List<Statement> script = parse(text, session, mistakes);
+        if (mistakes.isEmpty()) {
+            mistakes.addAll(Checker.check(script, session, selection));
+        }
+        mistakes.forEach(mistake -> session.say(Line.Kind.ERROR, mistake.in(file)));
+        if (!mistakes.isEmpty()) {
+            throw new ExecutionEnded(Answer.Outcome.FAILED, mistakes.size() + " mistake(s) in it, nothing was run");
+        }
+        return script;
+    }
+
+    private static List<Statement> parse(String text, Session session, List<Mistake> mistakes) {
+        String[] lines = LINES.split(text, -1);
+        for (int index = 0; index < lines.length; index++) {
+            if (lines[index].length() > MajicParser.LONGEST_LINE) {
+                mistakes.add(new Mistake(index + 1, 1, MajicParser.TOO_LONG));
+                return List.of();
+            }
+        }
+        Parser parser = new Parser(Scanner.scan(text), words(session));
+        List<Statement> script = parser.script();
+        mistakes.addAll(parser.mistakes());
+        return script;
+    }
+
+    static List<String> words(Session session) {
+        return session.factory().types().stream().map(BotType::name).toList();
+    }
+
+    /**
+     * Runs it, and says how it ended.
+     *
+     * @return whether it came to its end
+     */
+    boolean run(List<Statement> script) {
+        TimeSource time = execution.session().team().time();
+        long began = time.nanos();
+        try {
+            execution.claim(Commanded.in(script, execution.selection()));
+            new Interpreter(execution).run(script);
+            if (waits) {
+                execution.finish();
+                say(String.format(Locale.ROOT, "done (%.1f s)", time.secondsSince(began)));
+            }
+            return true;
+        } catch (ExecutionEnded e) {
+            execution.stopAllUsed();
+            say(e.ending());
+        } catch (ScriptException e) {
+            execution.stopAllUsed();
+            say("failed: " + (file.isEmpty() ? e.getMessage() : e.mistake().in(file)));
+        } catch (BotException e) {
+            execution.stopAllUsed();
+            say("failed: " + e.getMessage());
+        } finally {
+            execution.freeAll();
+        }
+        return false;
+    }
+
+    private void say(String how) {
+        execution.session().say(Line.Kind.ANSWER, title + ": " + how);
+    }
+}

@@ -1,0 +1,141 @@
+package majic.script;
+
+import java.util.OptionalInt;
+import org.jspecify.annotations.Nullable;
+
+/** What the session as a whole can be told. */
+sealed interface SessionCommand {
+    <R> R accept(Visitor<R> visitor);
+
+    /** One method for each command. */
+    interface Visitor<R> {
+        R add(Add add);
+
+        R remove(Remove remove);
+
+        R bots(Bots bots);
+
+        R probe(Probe probe);
+
+        R release(Release release);
+
+        R run(Run run);
+
+        R saveSession(SaveSession save);
+
+        R saveLog(SaveLog save);
+
+        R lab(Lab lab);
+
+        R help(Help help);
+
+        R quit(Quit quit);
+
+        R stopAll(StopAll stop);
+
+        R await(Await await);
+
+        R pause(Pause pause);
+    }
+
+    record Add(Literal address, OptionalInt number) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.add(this);
+        }
+    }
+
+    record Remove(Robots robots) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.remove(this);
+        }
+    }
+
+    record Bots() implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.bots(this);
+        }
+    }
+
+    record Probe(Literal address) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.probe(this);
+        }
+    }
+
+    record Release() implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.release(this);
+        }
+    }
+
+    record Run(Literal file) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.run(this);
+        }
+    }
+
+    record SaveSession(Literal file) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.saveSession(this);
+        }
+    }
+
+    record SaveLog(Literal file) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.saveLog(this);
+        }
+    }
+
+    record Lab() implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.lab(this);
+        }
+    }
+
+    record Help(@Nullable Token topic) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.help(this);
+        }
+    }
+
+    record Quit() implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.quit(this);
+        }
+    }
+
+    /** STOP. */
+    record StopAll() implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.stopAll(this);
+        }
+    }
+
+    /** Waits for all robots of the script. */
+    record Await() implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.await(this);
+        }
+    }
+
+    /** Lets time pass. */
+    record Pause(Literal time) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.pause(this);
+        }
+    }
+}

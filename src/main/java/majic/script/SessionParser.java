@@ -1,0 +1,100 @@
+package majic.script;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import majic.script.Token.Kind;
+
+/** The rules for commands that are for the session and not for a robot. */
+final class SessionParser {
+    /** The words these commands begin with. */
+    static final List<String> WORDS =
+            List.of("add", "bots", "help", "lab", "probe", "quit", "release", "remove", "run", "save", "stop", "wait");
+
+    private final Cursor at;
+
+    SessionParser(Cursor at) {
+        this.at = at;
+    }
+
+    boolean begins() {
+        return at.check(Kind.WORD) && WORDS.contains(at.peek().text().toLowerCase(Locale.ROOT));
+    }
+
+    /**
+     * {@code sessionCommand = add | remove | probe | run | save | help | stop | wait | "bots" | "release" | "lab" |
+     * "quit" ;}
+     */
+    SessionCommand sessionCommand() {
+        Token word = at.advance();
+        return switch (word.text().toLowerCase(Locale.ROOT)) {
+            case "add" -> add();
+            case "remove" -> new SessionCommand.Remove(new RobotsParser(at).robots());
+            case "probe" -> new SessionCommand.Probe(address());
+            case "run" -> new SessionCommand.Run(file());
+            case "save" -> save();
+            case "help" -> help();
+            case "stop" -> stop();
+            case "wait" -> await();
+            case "bots" -> new SessionCommand.Bots();
+            case "release" -> new SessionCommand.Release();
+            case "lab" -> new SessionCommand.Lab();
+            case "quit" -> new SessionCommand.Quit();
+            default -> throw new IllegalStateException("not in WORDS: " + word.text());
+        };
+    }
+
+    /** {@code add = "add" ADDRESS [ "as" NUMBER ] ;} */
+    private SessionCommand add() {
+        Literal address = address();
+        OptionalInt number = at.match("as") ? OptionalInt.of(at.count("a robot's number")) : OptionalInt.empty();
+        return new SessionCommand.Add(address, number);
+    }
+
+    private Literal address() {
+        return at.value("an address such as pioneer://10.0.0.5:8101, hemisson:COM3 or sim:aibo", false);
+    }
+
+    private Literal file() {
+        return at.value("a file's name", false);
+    }
+
+    /** {@code save = "save" ( "session" | "log" ) FILE ;} */
+    private SessionCommand save() {
+        if (at.match("session")) {
+            return new SessionCommand.SaveSession(file());
+        }
+        if (at.match("log")) {
+            return new SessionCommand.SaveLog(file());
+        }
+        throw at.unexpected("\"session\" or \"log\"");
+    }
+
+    /** {@code help = "help" [ WORD ] ;} */
+    private SessionCommand help() {
+        return new SessionCommand.Help(at.check(Kind.WORD) ? at.advance() : null);
+    }
+
+    /** {@code stop = "stop" [ "all" ] ;} */
+    private SessionCommand stop() {
+        at.match("all");
+        return new SessionCommand.StopAll();
+    }
+
+    /** {@code wait = "wait" [ TIME ] ;} where the unit is required. */
+    private SessionCommand await() {
+        if (!at.check(Kind.NUMBER)) {
+            return new SessionCommand.Await();
+        }
+        Token number = at.peek();
+        Literal time = at.number(Quantity.TIME);
+        if (Character.isDigit(number.text().charAt(number.text().length() - 1))) {
+            throw new ScriptException(
+                    number, number.text() + ": the unit is required, for instance \"wait " + number.text() + "s\"");
+        }
+        if (time.value().number() < 0) {
+            throw new ScriptException(number, number.text() + ": time does not run backward");
+        }
+        return new SessionCommand.Pause(time);
+    }
+}

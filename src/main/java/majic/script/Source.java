@@ -1,0 +1,11 @@
+package majic.script;
+
+/** Where lines come from, which decides what waits for what. */
+enum Source {
+    /** A person at a prompt or window: readings at once, blocks beside the next lines, a full queue refuses. */
+    PROMPT,
+    /** A pipe or file: every line takes its turn. */
+    PIPE,
+    /** A program at the other end of a socket: as a pipe, but a stop is never held, since it may be meant for now. */
+    SOCKET
+}

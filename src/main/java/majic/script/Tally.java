@@ -1,0 +1,67 @@
+package majic.script;
+
+import java.util.Collection;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import majic.bot.Answer;
+import majic.bot.Member;
+import majic.bot.Pending;
+
+/** Keeps count of orders: which are still under way, and whether one did not come to a good end. Thread-safe. */
+final class Tally {
+    private final Map<Pending, Member> open = new LinkedHashMap<>();
+    private Optional<Trouble> trouble = Optional.empty();
+
+    /**
+     * The first order that did not end well.
+     *
+     * @param outcome how it ended
+     * @param text the order with its robot
+     */
+    record Trouble(Answer.Outcome outcome, String text) {}
+
+    synchronized void add(Member member, Pending pending) {
+        look();
+        open.put(pending, member);
+    }
+
+    /** Lets those orders end as they like, because whoever gave them stops them himself. */
+    synchronized void forget(Collection<Member> members) {
+        look();
+        open.values().removeIf(members::contains);
+    }
+
+    synchronized void fail(String what) {
+        if (trouble.isEmpty()) {
+            trouble = Optional.of(new Trouble(Answer.Outcome.FAILED, what));
+        }
+    }
+
+    synchronized Optional<Trouble> trouble() {
+        look();
+        return trouble;
+    }
+
+    synchronized boolean allEnded() {
+        look();
+        return open.isEmpty();
+    }
+
+    private void look() {
+        for (Iterator<Map.Entry<Pending, Member>> all = open.entrySet().iterator(); all.hasNext(); ) {
+            Map.Entry<Pending, Member> entry = all.next();
+            Answer.Outcome outcome = entry.getKey().outcome();
+            if (outcome == null) {
+                continue;
+            }
+            all.remove();
+            if (outcome != Answer.Outcome.DONE && trouble.isEmpty()) {
+                String text =
+                        entry.getValue().number() + " " + entry.getKey().order().text();
+                trouble = Optional.of(new Trouble(outcome, text));
+            }
+        }
+    }
+}

@@ -1,0 +1,52 @@
+package majic.script;
+
+import java.util.List;
+import majic.bot.BotException;
+import majic.bot.Guard;
+import majic.bot.MajicBot;
+import majic.bot.Member;
+import org.jspecify.annotations.Nullable;
+
+/** The condition behind {@code until}, as a driver asks it. */
+final class Until implements Guard {
+    private final Condition condition;
+    private final Readings readings;
+    private final List<MajicBot> others;
+
+    private Until(Condition condition, Selection selection, Member own) {
+        this.condition = condition;
+        this.readings = new Readings(selection, own);
+        this.others = Readings.allAsked(condition, selection, own).stream()
+                .filter(member -> member != own)
+                .map(Member::bot)
+                .toList();
+    }
+
+    /**
+     * The guard of a motion.
+     *
+     * @param condition null for none
+     * @throws ScriptException if a robot it asks is not there
+     */
+    static Guard of(@Nullable Condition condition, Selection selection, Member own) {
+        return condition == null ? Guard.NEVER : new Until(condition, selection, own);
+    }
+
+    @Override
+    public boolean reached() {
+        try {
+            Truth truth = condition.accept(readings);
+            if (truth.undecided() != null) {
+                throw new BotException("until cannot be told: " + truth.undecided());
+            }
+            return truth.holds();
+        } catch (ScriptException e) {
+            throw new BotException("until cannot be told: " + e.getMessage(), e);
+        }
+    }
+
+    @Override
+    public List<MajicBot> alsoWatches() {
+        return others;
+    }
+}
