@@ -65,8 +65,12 @@ final class Pace {
 
     static void checkTurn(double degrees) {
         if (!Double.isFinite(degrees) || Math.abs(degrees) > 36_000) {
-            throw new ParameterException("turn", "turn " + degrees + ": not an angle of at most 36000 deg");
+            throw new ParameterException("turn", "turn " + shown(degrees) + ": not an angle of at most 36000 deg");
         }
+    }
+
+    private static String shown(double number) {
+        return Double.isFinite(number) ? Value.plain(number) : String.valueOf(number);
     }
 
     static void checkDrive(BotProfile profile, double mmPerSec, double degPerSec) {

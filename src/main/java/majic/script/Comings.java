@@ -27,10 +27,16 @@ final class Comings {
         MajicBot bot = session.factory().create(address);
         connect(bot, address);
         Member member = join(bot, number);
-        addresses.put(member.number(), address);
-        session.say(Line.Kind.ANSWER, member.number() + ": " + bot.type().label() + " at " + address + " connected");
-        session.record().added(address, member.number());
+        joined(member, address);
         return member;
+    }
+
+    /** Says and keeps that a robot was taken in. */
+    void joined(Member member, String address) {
+        addresses.put(member.number(), address);
+        String label = member.bot().type().label();
+        session.say(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected");
+        session.record().added(address, member.number());
     }
 
     private static void connect(MajicBot bot, String address) {

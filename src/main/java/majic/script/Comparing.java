@@ -88,7 +88,8 @@ final class Comparing {
     private static @Nullable Parameter rightParameter(Condition.Comparison comparison, Parameter left, MajicBot bot) {
         Literal literal = comparison.value();
         boolean word = literal.at().kind() == Token.Kind.WORD;
-        if (!word || isWordOf(left, literal.text()) || left.kind() == Parameter.Kind.TEXT) {
+        boolean number = left.kind() == Parameter.Kind.NUMBER;
+        if (!word || isWordOf(left, literal.text()) || !(number || Readings.has(bot, literal.text()))) {
             return null;
         }
         return readable(literal.at(), bot);

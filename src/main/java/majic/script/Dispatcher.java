@@ -21,6 +21,7 @@ final class Dispatcher {
     private final Selection selection;
     private final Tally tally = new Tally();
     private final LineQueue queue;
+    private final LineQueue comings;
     private final AtomicInteger beside = new AtomicInteger();
     private long ownStops;
 
@@ -29,7 +30,8 @@ final class Dispatcher {
         this.team = session.team();
         this.source = source;
         this.selection = new Selection(team, OptionalInt.empty());
-        this.queue = new LineQueue(team, this::inTurn);
+        this.queue = new LineQueue(team, "script lines", this::inTurn);
+        this.comings = new LineQueue(team, "adding robots", this::attempt);
     }
 
     Selection selection() {
@@ -52,7 +54,15 @@ final class Dispatcher {
 
     /** Waits until all lines have ended, with all that they began. */
     void awaitAll() throws InterruptedException {
-        team.changes().await(() -> queue.isEmpty() && beside.get() == 0 && tally.allEnded(), Signal.FOR_EVER);
+        team.changes().await(this::isDone, Signal.FOR_EVER);
+    }
+
+    private boolean isDone() {
+        return queue.isEmpty()
+                && comings.isEmpty()
+                && beside.get() == 0
+                && tally.allEnded()
+                && team.members().stream().noneMatch(Member::isStopping);
     }
 
     /**
@@ -93,7 +103,12 @@ final class Dispatcher {
                 || selection.present(robots.robots()).stream().allMatch(Member::hasRoom);
     }
 
+    /** Robots that are added one after the other get their numbers in that order. */
     private void begin(Given line) {
+        if (line.isAdd()) {
+            comings.add(line);
+            return;
+        }
         beside.incrementAndGet();
         team.time()
                 .thread("script: " + line.title(), () -> {

@@ -44,6 +44,10 @@ record Given(Statement statement, String text, long stops) {
         return statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.StopAll;
     }
 
+    boolean isAdd() {
+        return statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.Add;
+    }
+
     /** Whether it holds up the lines behind it, also those a person types. */
     boolean isWait() {
         return (statement instanceof Statement.ForRobots line && line.command() instanceof Command.Await)

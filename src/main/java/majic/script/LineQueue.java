@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 /** The lines that wait for their turn, and the thread that carries them out one after the other. Thread-safe. */
 final class LineQueue {
     private final Team team;
+    private final String name;
     private final Consumer<Given> carryOut;
     private final Deque<Given> waiting = new ArrayDeque<>();
     private boolean running;
@@ -18,10 +19,12 @@ final class LineQueue {
      * An empty queue without a thread.
      *
      * @param team whose clock the thread lives by, and at whose changes others wait for the queue
+     * @param name what a thread dump shows
      * @param carryOut does a line, waiting as long as it takes; must not throw
      */
-    LineQueue(Team team, Consumer<Given> carryOut) {
+    LineQueue(Team team, String name, Consumer<Given> carryOut) {
         this.team = team;
+        this.name = name;
         this.carryOut = carryOut;
     }
 
@@ -50,7 +53,7 @@ final class LineQueue {
             }
             running = true;
         }
-        team.time().thread("script lines", this::run).start();
+        team.time().thread(name, this::run).start();
     }
 
     private void run() {

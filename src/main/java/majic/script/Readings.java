@@ -94,7 +94,7 @@ final class Readings implements Condition.Visitor<Truth> {
         return able.isEmpty() ? members : able;
     }
 
-    private static boolean has(MajicBot bot, String parameter) {
+    static boolean has(MajicBot bot, String parameter) {
         return bot.parameters().stream().anyMatch(known -> known.name().equalsIgnoreCase(parameter));
     }
 

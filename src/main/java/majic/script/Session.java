@@ -120,6 +120,17 @@ public final class Session {
         }
     }
 
+    /**
+     * Tells that a robot was connected and taken into the team past the script, by a dialog for instance, so that a
+     * saved session has it.
+     *
+     * @param member the robot
+     * @param address where it is, as {@code add} would take it
+     */
+    public void joined(Member member, String address) {
+        comings.joined(member, address);
+    }
+
     /** Says something to everybody; never waits. One lock keeps the order the same for all. */
     void say(Line.Kind kind, String text) {
         Line line = new Line(kind, text);

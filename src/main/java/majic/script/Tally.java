@@ -1,10 +1,12 @@
 package majic.script;
 
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import majic.bot.Answer;
 import majic.bot.Member;
 import majic.bot.Pending;
@@ -12,6 +14,7 @@ import majic.bot.Pending;
 /** Keeps count of orders: which are still under way, and whether one did not come to a good end. Thread-safe. */
 final class Tally {
     private final Map<Pending, Member> open = new LinkedHashMap<>();
+    private final Set<Pending> forgiven = new HashSet<>();
     private Optional<Trouble> trouble = Optional.empty();
 
     /**
@@ -30,7 +33,11 @@ final class Tally {
     /** Lets those orders end as they like, because whoever gave them stops them himself. */
     synchronized void forget(Collection<Member> members) {
         look();
-        open.values().removeIf(members::contains);
+        open.forEach((pending, member) -> {
+            if (members.contains(member)) {
+                forgiven.add(pending);
+            }
+        });
     }
 
     synchronized void fail(String what) {
@@ -57,7 +64,7 @@ final class Tally {
                 continue;
             }
             all.remove();
-            if (outcome != Answer.Outcome.DONE && trouble.isEmpty()) {
+            if (!forgiven.remove(entry.getKey()) && outcome != Answer.Outcome.DONE && trouble.isEmpty()) {
                 String text =
                         entry.getValue().number() + " " + entry.getKey().order().text();
                 trouble = Optional.of(new Trouble(outcome, text));

@@ -1,6 +1,8 @@
 package majic.bot;
 
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
 
@@ -12,6 +14,7 @@ public final class FakeBot extends MajicBot {
     private static final double READING_S = 0.1;
 
     private final List<String> sent = new CopyOnWriteArrayList<>();
+    private final Map<String, Value> told = new ConcurrentHashMap<>();
     private volatile double ahead = Double.POSITIVE_INFINITY;
     private volatile double headPanDeg;
     private volatile boolean light;
@@ -29,7 +32,7 @@ public final class FakeBot extends MajicBot {
                 environment);
         table().add(
                         Parameter.number("distanceFront", Unit.MM, "what is ahead"),
-                        () -> Double.isInfinite(ahead) ? Value.CLEAR : Value.of(ahead, Unit.MM));
+                        () -> told("distanceFront", Double.isInfinite(ahead) ? Value.CLEAR : Value.of(ahead, Unit.MM)));
         table().add(
                         Parameter.number("headPan", Unit.DEG, "where the head looks, left positive")
                                 .within(-91, 91)
@@ -42,14 +45,35 @@ public final class FakeBot extends MajicBot {
                 }));
         table().add(Parameter.onOff("light", "to find out which one it is"), () -> Value.onOff(light))
                 .writes(values -> light = values.get(0).isYes());
-        table().add(Parameter.number("voltage", Unit.V, "of the battery"), () -> Value.of(12.6, Unit.V));
-        table().add(Parameter.yesNo("bumped", "whether it touches something"), () -> Value.yesNo(false));
+        table().add(
+                        Parameter.number("voltage", Unit.V, "of the battery"),
+                        () -> told("voltage", Value.of(12.6, Unit.V)));
+        table().add(
+                        Parameter.yesNo("bumped", "whether it touches something"),
+                        () -> told("bumped", Value.yesNo(false)));
+        settable(Parameter.choice("posture", List.of("stand", "sit"), "how it stands"), Value.text("stand"));
+        settable(Parameter.text("title", "what is written on it"), Value.text(""));
         add(new BotCommand(
                 "wag",
                 List.of(Parameter.number("times", Unit.NONE, "how often").within(1, 10)),
                 true,
                 "wags the tail",
                 (arguments, motion) -> "wagged " + arguments.get(0)));
+    }
+
+    private void settable(Parameter parameter, Value first) {
+        table().add(parameter, () -> told(parameter.name(), first))
+                .writes(values -> told.put(parameter.name(), values.get(0)));
+    }
+
+    private Value told(String parameter, Value otherwise) {
+        return told.getOrDefault(parameter, otherwise);
+    }
+
+    /** Makes the robot report a reading. */
+    public void tell(String parameter, Value value) {
+        told.put(parameter, value);
+        publish(state());
     }
 
     /** A fake robot of a fake type, ready to connect. */

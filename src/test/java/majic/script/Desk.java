@@ -1,0 +1,86 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicInteger;
+import majic.bot.BotFactory;
+import majic.bot.FakeBot;
+import majic.bot.FakeType;
+import majic.bot.Settings;
+import majic.bot.SteppedTime;
+import majic.bot.Team;
+import majic.bot.TimeSource;
+import majic.log.SessionLog;
+
+/** A session with robots that exist only here, on a stepped clock that the test's thread has joined. */
+final class Desk implements AutoCloseable {
+    final SteppedTime time = new SteppedTime();
+    final FakeType aibo = new FakeType("aibo");
+    final FakeType pioneer = new FakeType("pioneer");
+    final Team team = new Team(time);
+    final BotFactory factory = new BotFactory(List.of(aibo, pioneer), Settings.inMemory());
+    final AtomicInteger quits = new AtomicInteger();
+    final Session session = new Session(team, factory, SessionLog.none(), quits::incrementAndGet);
+    final MajicParser prompt = new MajicParser(session, true);
+    final MajicParser pipe = new MajicParser(session, false);
+    private final List<Line> heard = Collections.synchronizedList(new ArrayList<>());
+    private final TimeSource.Membership membership = time.join();
+
+    Desk() {
+        factory.useLab(new FakeLab(time));
+        session.addListener(heard::add);
+    }
+
+    /** Adds a robot past the script, and returns it. */
+    FakeBot add(FakeType type) {
+        FakeBot bot = (FakeBot) factory.create("sim:" + type.name());
+        bot.connect();
+        team.add(bot, OptionalInt.empty());
+        return bot;
+    }
+
+    /** 1 Aibo, 2 Pioneer. */
+    static Desk withTwo() {
+        Desk desk = new Desk();
+        desk.add(desk.aibo);
+        desk.add(desk.pioneer);
+        return desk;
+    }
+
+    FakeBot bot(int number) {
+        return (FakeBot) team.member(number).bot();
+    }
+
+    /** Lets time pass. */
+    void pause(double seconds) throws InterruptedException {
+        time.sleep(seconds);
+    }
+
+    /** Everything that was said but the lines given. */
+    List<String> said() {
+        session.flush();
+        synchronized (heard) {
+            return heard.stream()
+                    .filter(line -> line.kind() != Line.Kind.COMMAND)
+                    .map(Line::text)
+                    .toList();
+        }
+    }
+
+    /** Gives lines to the pipe, waits for its end and returns what was said. */
+    List<String> runPipe(String... lines) throws InterruptedException {
+        for (String line : lines) {
+            pipe.parseText(line);
+        }
+        pipe.awaitAll();
+        return said();
+    }
+
+    @Override
+    public void close() {
+        membership.close();
+        team.close();
+    }
+}

@@ -1,0 +1,32 @@
+package majic.script;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import majic.bot.BotAddress;
+import majic.bot.LabAccess;
+import majic.bot.Pose;
+import majic.bot.TimeSource;
+
+/** A lab that lends its clock, and has a robot of each type where nobody drove it. */
+record FakeLab(TimeSource time) implements LabAccess {
+    @Override
+    public List<String> robots() {
+        return List.of("aibo", "pioneer");
+    }
+
+    @Override
+    public Optional<BotAddress> address(String type) {
+        return robots().contains(type) ? Optional.of(new BotAddress(type, "//lab")) : Optional.empty();
+    }
+
+    @Override
+    public Map<String, Pose> truePoses() {
+        return Map.of("aibo", new Pose(1234.4, -0.2, -0.01));
+    }
+
+    @Override
+    public List<Wall> walls() {
+        return List.of();
+    }
+}

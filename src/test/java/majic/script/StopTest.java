@@ -1,0 +1,124 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** STOP, and the stop of one robot. */
+@Timeout(30)
+class StopTest {
+    private static final String LATCHED = "STOP is latched; \"release\" allows motion again";
+
+    private final Desk desk = Desk.withTwo();
+
+    @AfterEach
+    void close() {
+        desk.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "stop",
+                "stop all",
+                "all stop",
+                "ALL.STOP()",
+                "1 sotp stop",
+                "stop!",
+                "7 stop",
+                "\"stop",
+                "1 move stop",
+                "stop 1"
+            })
+    void stopsEveryRobotAndLatches(String line) throws InterruptedException {
+        desk.prompt.parseText("1,2 move 3m");
+        desk.pause(0.5);
+        desk.prompt.parseText(line);
+        desk.prompt.awaitAll();
+        assertThat(desk.said())
+                .contains("1 move 3m: stopped", "2 move 3m: stopped", "1 stop: done", "2 stop: done", LATCHED);
+        assertThat(desk.prompt.parseText("1 move 30")).hasValue(LATCHED);
+    }
+
+    @Test
+    void isSaidToBeTakenAsSuch() {
+        assertThat(desk.prompt.parseText("1 stopp stop"))
+                .hasValue("taken as STOP: stopp: robot 1 (Aibo) has no such command; did you mean stop?");
+    }
+
+    @Test
+    void releaseAllowsMotionAgainAndResumesNothing() throws InterruptedException {
+        desk.prompt.parseText("1 move 3m");
+        desk.prompt.parseText("1 move 1m");
+        desk.prompt.parseText("stop");
+        desk.prompt.parseText("release");
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).contains("1 move 1m: not run: stopped");
+        assertThat(desk.runPipe("1 move 30")).contains("1 move 30: done (30 mm, 0.1 s)");
+    }
+
+    @Test
+    void ofOneRobotLeavesTheOthersAlone() throws InterruptedException {
+        desk.prompt.parseText("1,2 move 300");
+        desk.pause(0.5);
+        desk.prompt.parseText("1 stop");
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).contains("1 move 300: stopped", "1 stop: done", "2 move 300: done (300 mm, 1.0 s)");
+        assertThat(desk.team.isLatched()).isFalse();
+    }
+
+    @Test
+    void overtakesATypedWaitAndDropsWhatItHeld() throws InterruptedException {
+        desk.prompt.parseText("1 move 3m");
+        desk.prompt.parseText("wait");
+        desk.prompt.parseText("2 move 100");
+        desk.pause(0.1);
+        desk.prompt.parseText("stop");
+        desk.prompt.parseText("release");
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).contains("wait: stopped", "2 move 100: not run: stopped");
+        assertThat(desk.bot(2).sent()).doesNotContain("move 100");
+    }
+
+    @Test
+    void takesItsTurnInAPipe() throws InterruptedException {
+        assertThat(desk.runPipe("1 move 3m", "wait 1s", "all stop", "release", "1 turn 90", "wait", "quit"))
+                .contains("1 move 3m: stopped", "1 turn 90: done (90 deg, 1.0 s)");
+        assertThat(desk.quits).hasValue(1);
+        assertThat(desk.pipe.allSucceeded()).isTrue();
+    }
+
+    @Test
+    void isNeverHeldForAProgramAtASocket() throws InterruptedException {
+        MajicParser socket = MajicParser.remote(desk.session);
+        socket.parseText("1 move 3m");
+        socket.parseText("wait");
+        desk.pause(0.1);
+        socket.parseText("1 stop");
+        socket.awaitAll();
+        assertThat(desk.said()).contains("1 move 3m: stopped");
+    }
+
+    @Test
+    void aloneOnALineEndsABlockThatIsBeingTyped() {
+        desk.prompt.parseText("repeat");
+        desk.prompt.parseText("1 move 100");
+        assertThat(desk.prompt.isBlockOpen()).isTrue();
+        desk.prompt.parseText("stop");
+        assertThat(desk.team.isLatched()).isTrue();
+        assertThat(desk.prompt.isBlockOpen()).isFalse();
+    }
+
+    @Test
+    void forAllMayBePartOfABlock() throws InterruptedException {
+        for (String line : new String[] {"if 1 bumped == no", "all stop", "end"}) {
+            assertThat(desk.prompt.parseText(line)).isEmpty();
+        }
+        desk.prompt.awaitAll();
+        assertThat(desk.team.isLatched()).isTrue();
+    }
+}
