@@ -68,6 +68,7 @@ final class Console {
         reading.start();
         try {
             program.awaitQuit();
+            program.session().flush();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -79,6 +80,7 @@ final class Console {
             firstLines.forEach(parser::parseText);
             for (String line = source.next(); line != null && !program.isQuitting(); line = source.next()) {
                 parser.parseText(line);
+                parser.awaitRoom();
             }
             if (!source.interactive()) {
                 parser.awaitAll();

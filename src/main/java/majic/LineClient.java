@@ -31,7 +31,7 @@ final class LineClient implements SessionListener {
         this.socket = socket;
         this.session = session;
         this.whenGone = whenGone;
-        this.parser = new MajicParser(session, false);
+        this.parser = MajicParser.remote(session);
     }
 
     void start() {
@@ -65,6 +65,7 @@ final class LineClient implements SessionListener {
                 new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
             for (String line = next(lines); line != null; line = next(lines)) {
                 parser.parseText(line);
+                parser.awaitRoom();
             }
             parser.awaitAll();
         } catch (IOException e) {

@@ -76,6 +76,7 @@ final class ConnectAttempt {
             made.connect();
             if (phase.compareAndSet(Phase.CONNECTING, Phase.JOINING)) {
                 Member member = session.team().add(made, OptionalInt.empty());
+                session.joined(member, address);
                 Edt.later(() -> outcome.joined(member));
             } else {
                 made.close();
