@@ -1,0 +1,54 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.lang.reflect.Method;
+import java.nio.charset.StandardCharsets;
+import majicsim.LabOptions;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The stand-alone programs of the programmer's guide, run as they are against the lab. */
+@Timeout(120)
+class ExamplesTest {
+    private final PrintStream console = System.out;
+    private final ByteArrayOutputStream said = new ByteArrayOutputStream();
+    private SimulatedLab lab;
+
+    @BeforeEach
+    void open() throws Exception {
+        lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+        System.setOut(new PrintStream(said, true, StandardCharsets.UTF_8));
+    }
+
+    @AfterEach
+    void close() {
+        System.setOut(console);
+        lab.close();
+    }
+
+    private String run(String example, String... arguments) throws Exception {
+        Method main = Class.forName(example).getMethod("main", String[].class);
+        main.invoke(null, (Object) arguments);
+        return said.toString(StandardCharsets.UTF_8);
+    }
+
+    private String address(String robot) {
+        return lab.address(robot).orElseThrow().toString();
+    }
+
+    @Test
+    void tenLinesDriveASquare() throws Exception {
+        assertThat(run("TenLines", address("pioneer"))).startsWith("ahead: ");
+    }
+
+    @Test
+    void threeUnlikeRobotsRace() throws Exception {
+        assertThat(run("Race", address("aibo"), address("pioneer"), address("hemisson")))
+                .contains("Aibo: about ", "Pioneer: ", "Hemisson: about ");
+    }
+}

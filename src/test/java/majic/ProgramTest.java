@@ -1,0 +1,134 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import majic.bot.Pose;
+import majicsim.LabOptions;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The program as users start it: a process with arguments, input, output and an exit status. */
+@Timeout(120)
+class ProgramTest {
+    private static final long END_WITHIN_S = 4;
+
+    @TempDir
+    private Path folder;
+
+    private final List<Process> started = new ArrayList<>();
+
+    @AfterEach
+    void endAll() {
+        started.forEach(Process::destroyForcibly);
+    }
+
+    private Process start(String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
+                "majic.Majic"));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("MAJIC_HOME", folder.toString());
+        Process process = builder.start();
+        started.add(process);
+        return process;
+    }
+
+    private static String talk(Process process, String input) throws IOException, InterruptedException {
+        try (OutputStream out = process.getOutputStream()) {
+            out.write(input.getBytes(StandardCharsets.UTF_8));
+        }
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        process.waitFor();
+        return said;
+    }
+
+    @Test
+    void aPipeOfCommandsGetsAnAnswerALineAndTheLabAgrees() throws Exception {
+        Process majic =
+                start("--lab", "--exact", "--console", "--speed", "10", "--aibo-port", "0", "--pioneer-port", "0");
+
+        String said = talk(majic, "2 move 1000\nwait\nlab\nquit\n");
+
+        assertThat(said).contains("2 move 1000: done (").containsPattern("lab: pioneer x=-?\\d+ y=-?\\d+ heading=");
+        assertThat(majic.exitValue()).as(said).isZero();
+    }
+
+    @Test
+    void aWrongLineMakesTheExitStatusOneAndShowsNoStackTrace() throws Exception {
+        Process majic = start("--console");
+
+        String said = talk(majic, "7 move 100\n");
+
+        assertThat(said).contains("7: there is no robot 7").doesNotContain("Exception", "\tat ");
+        assertThat(majic.exitValue()).isEqualTo(1);
+    }
+
+    @Test
+    void aWrongOptionIsExplainedInALine() throws Exception {
+        Process majic = start("--speeed", "3");
+
+        String said = talk(majic, "");
+
+        assertThat(said).startsWith("majic: ").doesNotContain("Exception", "\tat ");
+        assertThat(majic.exitValue()).isEqualTo(2);
+    }
+
+    @Test
+    void aWorldThatIsNoneIsExplainedInALine() throws Exception {
+        Process majic = start(
+                "--lab", "--console", "--world", folder.resolve("nowhere.map").toString());
+
+        String said = talk(majic, "");
+
+        assertThat(said).startsWith("majic: ").contains("nowhere.map").doesNotContain("Exception", "\tat ");
+        assertThat(majic.exitValue()).isEqualTo(3);
+    }
+
+    @Test
+    void versionAndHelpAreTold() throws Exception {
+        assertThat(talk(start("--version"), "")).contains("MAJIC");
+        assertThat(talk(start("--help"), "")).contains("--lab", "--console", "--listen", "run", "lab");
+    }
+
+    @Test
+    void askedToTerminateItStopsTheRobotsFirst() throws Exception {
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1)) {
+            String hemisson = lab.address("hemisson").orElseThrow().toString();
+            Process majic = start("--console", "--add", hemisson);
+            BufferedReader said =
+                    new BufferedReader(new InputStreamReader(majic.getInputStream(), StandardCharsets.UTF_8));
+            said.readLine();
+            OutputStream typing = majic.getOutputStream();
+            typing.write("1 move 1500\n".getBytes(StandardCharsets.UTF_8));
+            typing.flush();
+            Pose start = lab.truePoses().get("hemisson");
+            assertThat(lab.time().signal().await(() -> moved(lab, start), 10)).isTrue();
+
+            majic.destroy();
+
+            assertThat(majic.waitFor(END_WITHIN_S, TimeUnit.SECONDS)).isTrue();
+            Pose end = lab.truePoses().get("hemisson");
+            lab.time().sleep(0.3);
+            assertThat(lab.truePoses().get("hemisson")).isEqualTo(end);
+        }
+    }
+
+    private static boolean moved(SimulatedLab lab, Pose start) {
+        return lab.truePoses().get("hemisson").distanceMm(start) > 10;
+    }
+}
