@@ -60,7 +60,7 @@ class ProgramTest {
     @Test
     void aPipeOfCommandsGetsAnAnswerALineAndTheLabAgrees() throws Exception {
         Process majic =
-                start("--lab", "--exact", "--console", "--speed", "10", "--aibo-port", "0", "--pioneer-port", "0");
+                start("--lab", "--exact", "--console", "--speed", "3", "--aibo-port", "0", "--pioneer-port", "0");
 
         String said = talk(majic, "2 move 1000\nwait\nlab\nquit\n");
 
