@@ -68,8 +68,8 @@ final class AiboParameters {
                         () -> Value.text(session.get().feet().posture()))
                 .moves(this::take);
         table.add(
-                        Parameter.onOff("motors", "whether the legs are stiff; off lays it down first"),
-                        () -> senses.motorsOn().map(Value::onOff).orElseGet(() -> senses.unknown(Sensor.LEG_LOAD)))
+                        Parameter.yesNo("motors", "whether the legs are stiff; off lays it down first"),
+                        () -> senses.motorsOn().map(Value::yesNo).orElseGet(() -> senses.unknown(Sensor.LEG_LOAD)))
                 .moves(this::power);
         table.add(
                 Parameter.number("battery", Unit.PERCENT, "charge left"),

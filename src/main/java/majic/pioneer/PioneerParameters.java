@@ -28,7 +28,7 @@ final class PioneerParameters {
 
     /** Those that every model has. */
     void describe(Switches switches) {
-        table.add(Parameter.onOff("motors", "whether the motors are on"), reading(s -> Value.onOff(s.motorsOn())))
+        table.add(Parameter.yesNo("motors", "whether the motors are on"), reading(s -> Value.yesNo(s.motorsOn())))
                 .writes(values -> switches.motors(values.get(0).isYes()));
         table.add(Parameter.onOff("sonarPower", "whether the sonars fire"), reading(s -> Value.onOff(s.sonarOn())))
                 .writes(values -> switches.sonar(values.get(0).isYes()));

@@ -42,7 +42,7 @@ class MajicPioneerTest {
         assertThat(peer.hears("SONAR 1")).isTrue();
         assertThat(peer.heard()).startsWith("OPEN 1", "CONFIG 1");
         assertThat(peer.heard()).noneMatch(command -> command.matches("(ENABLE|VEL|RVEL|MOVE|HEAD).*"));
-        assertThat(bot.get("motors")).hasToString("off");
+        assertThat(bot.get("motors")).hasToString("no");
         assertThat(bot.get("model")).hasToString("p3dx-sh");
         assertThat(bot.get("firmware")).hasToString("S.0");
     }
