@@ -13,14 +13,14 @@ final class FrameActions {
     final FrameAction saveLog;
     final FrameAction killMajic;
 
-    FrameActions(MajicFrame frame) {
+    FrameActions(MajicFrame frame, FrameDialogs dialogs) {
         addBot = new FrameAction("Add Bot", "add", "Connect a robot", frame::addBot).withKey(KeyEvent.VK_N);
         killBot = new FrameAction("Kill Bot", "kill", "Stop a robot and let it go", frame::removeBot);
         loadAct = new FrameAction("Load Act", "act", "Give a robot a behaviour", frame::loadAct).withKey(KeyEvent.VK_L);
-        help = new FrameAction("Help", "help", "Commands, parameters and keys", frame::help);
-        saveSession = new FrameAction("Save Session", "session", "Save what was done as a script", frame::saveSession)
+        help = new FrameAction("Help", "help", "Commands, parameters and keys", dialogs::help);
+        saveSession = new FrameAction("Save Session", "session", "Save what was done as a script", dialogs::saveSession)
                 .withKey(KeyEvent.VK_S);
-        saveLog = new FrameAction("Save Log", "log", "Save the parameters logged so far", frame::saveLog);
+        saveLog = new FrameAction("Save Log", "log", "Save the parameters logged so far", dialogs::saveLog);
         killMajic = new FrameAction("Kill Majic", "quit", "Stop and close all robots and end", frame::quit)
                 .withKey(KeyEvent.VK_Q);
     }

@@ -1,18 +1,17 @@
 package majic.gui;
 
 import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.nio.file.Path;
 import java.util.List;
-import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import majic.bot.BotException;
 import majic.bot.LabAccess;
 import majic.bot.MajicBot;
-import majic.bot.Member;
 import majic.bot.Settings;
 import majic.script.Line;
 import majic.script.MajicParser;
@@ -31,6 +30,7 @@ public final class MajicFrame extends JFrame {
     private final transient Surroundings surroundings;
     private final transient StopKeys stopKeys;
     private final transient MapFeed mapFeed;
+    private final transient FrameDialogs dialogs;
     private final TeamMap map = new TeamMap();
     private final BotTabs tabs;
     private final CommandPane commands;
@@ -50,6 +50,7 @@ public final class MajicFrame extends JFrame {
         this.surroundings = surroundings;
         commands = new CommandPane(parser);
         tabs = new BotTabs(session.team(), this::complain);
+        dialogs = new FrameDialogs(this, session, surroundings, tabs);
         mapFeed = new MapFeed(session.team(), session.factory(), map::show);
         stopKeys = new StopKeys(session.team()::stopAll);
         place();
@@ -68,7 +69,7 @@ public final class MajicFrame extends JFrame {
     private void place() {
         StopPanel stop = new StopPanel(session.team());
         session.team().addListener(new EdtTeamListener(stop));
-        FrameActions actions = new FrameActions(this);
+        FrameActions actions = new FrameActions(this, dialogs);
         JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, map, tabs);
         middle.setResizeWeight(0.58);
         tabs.setPreferredSize(new Dimension(470, 400));
@@ -82,7 +83,8 @@ public final class MajicFrame extends JFrame {
         setJMenuBar(new FrameMenu(this, actions));
         setIconImage(FrameAction.icon("app", 64).getImage());
         setMinimumSize(new Dimension(900, 600));
-        setSize(1280, 800);
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        setSize(Math.min(1280, screen.width), Math.min(800, screen.height));
         setLocationRelativeTo(null);
     }
 
@@ -107,19 +109,17 @@ public final class MajicFrame extends JFrame {
 
     /** Opens the dialog that connects a robot (thesis, contract C3). */
     public void addBot() {
-        new AddBotDialog(this, session, surroundings, tabs::select, AddBotDialog.GIVE_UP_MS).setVisible(true);
+        dialogs.addBot();
     }
 
     /** Opens the dialog that lets a robot go (thesis, contract C4); says so if there is none. */
     public void removeBot() {
-        withRobots(members -> new KillBotDialog(
-                        this, members, tabs.selected(), member -> say("remove " + member.number()))
-                .setVisible(true));
+        dialogs.removeBot();
     }
 
     /** Opens the dialogs that give a robot a behaviour (thesis, contract C5); says so if there is no robot. */
     public void loadAct() {
-        withRobots(members -> new LoadActDialog(this, members, tabs.selected(), this::chooseAct).setVisible(true));
+        dialogs.loadAct();
     }
 
     /**
@@ -159,18 +159,6 @@ public final class MajicFrame extends JFrame {
         super.dispose();
     }
 
-    void help() {
-        new HelpDialog(this, session.team().members(), tabs.selected()).setVisible(true);
-    }
-
-    void saveSession() {
-        ChooseFile.toSave(this, "Save Session", "session.majic", file -> say("save session " + quoted(file)));
-    }
-
-    void saveLog() {
-        ChooseFile.toSave(this, "Save Log", "log.csv", file -> say("save log " + quoted(file)));
-    }
-
     void startLab() {
         Runnable start = surroundings.startLab();
         if (start != null) {
@@ -208,25 +196,8 @@ public final class MajicFrame extends JFrame {
         }
     }
 
-    private void chooseAct(Member member) {
-        ChooseFile.toOpen(this, "Load Act", file -> say(member.number() + " act " + quoted(file)));
-    }
-
-    private static String quoted(Path file) {
-        return "\"" + file + "\"";
-    }
-
-    private void withRobots(Consumer<List<Member>> action) {
-        List<Member> members = session.team().members();
-        if (members.isEmpty()) {
-            complain("There are no robots yet; Add Bot connects one.");
-        } else {
-            action.accept(members);
-        }
-    }
-
     /** Tells the person something that the session does not know; callable from any thread. */
-    private void complain(String sentence) {
+    void complain(String sentence) {
         session.log().write("error", sentence);
         commands.messages().line(new Line(Line.Kind.ERROR, sentence));
     }

@@ -3,6 +3,7 @@ package majic.gui;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -92,14 +93,24 @@ final class MapFeed implements TeamListener, AutoCloseable {
     MapScene scene() {
         @Nullable LabAccess lab = factory.lab().orElse(null);
         Map<String, Pose> truths = lab == null ? Map.of() : lab.truePoses();
+        Map<String, Pose> strangers = new LinkedHashMap<>(truths);
         List<MapScene.Robot> robots = new ArrayList<>();
         boolean guessed = false;
         for (Member member : team.members()) {
             Start start = start(member);
             guessed |= !start.inLab;
             robots.add(robot(member, start, truths));
+            if (start.inLab) {
+                strangers.remove(member.bot().type().name());
+            }
         }
-        return new MapScene(lab == null ? List.of() : lab.walls(), robots, guessed);
+        return new MapScene(lab == null ? List.of() : lab.walls(), robots, bystanders(strangers), guessed);
+    }
+
+    private static List<MapScene.Bystander> bystanders(Map<String, Pose> strangers) {
+        return strangers.entrySet().stream()
+                .map(entry -> new MapScene.Bystander(entry.getKey(), entry.getValue()))
+                .toList();
     }
 
     private static MapScene.Robot robot(Member member, Start start, Map<String, Pose> truths) {

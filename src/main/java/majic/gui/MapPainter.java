@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Stroke;
+import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.util.List;
 import majic.bot.LabAccess.Wall;
@@ -16,6 +17,7 @@ final class MapPainter {
     private static final Stroke THIN = new BasicStroke(1);
     private static final Stroke WALL = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final int INSET = 12;
+    private static final double BYSTANDER_MM = 120;
 
     private final Graphics2D g;
     private final MapView view;
@@ -32,6 +34,7 @@ final class MapPainter {
     void paint(MapScene scene) {
         paintGrid();
         scene.walls().forEach(this::paintWall);
+        scene.bystanders().forEach(this::paintBystander);
         List<RobotGlyph> robots = scene.robots().stream()
                 .map(robot -> new RobotGlyph(robot, view))
                 .toList();
@@ -59,6 +62,16 @@ final class MapPainter {
         g.setStroke(WALL);
         g.setColor(Palette.mixed(0.65));
         g.draw(new Line2D.Double(view.x(wall.x1()), view.y(wall.y1()), view.x(wall.x2()), view.y(wall.y2())));
+    }
+
+    private void paintBystander(MapScene.Bystander bystander) {
+        double x = view.x(bystander.truth().xMm());
+        double y = view.y(bystander.truth().yMm());
+        double radius = BYSTANDER_MM * view.pixelsPerMm();
+        g.setStroke(THIN);
+        g.setColor(Palette.mixed(0.5));
+        g.draw(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
+        g.drawString(bystander.name(), (float) (x + radius + 3), (float) y);
     }
 
     /** A bar as long as one square of the grid. */

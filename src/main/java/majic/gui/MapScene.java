@@ -10,14 +10,16 @@ import org.jspecify.annotations.Nullable;
  *
  * @param walls the lab's walls and sides of boxes; empty without a lab
  * @param robots by number
+ * @param bystanders robots that stand in the lab but are not in the team
  * @param startsAreGuessed whether some robot's start is unknown, so that it is drawn beside the others
  */
-record MapScene(List<Wall> walls, List<Robot> robots, boolean startsAreGuessed) {
-    static final MapScene EMPTY = new MapScene(List.of(), List.of(), false);
+record MapScene(List<Wall> walls, List<Robot> robots, List<Bystander> bystanders, boolean startsAreGuessed) {
+    static final MapScene EMPTY = new MapScene(List.of(), List.of(), List.of(), false);
 
     MapScene {
         walls = List.copyOf(walls);
         robots = List.copyOf(robots);
+        bystanders = List.copyOf(bystanders);
     }
 
     /**
@@ -43,6 +45,14 @@ record MapScene(List<Wall> walls, List<Robot> robots, boolean startsAreGuessed) 
             trail = List.copyOf(trail);
         }
     }
+
+    /**
+     * A robot of the lab that nobody has added, or that was removed: others can still run into it.
+     *
+     * @param name of its type
+     * @param truth where it is
+     */
+    record Bystander(String name, Pose truth) {}
 
     /**
      * A place.

@@ -41,6 +41,14 @@ class MapFeedTest {
     }
 
     @Test
+    void aRobotOfTheLabThatNobodyAddedStandsByTheWay() {
+        factory.useLab(new ToyLab());
+        assertThat(feed.scene().bystanders()).containsExactly(new MapScene.Bystander("toy", ToyLab.FIRST_PLACE));
+        add("sim:toy");
+        assertThat(feed.scene().bystanders()).isEmpty();
+    }
+
+    @Test
     void withoutALabRobotsAreDrawnSideBySide() {
         add("toy://one");
         add("toy://two");

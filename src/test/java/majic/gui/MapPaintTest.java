@@ -25,8 +25,8 @@ class MapPaintTest {
 
     @Test
     void aRobotIsDrawnWhereItBelievesItIs() {
-        BufferedImage empty = paint(new MapScene(room(), List.of(), false));
-        MapScene scene = new MapScene(room(), List.of(robot(new Pose(2000, 1500, 0), null)), false);
+        BufferedImage empty = paint(scene());
+        MapScene scene = scene(robot(new Pose(2000, 1500, 0), null));
         BufferedImage image = paint(scene);
         int x = (int) map.view().x(2100);
         int y = (int) map.view().y(1500);
@@ -35,8 +35,8 @@ class MapPaintTest {
 
     @Test
     void theTruthIsDrawnApartFromTheBelief() {
-        MapScene believed = new MapScene(room(), List.of(robot(new Pose(1000, 1000, 0), null)), false);
-        MapScene both = new MapScene(room(), List.of(robot(new Pose(1000, 1000, 0), new Pose(3000, 2000, 90))), false);
+        MapScene believed = scene(robot(new Pose(1000, 1000, 0), null));
+        MapScene both = scene(robot(new Pose(1000, 1000, 0), new Pose(3000, 2000, 90)));
         assertThat(differences(paint(believed), paint(both))).isBetween(20, 3000);
     }
 
@@ -48,6 +48,10 @@ class MapPaintTest {
             ink += image.getRGB(x, HEIGHT - 12) == image.getRGB(0, 0) ? 0 : 1;
         }
         assertThat(ink).isGreaterThan(40);
+    }
+
+    private static MapScene scene(MapScene.Robot... robots) {
+        return new MapScene(room(), List.of(robots), List.of(), false);
     }
 
     private static List<Wall> room() {

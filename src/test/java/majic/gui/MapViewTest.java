@@ -40,7 +40,7 @@ class MapViewTest {
 
     @Test
     void theExtentOfARoomIsTheRoomAndAMargin() {
-        MapScene scene = new MapScene(List.of(new Wall(0, 0, 4000, 3000)), List.of(), false);
+        MapScene scene = new MapScene(List.of(new Wall(0, 0, 4000, 3000)), List.of(), List.of(), false);
         assertThat(Extent.of(scene)).isEqualTo(new Extent(-200, -200, 4200, 3200));
     }
 

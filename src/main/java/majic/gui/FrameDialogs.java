@@ -1,0 +1,82 @@
+package majic.gui;
+
+import java.awt.Window;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import majic.bot.Member;
+import majic.script.Session;
+
+/** Opens the window's dialogs, each when it is first wanted and none of them twice at a time. */
+final class FrameDialogs {
+    private final MajicFrame frame;
+    private final Session session;
+    private final Surroundings surroundings;
+    private final BotTabs tabs;
+
+    FrameDialogs(MajicFrame frame, Session session, Surroundings surroundings, BotTabs tabs) {
+        this.frame = frame;
+        this.session = session;
+        this.surroundings = surroundings;
+        this.tabs = tabs;
+    }
+
+    void addBot() {
+        open("Add Bot", () -> new AddBotDialog(frame, session, surroundings, tabs::select, AddBotDialog.GIVE_UP_MS));
+    }
+
+    void removeBot() {
+        Consumer<Member> kill = member -> frame.say("remove " + member.number());
+        withRobots(members -> open("Kill Bot", () -> new KillBotDialog(frame, members, tabs.selected(), kill)));
+    }
+
+    void loadAct() {
+        withRobots(
+                members -> open("Load Act", () -> new LoadActDialog(frame, members, tabs.selected(), this::chooseAct)));
+    }
+
+    void help() {
+        open("Help", () -> new HelpDialog(frame, session.team().members(), tabs.selected()));
+    }
+
+    void saveSession() {
+        ChooseFile.toSave(frame, "Save Session", "session.majic", file -> say("save session ", file));
+    }
+
+    void saveLog() {
+        ChooseFile.toSave(frame, "Save Log", "log.csv", file -> say("save log ", file));
+    }
+
+    private void chooseAct(Member member) {
+        ChooseFile.toOpen(frame, "Load Act", file -> say(member.number() + " act ", file));
+    }
+
+    /** The script language has no way to write a quotation mark inside a name. */
+    private void say(String command, Path file) {
+        if (file.toString().contains("\"")) {
+            frame.complain(file + ": a file whose name has a quotation mark in it cannot be used here");
+        } else {
+            frame.say(command + '"' + file + '"');
+        }
+    }
+
+    private void withRobots(Consumer<List<Member>> action) {
+        List<Member> members = session.team().members();
+        if (members.isEmpty()) {
+            frame.complain("There are no robots yet; Add Bot connects one.");
+        } else {
+            action.accept(members);
+        }
+    }
+
+    private void open(String title, Supplier<MajicDialog> make) {
+        Stream.of(frame.getOwnedWindows())
+                .filter(window -> window instanceof MajicDialog dialog
+                        && dialog.isShowing()
+                        && dialog.getTitle().equals(title))
+                .findFirst()
+                .ifPresentOrElse(Window::toFront, () -> make.get().setVisible(true));
+    }
+}
