@@ -141,8 +141,7 @@ final class AddBotDialog extends MajicDialog {
             giveUp.stop();
             attempt = null;
             busy(false);
-            String advice = input().advice();
-            message.setText(reason + (reason.contains(advice) ? "" : "\n" + advice));
+            message.setText(Advice.after(reason, input().advice()));
         }
     }
 }

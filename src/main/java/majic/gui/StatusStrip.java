@@ -55,8 +55,8 @@ final class StatusStrip extends JPanel {
             try {
                 member.bot().connect();
             } catch (BotException e) {
-                complain.accept(member.number() + ": " + e.getMessage() + ". "
-                        + member.bot().type().advice());
+                String advice = member.bot().type().advice();
+                complain.accept(member.number() + ": " + Advice.after(e.getMessage(), advice));
             } finally {
                 Edt.later(() -> reconnect.setEnabled(true));
             }

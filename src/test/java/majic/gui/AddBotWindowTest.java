@@ -20,6 +20,12 @@ class AddBotWindowTest {
     }
 
     @Test
+    void theMenuStartsTheLabAndAddsItsRobots() {
+        window.run(window.frame::startLab);
+        window.await("the lab's robot", () -> window.titles().contains("1"));
+    }
+
+    @Test
     void aRobotThatAnswersJoinsTheTeam() {
         window.click("Add Bot");
         connectTo("here");

@@ -18,6 +18,16 @@ class TeamWindowTest {
     }
 
     @Test
+    void killBotClosesTheRobotItsTabAndSaysSo() {
+        ToyBot bot = window.add("one");
+        window.click("Kill Bot");
+        window.click("OK");
+        window.awaitMessage("Bot 1 is dead");
+        window.await("the tab to go", () -> window.titles().isEmpty());
+        assertThat(bot.told).contains("shut");
+    }
+
+    @Test
     void aRobotsTabShowsItsNumberAndTellsItsMake() {
         window.add("one");
         JTabbedPane tabs = window.find("bots", JTabbedPane.class);

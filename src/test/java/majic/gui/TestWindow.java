@@ -23,7 +23,6 @@ import majic.script.MajicParser;
 import majic.script.Session;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.Robot;
-import org.assertj.swing.edt.FailOnThreadViolationRepaintManager;
 import org.assertj.swing.edt.GuiActionRunner;
 
 /**
@@ -42,9 +41,9 @@ final class TestWindow implements AutoCloseable {
     final MajicParser parser = new MajicParser(session, true);
     final MajicFrame frame;
     private final Robot robot;
+    private final EdtGuard guard = EdtGuard.install();
 
     private TestWindow() {
-        FailOnThreadViolationRepaintManager.install();
         robot = BasicRobot.robotWithNewAwtHierarchy();
         robot.settings().delayBetweenEvents(20);
         frame = GuiActionRunner.execute(this::makeFrame);
@@ -181,5 +180,6 @@ final class TestWindow implements AutoCloseable {
     public void close() {
         robot.cleanUp();
         team.close();
+        guard.checkAndRemove();
     }
 }

@@ -1,0 +1,61 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javax.swing.JComponent;
+import javax.swing.RepaintManager;
+import javax.swing.SwingUtilities;
+
+/** Notes every change of a component by a thread that may not change it. */
+final class EdtGuard extends RepaintManager {
+    private final List<String> violations = new CopyOnWriteArrayList<>();
+    private final RepaintManager before = RepaintManager.currentManager(null);
+
+    static EdtGuard install() {
+        EdtGuard guard = new EdtGuard();
+        RepaintManager.setCurrentManager(guard);
+        return guard;
+    }
+
+    @Override
+    public synchronized void addInvalidComponent(JComponent component) {
+        check(component);
+        super.addInvalidComponent(component);
+    }
+
+    @Override
+    public void addDirtyRegion(JComponent component, int x, int y, int width, int height) {
+        check(component);
+        super.addDirtyRegion(component, x, y, width, height);
+    }
+
+    /** Ends watching, and fails if something was found. */
+    void checkAndRemove() {
+        RepaintManager.setCurrentManager(before);
+        assertThat(violations).isEmpty();
+    }
+
+    private void check(JComponent component) {
+        if (SwingUtilities.isEventDispatchThread()) {
+            return;
+        }
+        List<StackTraceElement> stack = Arrays.asList(Thread.currentThread().getStackTrace());
+        if (!isRepaintByOurselves(stack)) {
+            violations.add(component.getClass().getName() + " changed on " + Thread.currentThread() + ": " + stack);
+        }
+    }
+
+    /** Swing allows repaint() from everywhere, but not what itself calls repaint(). */
+    private static boolean isRepaintByOurselves(List<StackTraceElement> stack) {
+        int caller = 0;
+        for (int index = 0; index < stack.size(); index++) {
+            if (stack.get(index).getMethodName().equals("repaint")) {
+                caller = index + 1;
+            }
+        }
+        return caller > 0 && !stack.get(caller).getClassName().startsWith("javax.swing.");
+    }
+}
