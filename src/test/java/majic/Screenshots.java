@@ -12,6 +12,7 @@ import java.util.function.BooleanSupplier;
 import javax.swing.AbstractButton;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import majic.bot.Member;
@@ -31,6 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
 class Screenshots {
     private static final Path IMAGES = Path.of("docs", "images");
     private static final LabOptions OPTIONS = new LabOptions(Room.standard(), false, 7, 0, 0, 0, true);
+    private static final int PIONEERS_TAB = 1;
     private static final int PATIENCE_S = 60;
 
     @Test
@@ -40,6 +42,9 @@ class Screenshots {
             MajicParser parser = new MajicParser(program.session(), true);
             MajicFrame frame = open(program, parser);
             drive(program, parser);
+            JTabbedPane tabs = (JTabbedPane) find(frame, "bots");
+            SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(PIONEERS_TAB));
+            awaitWindow(new Settled());
             WindowPicture.save(frame, IMAGES.resolve("main.png"));
             withDialog(frame, "Add Bot", "add-bot.png");
             withDialog(frame, "Help", "help.png");

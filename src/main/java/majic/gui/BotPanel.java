@@ -71,7 +71,7 @@ final class BotPanel extends JPanel {
             none.setEnabled(false);
             return none;
         }
-        JScrollPane scroll = new JScrollPane(display);
+        JScrollPane scroll = new JScrollPane(new DisplayView(display));
         scroll.setBorder(BorderFactory.createEmptyBorder());
         return scroll;
     }

@@ -110,6 +110,15 @@ final class DrivePad extends JPanel {
         });
     }
 
+    /** The border follows the look. */
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (hint != null) {
+            showFocus(isFocusOwner());
+        }
+    }
+
     private void showFocus(boolean focused) {
         hint.setText(focused ? "Hold an arrow key to drive, let go to stop" : "Click here to drive by arrow keys");
         setBorder(BorderFactory.createLineBorder(

@@ -30,7 +30,7 @@ final class MessageArea extends JScrollPane implements SessionListener {
         text.setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
         text.putClientProperty("FlatLaf.styleClass", "monospaced");
         text.getAccessibleContext().setAccessibleName("Messages");
-        setPreferredSize(new Dimension(600, 180));
+        setPreferredSize(new Dimension(600, 150));
         setMinimumSize(new Dimension(200, 70));
     }
 

@@ -7,6 +7,7 @@ import javax.swing.text.DefaultStyledDocument;
 import javax.swing.text.Element;
 import javax.swing.text.Style;
 import javax.swing.text.StyleConstants;
+import javax.swing.text.StyleContext;
 import majic.script.Line;
 
 /**
@@ -19,7 +20,7 @@ final class MessageDocument extends DefaultStyledDocument {
 
     MessageDocument() {
         for (Line.Kind kind : Line.Kind.values()) {
-            Style style = addStyle(kind.name(), null);
+            Style style = addStyle(kind.name(), getStyle(StyleContext.DEFAULT_STYLE));
             StyleConstants.setBold(style, kind == Line.Kind.COMMAND);
         }
         recolour();
@@ -36,10 +37,8 @@ final class MessageDocument extends DefaultStyledDocument {
         try {
             for (Line line : lines) {
                 String text = sign(line.kind()) + line.text();
-                insertString(
-                        getLength(),
-                        getLength() == 0 ? text : "\n" + text,
-                        getStyle(line.kind().name()));
+                insertString(getLength(), getLength() == 0 ? text : "\n" + text, null);
+                setLogicalStyle(getLength(), getStyle(line.kind().name()));
             }
             forgetOldest();
         } catch (BadLocationException e) {

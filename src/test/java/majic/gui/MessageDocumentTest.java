@@ -2,9 +2,11 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.text.BadLocationException;
+import javax.swing.text.StyleConstants;
 import majic.script.Line;
 import org.junit.jupiter.api.Test;
 
@@ -28,6 +30,18 @@ class MessageDocumentTest {
                 .toList());
         assertThat(text().lines()).hasSize(MessageDocument.MOST_LINES);
         assertThat(text()).startsWith("  line 8\n").endsWith("line 2007");
+    }
+
+    @Test
+    void linesThatAreThereFollowAChangeOfTheLook() {
+        document.append(List.of(new Line(Line.Kind.ERROR, "one"), new Line(Line.Kind.ANSWER, "two")));
+        StyleConstants.setForeground(document.getStyle(Line.Kind.ERROR.name()), Color.PINK);
+        assertThat(colorAt(1)).isEqualTo(Color.PINK);
+        assertThat(colorAt(document.getLength() - 1)).isEqualTo(Palette.text());
+    }
+
+    private Color colorAt(int offset) {
+        return StyleConstants.getForeground(document.getCharacterElement(offset).getAttributes());
     }
 
     private String text() throws BadLocationException {
