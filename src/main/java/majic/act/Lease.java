@@ -1,0 +1,94 @@
+package majic.act;
+
+import java.util.List;
+import java.util.function.Function;
+import majic.bot.BotCommand;
+import majic.bot.BotControl;
+import majic.bot.Guard;
+import majic.bot.MotionReport;
+import majic.bot.MotionStopped;
+import majic.bot.Parameter;
+import majic.bot.Permit;
+import majic.bot.Value;
+
+/** A robot on loan. Once it is taken back every use of it throws, and nothing reaches the robot any more. */
+final class Lease implements BotControl {
+    private final Permit permit = new Permit();
+    private final BotControl robot;
+
+    /**
+     * Lends a robot out.
+     *
+     * @param loan gives the robot under a permit, as {@code member::control} does
+     */
+    Lease(Function<Permit, BotControl> loan) {
+        this.robot = loan.apply(permit);
+    }
+
+    /** Takes the robot back and halts it, in an order that lets no command slip in between; once is enough. */
+    void revoke() {
+        if (!permit.isRevoked()) {
+            permit.revoke(() -> new MotionStopped("the act has ended"));
+            robot.stop();
+        }
+    }
+
+    boolean isRevoked() {
+        return permit.isRevoked();
+    }
+
+    private BotControl robot() {
+        permit.check();
+        return robot;
+    }
+
+    @Override
+    public MotionReport move(double mm, Guard until) {
+        return robot().move(mm, until);
+    }
+
+    @Override
+    public MotionReport turn(double degrees, Guard until) {
+        return robot().turn(degrees, until);
+    }
+
+    @Override
+    public MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until) {
+        return robot().drive(mmPerSec, degPerSec, seconds, until);
+    }
+
+    @Override
+    public void drive(double mmPerSec, double degPerSec) {
+        robot().drive(mmPerSec, degPerSec);
+    }
+
+    @Override
+    public void stop() {
+        robot().stop();
+    }
+
+    @Override
+    public Value get(String parameter) {
+        return robot().get(parameter);
+    }
+
+    @Override
+    public void set(String parameter, List<Value> values) {
+        robot().set(parameter, values);
+    }
+
+    @Override
+    public String run(String command, List<Value> arguments) {
+        return robot().run(command, arguments);
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return robot().parameters();
+    }
+
+    @Override
+    public List<BotCommand> commands() {
+        return robot().commands();
+    }
+}

@@ -1,0 +1,154 @@
+package majic.act;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.BotControl;
+import majic.bot.FakeBot;
+import majic.bot.Member;
+import majic.bot.MotionStopped;
+import majic.bot.SteppedTime;
+import majic.bot.Team;
+import majic.bot.TimeSource;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** An act commands its robot until it ends, and never afterwards. */
+@Timeout(30)
+class MajicActTest {
+    private static final List<String> SAID = new CopyOnWriteArrayList<>();
+
+    private final SteppedTime time = new SteppedTime();
+    private final Team team = new Team(time);
+    private final TimeSource.Membership membership = time.join();
+    private final FakeBot robot = FakeBot.on(time);
+    private Member member;
+
+    @BeforeEach
+    void connect() {
+        SAID.clear();
+        robot.connect();
+        member = team.add(robot, OptionalInt.empty());
+    }
+
+    @AfterEach
+    void close() {
+        membership.close();
+        team.close();
+    }
+
+    /** Drives a square, and goes on with its first side when it is cut short. */
+    private static final class Square extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        private final int sides;
+
+        Square(int sides) {
+            this.sides = sides;
+        }
+
+        @Override
+        protected void behave() {
+            BotControl mine = bot;
+            try {
+                for (int side = 0; side < sides; side++) {
+                    mine.move(300);
+                    pause(2);
+                    mine.turn(90);
+                }
+            } catch (MotionStopped e) {
+                mine.move(300);
+            }
+        }
+
+        @Override
+        protected void ended(boolean cutShort) {
+            SAID.add("cut short: " + cutShort + ", robot: " + bot);
+        }
+    }
+
+    @Test
+    void commandsItsRobotAndPausesOnItsClock() throws InterruptedException {
+        MajicAct square = new Square(2);
+        square.start(member::control, time);
+        time.sleep(8.5);
+        square.join();
+        assertThat(robot.sent()).startsWith("move 300", "turn 90", "move 300", "turn 90");
+        assertThat(SAID).containsExactly("cut short: false, robot: null");
+    }
+
+    @Test
+    void endedWhileItMovesItHaltsTheRobotAndLosesIt() throws InterruptedException {
+        MajicAct square = new Square(4);
+        square.start(member::control, time);
+        time.sleep(0.5);
+        square.end();
+        square.join();
+        assertThat(robot.sent()).startsWith("move 300", "halt").containsOnlyOnce("move 300");
+        assertThat(SAID).containsExactly("cut short: true, robot: null");
+    }
+
+    @Test
+    void endedWhileItPausesItWakesAtOnce() throws InterruptedException {
+        MajicAct square = new Square(4);
+        square.start(member::control, time);
+        time.sleep(2);
+        square.end();
+        square.join();
+        assertThat(robot.sent()).containsOnlyOnce("move 300").doesNotContain("turn 90");
+    }
+
+    @Test
+    void keptControlsAreOfNoUseAfterwards() throws InterruptedException {
+        Thief thief = new Thief();
+        thief.start(member::control, time);
+        thief.join();
+        assertThatThrownBy(() -> thief.kept.move(100)).isInstanceOf(MotionStopped.class);
+        assertThatThrownBy(() -> thief.kept.get("x")).isInstanceOf(MotionStopped.class);
+    }
+
+    private static final class Thief extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        private transient BotControl kept;
+
+        @Override
+        protected void behave() {
+            kept = bot;
+            throw new IllegalStateException("a mistake of the author");
+        }
+    }
+
+    @Test
+    void runsOnlyOnce() throws InterruptedException {
+        MajicAct square = new Square(0);
+        square.start(member::control, time);
+        square.join();
+        assertThatThrownBy(() -> square.start(member::control, time)).isInstanceOf(IllegalThreadStateException.class);
+    }
+
+    @Test
+    void savedAndReadBackItIsFreshAndRuns() throws Exception {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(new Square(1));
+        }
+        MajicAct again;
+        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
+            again = (MajicAct) in.readObject();
+        }
+        again.start(member::control, time);
+        time.sleep(5);
+        again.join();
+        assertThat(robot.sent()).startsWith("move 300", "turn 90");
+    }
+}
