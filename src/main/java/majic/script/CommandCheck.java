@@ -60,7 +60,9 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
     @Override
     public @Nullable Void set(Command.Set set) {
         Token at = set.values().get(0).at();
-        parameter(set.parameter());
+        if (!parameter(set.parameter()).writable()) {
+            throw new ScriptException(set.parameter(), set.parameter().text() + ": can be read but not set");
+        }
         attempt(
                 at,
                 () -> bot.checkSet(

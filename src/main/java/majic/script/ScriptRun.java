@@ -49,9 +49,13 @@ final class ScriptRun {
         }
         mistakes.forEach(mistake -> session.say(Line.Kind.ERROR, mistake.in(file)));
         if (!mistakes.isEmpty()) {
-            throw new ExecutionEnded(Answer.Outcome.FAILED, mistakes.size() + " mistake(s) in it, nothing was run");
+            throw new ExecutionEnded(Answer.Outcome.FAILED, counted(mistakes.size()) + " in it, nothing was run");
         }
         return script;
+    }
+
+    private static String counted(int mistakes) {
+        return mistakes == 1 ? "1 mistake" : mistakes + " mistakes";
     }
 
     private static List<Statement> parse(String text, Session session, List<Mistake> mistakes) {
@@ -93,7 +97,7 @@ final class ScriptRun {
             say(e.ending());
         } catch (ScriptException e) {
             execution.stopAllUsed();
-            say("failed: " + (file.isEmpty() ? e.getMessage() : e.mistake().in(file)));
+            say("failed: " + where(e));
         } catch (BotException e) {
             execution.stopAllUsed();
             say("failed: " + e.getMessage());
@@ -101,6 +105,15 @@ final class ScriptRun {
             execution.freeAll();
         }
         return false;
+    }
+
+    /** A mistake that shows only now is told as those found before anything ran are. */
+    private String where(ScriptException mistake) {
+        if (file.isEmpty()) {
+            return String.valueOf(mistake.getMessage());
+        }
+        execution.session().say(Line.Kind.ERROR, mistake.mistake().in(file));
+        return "line " + mistake.at().line();
     }
 
     private void say(String how) {

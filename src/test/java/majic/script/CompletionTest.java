@@ -1,0 +1,57 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What the Tab key offers. */
+class CompletionTest {
+    private final Desk desk = Desk.withTwo();
+
+    @AfterEach
+    void close() {
+        desk.close();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "re | release remove repeat",
+                "a | add aibo all",
+                "1 mo | move",
+                "1,2 w | wag wait",
+                "1.tu | turn",
+                "1 get dist | distanceFront",
+                "1 get x,volt | voltage",
+                "1 set HEAD | headPan",
+                "1 set posture s | sit stand",
+                "1 set light o | off on",
+                "1 move 500 u | until",
+                "1 move 500 until near | near",
+                "1 move 500 until distanceFront < n | near no",
+                "1 drive 10 10 f | for",
+                "if 1 bumped == yes o | or",
+                "save s | session",
+                "add s | sim:aibo sim:pioneer",
+                "1 log o | off",
+                "help rep | repeat"
+            })
+    void fitsThePlace(String text, String words) {
+        assertThat(desk.prompt.complete(text, text.length())).containsExactly(words.split(" "));
+    }
+
+    @Test
+    void looksAtTheWordBeforeTheCaret() {
+        assertThat(desk.prompt.complete("1 mo 500", 4)).containsExactly("move");
+    }
+
+    @Test
+    void offersNothingWhereAnythingMayStand() {
+        assertThat(desk.prompt.complete("1 move ", 7)).isEmpty();
+        assertThat(desk.prompt.complete("9 get x", 7)).isEmpty();
+    }
+}

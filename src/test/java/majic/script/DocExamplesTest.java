@@ -1,0 +1,69 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import majic.bot.FakeBot;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every example on the page of the language does what it says, or at least nothing wrong. */
+@Timeout(60)
+class DocExamplesTest {
+    private static final Path PAGE = Path.of("docs/majic-script.md");
+    private static final Pattern EXAMPLE = Pattern.compile("```majic\\R(.*?)```", Pattern.DOTALL);
+
+    static Stream<String> examples() throws IOException {
+        Matcher found = EXAMPLE.matcher(Files.readString(PAGE));
+        return found.results().map(result -> result.group(1));
+    }
+
+    static List<String> withoutMe() throws IOException {
+        return examples().filter(example -> !hasMe(example)).toList();
+    }
+
+    private static boolean hasMe(String example) {
+        return example.lines().anyMatch(line -> line.strip().startsWith("me "));
+    }
+
+    @ParameterizedTest
+    @MethodSource("withoutMe")
+    void runsWithoutAMistake(String example) throws InterruptedException {
+        try (Desk desk = Desk.withTwo()) {
+            desk.add(desk.pioneer);
+            desk.bot(1).putObstacle(3000);
+            for (String line : example.split("\\R")) {
+                assertThat(desk.pipe.parseText(line)).as(line).isEmpty();
+            }
+            desk.pipe.awaitAll();
+            assertThat(desk.said()).noneMatch(line -> line.contains("failed")).anyMatch(line -> line.contains("done"));
+        }
+    }
+
+    @Test
+    void theWandererTurnsBeforeWhatIsNearUntilItIsStopped() throws Exception {
+        String wanderer = examples().filter(DocExamplesTest::hasMe).findFirst().orElseThrow();
+        try (Desk desk = Desk.withTwo()) {
+            FakeBot robot = desk.bot(2);
+            robot.putObstacle(1000);
+            desk.time
+                    .thread("wander", () -> new ScriptBehaviour("Wander", wanderer).run(desk.session, 2))
+                    .start();
+            desk.pause(10);
+            desk.prompt.parseText("2 stop");
+            desk.prompt.awaitAll();
+            desk.pause(1);
+            assertThat(robot.sent()).startsWith("move 2000", "turn 100", "move 2000", "turn 100");
+            assertThat(robot.state().pose().xMm()).isLessThanOrEqualTo(540);
+            assertThat(desk.said()).contains("2 Wander: stopped");
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The {@code log} command fills the parameter log while robots do other things. */
+@Timeout(30)
+class LoggingTest {
+    @TempDir
+    Path folder;
+
+    private final Desk desk = Desk.withTwo();
+
+    @AfterEach
+    void close() {
+        desk.close();
+    }
+
+    @Test
+    void readingsAreTakenWhileTheRobotMoves() throws Exception {
+        Path file = folder.resolve("log.csv");
+        assertThat(desk.runPipe(
+                        "1 log x,speed every 100ms",
+                        "1 move 300",
+                        "1 wait",
+                        "1 log off",
+                        "wait 1s",
+                        "save log " + file))
+                .containsSubsequence(
+                        "1 log x,speed every 100ms: done", "1 log off: done", "save log " + file + ": done");
+        assertThat(Files.readAllLines(file)).hasSizeBetween(21, 25).anyMatch(row -> row.endsWith(",1,x,150.0,mm"));
+    }
+
+    @Test
+    void aRobotThatIsGoneIsNoLongerLogged() throws Exception {
+        desk.prompt.parseText("1 log x every 100ms");
+        desk.pause(0.5);
+        desk.bot(1).cut();
+        desk.pause(0.5);
+        assertThat(desk.said()).contains("1: no longer logged: connection lost");
+    }
+}

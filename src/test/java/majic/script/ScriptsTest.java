@@ -1,0 +1,200 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Scripts in files and blocks at the prompt: they have their robots to themselves, and end with all of them. */
+@Timeout(30)
+class ScriptsTest {
+    @TempDir
+    Path folder;
+
+    private final Desk desk = Desk.withTwo();
+
+    @AfterEach
+    void close() {
+        desk.close();
+    }
+
+    private String file(String... lines) throws IOException {
+        Path file = folder.resolve("test.majic");
+        Files.write(file, List.of(lines));
+        return file.toString();
+    }
+
+    private void type(String... lines) {
+        for (String line : lines) {
+            assertThat(desk.prompt.parseText(line)).isEmpty();
+        }
+    }
+
+    @Test
+    void aFileRunsToItsEndAndWaitsForItsRobots() throws Exception {
+        String file = file("# a square", "repeat 2", "  1 move 300", "  1 turn 90", "end", "2 move 30");
+        assertThat(desk.runPipe("run " + file, "2 get x"))
+                .containsSubsequence(
+                        "1 turn 90: done (90 deg, 1.0 s)", "run " + file + ": done (4.0 s)", "2 x = 30 mm");
+        assertThat(desk.bot(1).sent()).containsExactly("move 300", "turn 90", "move 300", "turn 90");
+    }
+
+    @Test
+    void allMistakesAreReportedTogetherAndNothingRuns() throws Exception {
+        String file =
+                file("1 move 30", "1 mvoe 3", "", "while 1 bumpd == no", "  2 move", "end", "9 move 3", "1 move 5 5");
+        desk.runPipe("run " + file);
+        assertThat(desk.said())
+                .containsExactly(
+                        file + ":5:9: behind \"move\" a distance (mm, cm, m) is missing",
+                        file + ":8:10: 5: nothing more is expected behind \"1 move 5\"",
+                        "run " + file + ": failed: 2 mistakes in it, nothing was run");
+        assertThat(desk.bot(1).sent()).isEmpty();
+        assertThat(desk.pipe.allSucceeded()).isFalse();
+    }
+
+    @Test
+    void whatTheRobotsCannotDoIsFoundBeforeAnythingRuns() throws Exception {
+        String file = file("1 move 30", "1 mvoe 3", "while 1 bumpd == no", "  2 set x 3", "end", "9 move 3");
+        desk.runPipe("run " + file);
+        assertThat(desk.said())
+                .containsExactly(
+                        file + ":2:3: mvoe: robot 1 (Aibo) has no such command; did you mean move?",
+                        file + ":3:9: bumpd: robot 1 (Aibo) has no such parameter; did you mean bumped?",
+                        file + ":4:9: x: can be read but not set",
+                        file + ":6:1: 9: there is no robot 9 (robots: 1 Aibo, 2 Pioneer)",
+                        "run " + file + ": failed: 4 mistakes in it, nothing was run");
+        assertThat(desk.bot(1).sent()).isEmpty();
+    }
+
+    @Test
+    void robotsAddedInAFileAreCheckedWhenTheirLineComes() throws Exception {
+        String file = file("add sim:aibo as 7", "7 move 30", "7 get nothing");
+        desk.runPipe("run " + file);
+        assertThat(desk.said())
+                .contains(
+                        "7: Aibo at sim:aibo connected",
+                        file + ":3:7: nothing: robot 7 (Aibo) has no such parameter",
+                        "run " + file + ": failed: line 3");
+    }
+
+    @Test
+    void blocksThatAreNotClosedAreNamed() throws Exception {
+        String file = file("repeat 3", "1 move 3", "if 1 bumped == no", "end");
+        desk.runPipe("run " + file);
+        assertThat(desk.said()).contains(file + ":1:1: repeat: its \"end\" is missing");
+    }
+
+    @Test
+    void aScriptHasItsRobotsToItself() throws Exception {
+        type("run " + file("repeat", "1 move 300", "1 wait", "end"));
+        desk.pause(0.5);
+        assertThat(desk.prompt.parseText("1 move 30")).hasValue("1 is running test.majic; \"1 stop\" ends it");
+        assertThat(desk.prompt.parseText("1 set headPan 3")).isPresent();
+        assertThat(desk.prompt.parseText("1 set light on")).isEmpty();
+        assertThat(desk.prompt.parseText("2 move 30")).isEmpty();
+        type("1 stop");
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).anyMatch(line -> line.endsWith("test.majic: stopped"));
+        type("1 move 30");
+    }
+
+    @Test
+    void aFailureEndsTheScriptAndStopsEveryRobotItUsed() throws Exception {
+        desk.bot(1).stallAfter(120);
+        String file = file("2 move 3m", "1 move 300", "1 move 30", "1 get x");
+        desk.runPipe("run " + file, "2 get x");
+        assertThat(desk.said())
+                .contains(
+                        "1 move 300: failed: stalled after 120 mm",
+                        "1 move 30: not run: 1 move 300 failed",
+                        "2 move 3m: stopped",
+                        "2 stop: done",
+                        "run " + file + ": failed: 1 move 300 failed");
+        assertThat(desk.pipe.allSucceeded()).isFalse();
+    }
+
+    @Test
+    void aScriptMayStopItsOwnRobotsAndGoOn() throws Exception {
+        String file = file("1,2 move 3m", "wait 1s", "1 stop", "1 turn 90", "2 wait");
+        assertThat(desk.runPipe("run " + file))
+                .contains("1 move 3m: stopped", "1 turn 90: done (90 deg, 1.0 s)", "run " + file + ": done (10.0 s)");
+        assertThat(desk.pipe.allSucceeded()).isTrue();
+    }
+
+    @Test
+    void stopForAllEndsTheScriptThatSaysItToo() throws Exception {
+        String file = file("1 move 3m", "wait 1s", "all stop", "2 move 30");
+        assertThat(desk.runPipe("run " + file)).contains("1 move 3m: stopped", "run " + file + ": stopped");
+        assertThat(desk.bot(2).sent()).doesNotContain("move 30");
+        assertThat(desk.team.isLatched()).isTrue();
+    }
+
+    @Test
+    void anUndecidedConditionEndsTheScript() throws Exception {
+        desk.bot(2).cut();
+        desk.runPipe("if 2 distanceFront < 30", "1 move 30", "end");
+        assertThat(desk.said())
+                .endsWith("if 2 distanceFront < 30: failed: if 2 distanceFront < 30 cannot be told: "
+                        + "2 distanceFront is unknown (connection lost)");
+    }
+
+    @Test
+    void filesMayRunFilesButNotThemselvesForEver() throws Exception {
+        Path file = folder.resolve("test.majic");
+        String self = file("1 get now x", "run " + file);
+        desk.runPipe("run " + self);
+        assertThat(desk.said()).contains("run " + self + ": failed: " + self + ": files run each other too deeply");
+    }
+
+    @Test
+    void aTypedBlockRunsBesideOtherLines() throws Exception {
+        type("repeat 2", "1 move 300", "1 turn 90", "end", "2 move 30");
+        desk.prompt.awaitAll();
+        assertThat(desk.said())
+                .containsSubsequence("2 move 30: done (30 mm, 0.1 s)", "1 turn 90: done (90 deg, 1.0 s)")
+                .endsWith("repeat 2: done (4.0 s)");
+    }
+
+    @Test
+    void aWrongLineOfATypedBlockIsRefusedAndTheBlockStaysOpen() throws Exception {
+        type("repeat 2");
+        assertThat(desk.prompt.parseText("1 mvoe 300")).isPresent();
+        assertThat(desk.prompt.isBlockOpen()).isTrue();
+        type("1 move 30", "end");
+        desk.prompt.awaitAll();
+        assertThat(desk.bot(1).sent()).containsExactly("move 30", "move 30");
+    }
+
+    @Test
+    void aBlockThatIsNotClosedAtTheEndOfAPipeIsNotRun() throws Exception {
+        assertThat(desk.runPipe("repeat 2", "1 move 30"))
+                .containsExactly("the \"end\" of the last block is missing; nothing of it was run");
+        assertThat(desk.pipe.allSucceeded()).isFalse();
+    }
+
+    @Test
+    void anIdleLoopLetsTheClockGoOnAndCanBeStopped() throws Exception {
+        type("repeat", "1 get now x", "end");
+        desk.pause(0.055);
+        type("stop");
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).filteredOn("1 x = 0 mm"::equals).hasSizeBetween(5, 8);
+    }
+
+    @Test
+    void aMissingOrHugeFileIsRefused() throws Exception {
+        Path huge = folder.resolve("huge.majic");
+        Files.writeString(huge, "#\n".repeat(600_000));
+        desk.runPipe("run " + huge, "run " + folder);
+        assertThat(desk.said())
+                .anyMatch(line -> line.endsWith(folder + ": not a file with a script"))
+                .anyMatch(line -> line.endsWith(huge + ": too long for a script, more than 1000000 bytes"));
+    }
+}

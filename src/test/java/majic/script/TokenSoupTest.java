@@ -1,0 +1,142 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Whatever is typed is taken or refused with one sentence; nothing is thrown. */
+@Timeout(60)
+class TokenSoupTest {
+    private static final List<String> WORDS = List.of(
+            "1",
+            "2",
+            "1,2",
+            "1-4",
+            "7",
+            "all",
+            "any",
+            "me",
+            "aibo",
+            "pioneer",
+            "move",
+            "turn",
+            "drive",
+            "stop",
+            "get",
+            "now",
+            "set",
+            "log",
+            "every",
+            "off",
+            "act",
+            "wait",
+            "help",
+            "add",
+            "sim:aibo",
+            "as",
+            "remove",
+            "bots",
+            "probe",
+            "release",
+            "run",
+            "save",
+            "session",
+            "lab",
+            "repeat",
+            "while",
+            "if",
+            "else",
+            "end",
+            "until",
+            "for",
+            "and",
+            "or",
+            "not",
+            "(",
+            ")",
+            ".",
+            ",",
+            "<",
+            "<=",
+            "==",
+            "=",
+            "!",
+            "\"",
+            "\"a b\"",
+            "#",
+            "x",
+            "headPan",
+            "distanceFront",
+            "posture",
+            "light",
+            "on",
+            "yes",
+            "clear",
+            "sit",
+            "near",
+            "-3",
+            "2.5m",
+            "90deg",
+            "1e9",
+            "99999999999999999999",
+            "5%",
+            "3s",
+            "10ms",
+            "-",
+            "--",
+            "\\",
+            "/",
+            "é",
+            "\u0000",
+            "\uD800",
+            "\t",
+            "wag",
+            "𝛑");
+
+    private static String soup(Random random) {
+        return IntStream.range(0, 1 + random.nextInt(9))
+                .mapToObj(word -> WORDS.get(random.nextInt(WORDS.size())) + (random.nextInt(4) == 0 ? "" : " "))
+                .collect(Collectors.joining());
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void isTakenOrRefusedWithASentence(long seed) {
+        Random random = new Random(seed);
+        try (Desk desk = Desk.withTwo()) {
+            MajicParser[] parsers = {desk.prompt, desk.pipe, MajicParser.remote(desk.session)};
+            for (int line = 0; line < 2000; line++) {
+                String text = soup(random);
+                Optional<String> wrong = parsers[random.nextInt(3)].parseText(text);
+                wrong.ifPresent(sentence ->
+                        assertThat(sentence).as(text).isNotBlank().doesNotContain("\n", "Exception", "null"));
+                desk.prompt.complete(text, random.nextInt(text.length() + 1));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"(", "not ", "1 move 1 until (", "1 get x,", "if ", "repeat\n", "1 get x until x < 1 or "})
+    void isBoundedInDepthAndLength(String piece) {
+        try (Desk desk = Desk.withTwo()) {
+            assertThat(desk.pipe.parseText("1 move 1 until " + piece.repeat(900)))
+                    .isPresent();
+            desk.pipe.parseText(piece.repeat(900));
+            List<Mistake> mistakes = mistakesIn(piece.repeat(20_000));
+            assertThat(mistakes).isNotEmpty();
+        }
+    }
+
+    private static List<Mistake> mistakesIn(String text) {
+        Parser parser = new Parser(Scanner.scan(text), List.of("aibo"));
+        parser.script();
+        return parser.mistakes();
+    }
+}
