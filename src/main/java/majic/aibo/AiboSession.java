@@ -191,8 +191,8 @@ final class AiboSession {
 
     private void lost(LinkLost cause) {
         driving.forget();
-        runner.abandon();
         robot.lost(cause);
+        runner.abandon();
     }
 
     private void heard(UrbiMessage message) {

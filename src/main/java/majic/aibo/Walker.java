@@ -60,6 +60,7 @@ final class Walker {
 
     /** The piece is over, or has to be. */
     private void settle(Running running) {
+        motion.check();
         String failure = running.failure();
         String trouble = failure == null ? trouble() : refusal(failure);
         if (trouble != null) {

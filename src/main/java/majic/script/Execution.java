@@ -33,6 +33,7 @@ final class Execution {
     private final @Nullable Owner owner;
     private final Set<Member> used = new LinkedHashSet<>();
     private final long stopsBefore;
+    private final boolean latchedBefore;
     private volatile boolean ended;
     private long motions;
     private int files;
@@ -54,6 +55,7 @@ final class Execution {
         this.lines = lines;
         this.owner = script == null ? null : new Owner(Owner.Kind.SCRIPT, script, this::end);
         this.stopsBefore = stopsBefore;
+        this.latchedBefore = session.team().isLatched();
     }
 
     /** One line, which has no robot to itself and ends only by its own end. */
@@ -262,6 +264,11 @@ final class Execution {
                     ? new ExecutionEnded(trouble.outcome(), trouble.text() + " failed")
                     : new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
         });
+    }
+
+    /** Whether a STOP came since this began; its order may be refused before the script hears of it. */
+    boolean wasStopped() {
+        return session.stops() != stopsBefore || (team.isLatched() && !latchedBefore);
     }
 
     private boolean isOver() {

@@ -100,7 +100,7 @@ final class ScriptRun {
             say("failed: " + where(e));
         } catch (BotException e) {
             execution.stopAllUsed();
-            say("failed: " + e.getMessage());
+            say(execution.wasStopped() ? "stopped" : "failed: " + e.getMessage());
         } finally {
             execution.freeAll();
         }
