@@ -51,6 +51,7 @@ class Screenshots {
             wrongLine(frame);
             parser.parseText("stop");
             awaitWindow(() -> find(frame, "release").isVisible());
+            awaitWindow(new Settled());
             WindowPicture.save(frame, IMAGES.resolve("stopped.png"));
             dark(frame);
             SwingUtilities.invokeAndWait(frame::dispose);

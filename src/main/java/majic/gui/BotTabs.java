@@ -7,10 +7,10 @@ import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
-import javax.swing.SwingConstants;
 import majic.bot.Member;
 import majic.bot.Team;
 import majic.bot.TeamListener;
+import net.miginfocom.swing.MigLayout;
 
 /** A tab for each robot, by number; without robots a word on how to get one. */
 final class BotTabs extends JPanel implements TeamListener {
@@ -34,13 +34,17 @@ final class BotTabs extends JPanel implements TeamListener {
         setLayout(cards);
         tabs.setName("bots");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
-        JLabel hint = new JLabel(
-                "<html><center>No robots yet.<br><br>Add Bot connects one;<br>"
-                        + "the menu Lab starts a simulated lab<br>with three of them.</center></html>",
-                SwingConstants.CENTER);
-        add(hint, NOBODY);
+        add(hint(), NOBODY);
         add(tabs, SOMEBODY);
         team.members().forEach(this::added);
+    }
+
+    private static JPanel hint() {
+        JPanel hint = new JPanel(new MigLayout("wrap 1, alignx center, aligny center", "[center]"));
+        hint.add(new JLabel("No robots yet."), "gapbottom 12");
+        hint.add(new JLabel("Add Bot connects one; the menu Lab"));
+        hint.add(new JLabel("starts a simulated lab with three of them."));
+        return hint;
     }
 
     /** The robot whose tab is in front. */

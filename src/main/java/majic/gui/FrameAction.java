@@ -1,10 +1,10 @@
 package majic.gui;
 
-import com.formdev.flatlaf.extras.FlatSVGIcon;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
+import javax.swing.Icon;
 import javax.swing.KeyStroke;
 
 /** Something the window can do, from which both its button and its menu entry are made. */
@@ -24,7 +24,7 @@ final class FrameAction extends AbstractAction {
         super(name);
         this.action = action;
         putValue(SHORT_DESCRIPTION, tip);
-        putValue(LARGE_ICON_KEY, icon(icon, LARGE_ICON));
+        putValue(LARGE_ICON_KEY, Pictures.later(icon, LARGE_ICON));
     }
 
     /** Gives the action a key, together with Ctrl (Cmd on a Mac). */
@@ -34,9 +34,9 @@ final class FrameAction extends AbstractAction {
         return this;
     }
 
-    /** One of our pictures; its grey follows the look. */
-    static FlatSVGIcon icon(String name, int size) {
-        return new FlatSVGIcon("majic/gui/" + name + ".svg", size, size);
+    /** Reads the picture; may wait. */
+    void readPicture() {
+        Pictures.read((Icon) getValue(LARGE_ICON_KEY));
     }
 
     @Override

@@ -2,6 +2,7 @@ package majic.gui;
 
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
+import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -24,6 +25,7 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class MajicFrame extends JFrame {
     private static final long serialVersionUID = 1L;
+    private static final int ICON_SIZE = 64;
 
     private final transient Session session;
     private final transient MajicParser parser;
@@ -81,11 +83,20 @@ public final class MajicFrame extends JFrame {
         content.add(all, "wmin 0, hmin 0, gap 8 8 0 8");
         setContentPane(content);
         setJMenuBar(new FrameMenu(this, actions));
-        setIconImage(FrameAction.icon("app", 64).getImage());
+        Edt.background("reading pictures", () -> readPictures(actions));
         setMinimumSize(new Dimension(900, 600));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(1280, screen.width), Math.min(800, screen.height));
         setLocationRelativeTo(null);
+    }
+
+    private void readPictures(FrameActions actions) {
+        actions.buttons().forEach(FrameAction::readPicture);
+        Image icon = Pictures.now("app", ICON_SIZE);
+        Edt.later(() -> {
+            setIconImage(icon);
+            repaint();
+        });
     }
 
     private void listen() {

@@ -1,8 +1,8 @@
 package majic.gui;
 
 import java.awt.Color;
-import java.awt.Font;
 import javax.swing.JButton;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.bot.Team;
 import majic.bot.TeamListener;
@@ -15,14 +15,21 @@ final class StopPanel extends JPanel implements TeamListener {
     private static final Color DARK_RED = new Color(0x7F1D1D);
 
     private final JButton stop = new JButton();
+    private final JLabel word = new JLabel();
+    private final JLabel below = new JLabel();
     private final JButton release = new JButton("Release");
 
     StopPanel(Team team) {
         super(new MigLayout("insets 0, gap 6, hidemode 3", "[][]", "[fill]"));
         stop.setName("stop");
         stop.setFocusable(false);
-        stop.setForeground(Color.WHITE);
-        stop.setFont(stop.getFont().deriveFont(Font.BOLD, stop.getFont().getSize2D() * 1.25f));
+        stop.setLayout(new MigLayout("insets 0, gap 0, wrap 1, alignx center, aligny center", "[center]"));
+        stop.add(word);
+        stop.add(below);
+        word.setName("stopWord");
+        word.setForeground(Color.WHITE);
+        word.putClientProperty("FlatLaf.style", "font: bold +6");
+        below.setForeground(Color.WHITE);
         stop.putClientProperty("JButton.buttonType", "roundRect");
         stop.setToolTipText("Stops every robot at once; works in every window of MAJIC by Esc and F12");
         stop.addActionListener(event -> team.stopAll());
@@ -36,13 +43,10 @@ final class StopPanel extends JPanel implements TeamListener {
 
     @Override
     public void latchChanged(boolean latched) {
-        stop.setText(label(latched ? "STOPPED" : "STOP", latched ? "until released" : "Esc or F12"));
+        word.setText(latched ? "STOPPED" : "STOP");
+        below.setText(latched ? "until released" : "Esc or F12");
         stop.setBackground(latched ? DARK_RED : RED);
         stop.getAccessibleContext().setAccessibleName(latched ? "Stopped; stop again" : "Stop all robots");
         release.setVisible(latched);
-    }
-
-    private static String label(String word, String below) {
-        return "<html><center><b>" + word + "</b><br><span style='font-size:75%'>" + below + "</span></center></html>";
     }
 }

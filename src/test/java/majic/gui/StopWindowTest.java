@@ -24,7 +24,7 @@ class StopWindowTest {
         window.click("stop");
         window.await("both robots to halt", () -> one.told.contains("halt") && two.told.contains("halt"));
         assertThat(window.team.isLatched()).isTrue();
-        window.await("the button to say so", () -> window.text("stop").contains("STOPPED"));
+        window.await("the button to say so", () -> window.text("stopWord").equals("STOPPED"));
     }
 
     @Test

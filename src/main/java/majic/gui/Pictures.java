@@ -1,0 +1,76 @@
+package majic.gui;
+
+import com.formdev.flatlaf.extras.FlatSVGIcon;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Image;
+import java.awt.image.BufferedImage;
+import javax.swing.Icon;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Our own pictures. Reading the first one takes a third of a second, so the window is shown without them, and they are
+ * read in the background.
+ */
+final class Pictures {
+    private Pictures() {}
+
+    /** A picture by its name without {@code .svg}; its grey follows the look. Takes its place at once, empty at first. */
+    static Icon later(String name, int size) {
+        return new LateIcon(new FlatSVGIcon(path(name), size, size));
+    }
+
+    /** A picture as a whole; reads it. */
+    static Image now(String name, int size) {
+        return new FlatSVGIcon(path(name), size, size).getImage();
+    }
+
+    /**
+     * Reads a picture, so that it can be painted.
+     *
+     * @param icon made by {@link #later}
+     */
+    static void read(Icon icon) {
+        if (icon instanceof LateIcon late) {
+            late.read();
+        }
+    }
+
+    private static String path(String name) {
+        return "majic/gui/" + name + ".svg";
+    }
+
+    private static final class LateIcon implements Icon {
+        private final FlatSVGIcon icon;
+        private volatile boolean ready;
+
+        LateIcon(FlatSVGIcon icon) {
+            this.icon = icon;
+        }
+
+        void read() {
+            Graphics2D nowhere = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
+            icon.paintIcon(null, nowhere, 0, 0);
+            nowhere.dispose();
+            ready = true;
+        }
+
+        @Override
+        public void paintIcon(@Nullable Component component, Graphics g, int x, int y) {
+            if (ready) {
+                icon.paintIcon(component, g, x, y);
+            }
+        }
+
+        @Override
+        public int getIconWidth() {
+            return icon.getWidth();
+        }
+
+        @Override
+        public int getIconHeight() {
+            return icon.getHeight();
+        }
+    }
+}
