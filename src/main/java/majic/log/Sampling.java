@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import majic.bot.BotException;
+import majic.bot.MajicBot;
 import majic.bot.Member;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
@@ -81,7 +82,14 @@ public final class Sampling {
             Thread.currentThread().interrupt();
         } catch (BotException e) {
             forget(member, series);
-            notices.accept(member.number() + ": no longer logged: " + e.getMessage());
+            complain(member, e);
+        }
+    }
+
+    /** A robot that was removed, or closed at the end, needs no explanation. */
+    private void complain(Member member, BotException problem) {
+        if (member.bot().connection() != MajicBot.Connection.CLOSED) {
+            notices.accept(member.number() + ": no longer logged: " + problem.getMessage());
         }
     }
 

@@ -139,7 +139,7 @@ final class Dispatcher {
             session.say(Line.Kind.ANSWER, line.title() + ": " + e.ending());
         } catch (ScriptException | BotException e) {
             tally.fail(line.title());
-            session.say(Line.Kind.ERROR, line.title() + ": failed: " + e.getMessage());
+            session.say(Line.Kind.ERROR, String.valueOf(e.getMessage()));
         }
     }
 

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 import majic.bot.Suggestion;
-import majic.bot.Value;
 import majic.script.Token.Kind;
 
 /**
@@ -124,21 +124,37 @@ final class Parser {
     /** {@code while = "while" condition NEWLINE lines "end" ;} */
     private Statement whileLoop() {
         Token word = at.peek();
-        Condition condition = head(this::asked, nothing(word));
-        return new Statement.While(word, condition, body(word));
+        Optional<Condition> condition = condition();
+        List<Statement> body = body(word);
+        return condition.isPresent() ? new Statement.While(word, condition.get(), body) : once(word, body);
     }
 
     /** {@code if = "if" condition NEWLINE lines [ "else" NEWLINE lines ] "end" ;} */
     private Statement choice() {
         Token word = at.peek();
-        Condition condition = head(this::asked, nothing(word));
+        Optional<Condition> condition = condition();
         List<Statement> then = lines();
-        if (!at.match("else")) {
+        List<Statement> otherwise = List.of();
+        if (at.match("else")) {
+            endOfElse();
+            otherwise = body(word);
+        } else {
             end(word);
-            return new Statement.If(word, condition, then, List.of());
         }
-        endOfElse();
-        return new Statement.If(word, condition, then, body(word));
+        if (condition.isPresent()) {
+            return new Statement.If(word, condition.get(), then, otherwise);
+        }
+        then.addAll(otherwise);
+        return once(word, then);
+    }
+
+    private Optional<Condition> condition() {
+        return head(() -> Optional.of(asked()), Optional.empty());
+    }
+
+    /** Stands for a block whose head could not be read, so that its body can still be checked; it is never run. */
+    private static Statement once(Token word, List<Statement> body) {
+        return new Statement.Repeat(word, OptionalInt.of(1), body);
     }
 
     private Condition asked() {
@@ -184,12 +200,6 @@ final class Parser {
             at.toNextLine();
             return instead;
         }
-    }
-
-    /** Stands for a condition that could not be read; a tree with mistakes is never run. */
-    private static Condition nothing(Token word) {
-        return new Condition.Comparison(
-                null, word, Operator.EQUAL, new Literal(word, Value.text(word.text()), word.text()));
     }
 
     /** {@code line = sessionCommand | robots ( command | call ) ;} */

@@ -1,6 +1,7 @@
 package majic.script;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
@@ -44,9 +45,8 @@ final class ScriptRun {
     static List<Statement> parse(String file, String text, Session session, Selection selection) {
         List<Mistake> mistakes = new ArrayList<>();
         List<Statement> script = parse(text, session, mistakes);
-        if (mistakes.isEmpty()) {
-            mistakes.addAll(Checker.check(script, session, selection));
-        }
+        mistakes.addAll(Checker.check(script, session, selection));
+        mistakes.sort(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column));
         mistakes.forEach(mistake -> session.say(Line.Kind.ERROR, mistake.in(file)));
         if (!mistakes.isEmpty()) {
             throw new ExecutionEnded(Answer.Outcome.FAILED, counted(mistakes.size()) + " in it, nothing was run");

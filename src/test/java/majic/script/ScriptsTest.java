@@ -52,9 +52,12 @@ class ScriptsTest {
         desk.runPipe("run " + file);
         assertThat(desk.said())
                 .containsExactly(
+                        file + ":2:3: mvoe: robot 1 (Aibo) has no such command; did you mean move?",
+                        file + ":4:9: bumpd: robot 1 (Aibo) has no such parameter; did you mean bumped?",
                         file + ":5:9: behind \"move\" a distance (mm, cm, m) is missing",
+                        file + ":7:1: 9: there is no robot 9 (robots: 1 Aibo, 2 Pioneer)",
                         file + ":8:10: 5: nothing more is expected behind \"1 move 5\"",
-                        "run " + file + ": failed: 2 mistakes in it, nothing was run");
+                        "run " + file + ": failed: 5 mistakes in it, nothing was run");
         assertThat(desk.bot(1).sent()).isEmpty();
         assertThat(desk.pipe.allSucceeded()).isFalse();
     }

@@ -107,7 +107,6 @@ class SessionRecordTest {
     void aFolderThatIsNotThereIsNamed() throws InterruptedException {
         Path file = folder.resolve("none/session.majic");
         assertThat(desk.runPipe("save session " + file))
-                .containsExactly("save session " + file + ": failed: " + file
-                        + ": cannot be written (there is no such folder or file)");
+                .containsExactly(file + ": cannot be written (there is no such folder or file)");
     }
 }
