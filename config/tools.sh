@@ -100,25 +100,26 @@ cache_folder() {
     echo "${XDG_CACHE_HOME:-$HOME/.cache}/majic"
 }
 
+# Makes the class data in the background, for the next start.
+make_class_data() {
+    fresh=$archive.$$
+    (nice "$java" "-XX:ArchiveClassesAtExit=$fresh" $native -XX:+UseSerialGC -Xlog:disable -jar "$jar" class-data &&
+        mv -f "$fresh" "$archive" || rm -f "$fresh") >/dev/null 2>&1 </dev/null &
+}
+
 exec_majic() {
-    root=$1
+    jar=$1/target/majic.jar
     shift
-    jar=$root/target/majic.jar
-    set -- -jar "$jar" "$@"
     major=$(java_major "$java")
-    if [ "$major" -ge 22 ]; then
-        set -- --enable-native-access=ALL-UNNAMED "$@"
+    native=
+    [ "$major" -lt 22 ] || native=--enable-native-access=ALL-UNNAMED
+    archive=$(cache_folder)/majic-$major-$(id -u).jsa
+    if [ -f "$archive" ] && [ "$archive" -nt "$jar" ]; then
+        exec "$java" "-XX:SharedArchiveFile=$archive" $native -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xlog:disable \
+            -jar "$jar" "$@"
     fi
-    folder=$(cache_folder)
-    if [ "$major" -ge 19 ] && mkdir -p "$folder" 2>/dev/null; then
-        set -- -XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=$folder/majic-$major.jsa" "$@"
-    elif mkdir -p "$folder" 2>/dev/null; then
-        archive=$folder/majic-$major.jsa
-        if [ -f "$archive" ] && [ "$archive" -nt "$jar" ]; then
-            set -- "-XX:SharedArchiveFile=$archive" "$@"
-        else
-            set -- "-XX:ArchiveClassesAtExit=$archive" "$@"
-        fi
+    if mkdir -p "$(cache_folder)" 2>/dev/null; then
+        make_class_data
     fi
-    exec "$java" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xshare:auto -Xlog:cds=off -Xlog:cds+dynamic=off -Xlog:disable -Xlog:all=off "$@"
+    exec "$java" $native -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar "$jar" "$@"
 }

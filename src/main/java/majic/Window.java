@@ -2,9 +2,11 @@ package majic;
 
 import java.awt.AWTError;
 import java.awt.HeadlessException;
+import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import majic.gui.MajicFrame;
 import majic.gui.Surroundings;
@@ -30,7 +32,7 @@ final class Window {
      * @throws UsageException if the display cannot be used
      */
     int run(List<String> firstLines) {
-        MajicFrame frame = open();
+        MajicFrame frame = open(this::show);
         firstLines.forEach(parser::parseText);
         try {
             program.awaitQuit();
@@ -42,25 +44,45 @@ final class Window {
         return 0;
     }
 
-    private MajicFrame open() {
+    /** Builds and paints the window where nobody sees it. */
+    void rehearse() {
+        MajicFrame frame = open(this::build);
+        onEventThread(() -> {
+            frame.addNotify();
+            frame.validate();
+            BufferedImage picture = new BufferedImage(frame.getWidth(), frame.getHeight(), BufferedImage.TYPE_INT_RGB);
+            frame.getContentPane().print(picture.createGraphics());
+            frame.dispose();
+        });
+    }
+
+    private MajicFrame open(Supplier<MajicFrame> making) {
         AtomicReference<MajicFrame> frame = new AtomicReference<>();
+        onEventThread(() -> frame.set(making.get()));
+        return frame.get();
+    }
+
+    private static void onEventThread(Runnable work) {
         try {
-            SwingUtilities.invokeAndWait(() -> frame.set(show()));
+            SwingUtilities.invokeAndWait(work);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } catch (InvocationTargetException | AWTError e) {
             throw new WindowFailed(e);
         }
-        return frame.get();
     }
 
     private MajicFrame show() {
+        MajicFrame frame = build();
+        frame.setVisible(true);
+        return frame;
+    }
+
+    private MajicFrame build() {
         MajicFrame.installLook(program.settings());
         Surroundings surroundings =
                 new Surroundings(Window::serialPorts, program::startLab, program::quit, program.settings());
-        MajicFrame frame = new MajicFrame(program.session(), parser, surroundings);
-        frame.setVisible(true);
-        return frame;
+        return new MajicFrame(program.session(), parser, surroundings);
     }
 
     private static List<SerialPortChoice> serialPorts() {
