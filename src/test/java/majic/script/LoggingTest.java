@@ -34,7 +34,9 @@ class LoggingTest {
                         "save log " + file))
                 .containsSubsequence(
                         "1 log x,speed every 100ms: done", "1 log off: done", "save log " + file + ": done");
-        assertThat(Files.readAllLines(file)).hasSizeBetween(21, 25).anyMatch(row -> row.endsWith(",1,speed,300.0,mm/s"));
+        assertThat(Files.readAllLines(file))
+                .hasSizeBetween(21, 25)
+                .anyMatch(row -> row.endsWith(",1,speed,300.0,mm/s"));
     }
 
     @Test
