@@ -85,8 +85,8 @@ class ArchitectureTest {
 
     @Test
     void onlyTheWindowAndTheRobotsPanelsTouchSwing() {
-        DescribedPredicate<JavaClass> panels =
-                DescribedPredicate.describe("a robot's panel or what it draws with",
+        DescribedPredicate<JavaClass> panels = DescribedPredicate.describe(
+                "a robot's panel or what it draws with",
                 type -> type.getName().matches(".*(Panel|Drawing|View|Numbers)(\\$.*)?"));
         noClasses()
                 .that(resideInAPackage("majic..").and(DescribedPredicate.not(resideInAnyPackage("majic.gui", "majic"))))

@@ -5,7 +5,6 @@ import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -26,12 +25,6 @@ import org.jspecify.annotations.Nullable;
 public abstract class MajicBot implements BotControl, AutoCloseable {
     private static final Logger LOG = System.getLogger(MajicBot.class.getName());
 
-    /** How long a {@code drive} holds without being renewed, seconds. */
-    private static final double DRIVE_LEASE_S = 0.6;
-
-    /** How often a timed drive renews itself, seconds. */
-    private static final double DRIVE_RENEWAL_S = 0.3;
-
     private final BotType type;
     private final BotEnvironment environment;
     private final ParameterTable parameters = new ParameterTable();
@@ -39,9 +32,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     private final List<BotListener> listeners = new CopyOnWriteArrayList<>();
     private final Signal changes;
     private final Keeper keeper;
-    private final Permits permits = new Permits();
-    private final Object commandLock = new Object();
-    private final AtomicBoolean motionUnderWay = new AtomicBoolean();
+    private final Helm helm;
     private final AtomicLong readings = new AtomicLong();
 
     private volatile BotProfile profile;
@@ -50,7 +41,6 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     private volatile Connection connection = Connection.NEW;
     private volatile @Nullable LinkLost lostBecause;
     private volatile BotState state = BotState.UNKNOWN;
-    private volatile boolean driving;
 
     /** How a robot's connection stands. */
     public enum Connection {
@@ -80,6 +70,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         this.environment = environment;
         this.changes = environment.time().signal();
         this.keeper = new Keeper(environment.time());
+        this.helm = new Helm(this, keeper);
         this.name = "the " + type.label();
         SharedParameters.describe(parameters, this);
         pace.describe(parameters, profile);
@@ -121,7 +112,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     final MotionReport move(double mm, Guard until, Permit permit) {
         pace.checkMove(mm);
-        return perform(until, permit, motion -> moveBy(mm, motion));
+        return helm.perform(until, permit, motion -> moveBy(mm, motion));
     }
 
     @Override
@@ -131,7 +122,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     final MotionReport turn(double degrees, Guard until, Permit permit) {
         Pace.checkTurn(degrees);
-        return perform(until, permit, motion -> turnBy(degrees, motion));
+        return helm.perform(until, permit, motion -> turnBy(degrees, motion));
     }
 
     @Override
@@ -142,14 +133,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
         Pace.checkDrive(profile, mmPerSec, degPerSec);
         Pace.checkDriveTime(seconds);
-        return perform(until, permit, motion -> {
-            while (motion.seconds() < seconds && !motion.guardReached()) {
-                motion.send(() -> driveAt(mmPerSec, degPerSec));
-                motion.pause(Math.min(DRIVE_RENEWAL_S, seconds - motion.seconds()));
-            }
-            motion.send(this::halt);
-            return null;
-        });
+        return helm.drive(mmPerSec, degPerSec, seconds, until, permit);
     }
 
     @Override
@@ -159,18 +143,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     final void drive(double mmPerSec, double degPerSec, Permit permit) {
         Pace.checkDrive(profile, mmPerSec, degPerSec);
-        if (motionUnderWay.get()) {
-            throw new BotException(name + " is in a motion; stop it before driving");
-        }
-        if (mmPerSec == 0 && degPerSec == 0) {
-            endDrive();
-            return;
-        }
-        underPermit(permit, () -> {
-            driving = true;
-            keeper.once("drive lapse", DRIVE_LEASE_S, this::endDrive);
-            driveAt(mmPerSec, degPerSec);
-        });
+        helm.drive(mmPerSec, degPerSec, permit);
     }
 
     @Override
@@ -181,18 +154,14 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     /** Ends the leave of everybody who moves this robot now; quick, sends nothing. */
     final void revokeMotions() {
-        permits.revokeAll(() -> new MotionStopped("stopped"));
+        helm.permits().revokeAll(() -> new MotionStopped("stopped"));
         changes.raise();
     }
 
     /** Tells the robot to stand and waits until it has confirmed it. */
     final void sendStop() {
         if (connection == Connection.CONNECTED) {
-            synchronized (commandLock) {
-                driving = false;
-                halt();
-            }
-            confirmHalt();
+            helm.sendStop();
         }
     }
 
@@ -215,7 +184,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         BiFunction<List<Value>, Motion, @Nullable Value> writer = Arguments.writer(entry);
         List<Value> fitted = Arguments.forSet(entry.parameter(), values);
         if (entry.parameter().moves()) {
-            perform(Guard.NEVER, permit, motion -> writer.apply(fitted, motion));
+            helm.perform(Guard.NEVER, permit, motion -> writer.apply(fitted, motion));
         } else {
             requireConnected();
             writer.apply(fitted, new Motion(this, Guard.NEVER, permit));
@@ -234,8 +203,8 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
             requireConnected();
             return known.action().run(fitted, new Motion(this, Guard.NEVER, permit));
         }
-        MotionReport report =
-                perform(Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
+        MotionReport report = helm.perform(
+                Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
         return String.valueOf(report.amount());
     }
 
@@ -287,7 +256,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
             if (before == Connection.CLOSED) {
                 return;
             }
-            permits.latch(() -> new BotException(name + " is closed"));
+            helm.permits().latch(() -> new BotException(name + " is closed"));
             become(Connection.CLOSED);
         }
         keeper.close();
@@ -556,10 +525,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
                 return;
             }
             lostBecause = cause;
-            driving = false;
             become(Connection.LOST);
         }
-        permits.revokeAll(() -> new LinkLost(cause.getMessage(), cause));
+        helm.lost(cause);
         changes.raise();
     }
 
@@ -569,7 +537,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @return true from a drive until its lease ends
      */
     protected final boolean isDriving() {
-        return driving;
+        return helm.isDriving();
     }
 
     /**
@@ -578,21 +546,21 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @return true while the driver may have told the robot to move
      */
     public final boolean isBusy() {
-        return driving || motionUnderWay.get();
+        return helm.isBusy();
     }
 
     final Permit permit() {
-        return permits.current();
+        return helm.permits().current();
     }
 
     /** Refuses all motion until {@link #unlatch()}. */
     final void latch() {
-        permits.latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
+        helm.permits().latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
         changes.raise();
     }
 
     final void unlatch() {
-        permits.unlatch();
+        helm.permits().unlatch();
     }
 
     final String lostReason() {
@@ -615,78 +583,12 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     final void underPermit(Permit permit, Runnable write) {
-        synchronized (commandLock) {
-            permit.check();
-            requireConnected();
-            write.run();
-        }
+        helm.send(permit, write);
     }
 
-    private void endDrive() {
-        synchronized (commandLock) {
-            if (driving) {
-                driving = false;
-                halt();
-            }
-        }
-    }
-
-    /** What a motion does between its beginning and its end. */
-    @FunctionalInterface
-    private interface Maneuver {
-        @Nullable
-        Value run(Motion motion);
-    }
-
-    private MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
-        requireConnected();
-        begin(permit);
-        BotListener relay = new ReadingsRelay(changes, readings);
-        until.alsoWatches().forEach(other -> other.addListener(relay));
-        try {
-            Motion motion = new Motion(this, until, permit);
-            motion.check();
-            Value amount = maneuver.run(motion);
-            return new MotionReport(amount, motion.seconds());
-        } catch (MotionStopped | LinkLost e) {
-            if (!permit.isRevoked()) {
-                haltQuietly();
-            }
-            throw e;
-        } catch (RuntimeException e) {
-            haltQuietly();
-            throw e;
-        } finally {
-            until.alsoWatches().forEach(other -> other.removeListener(relay));
-            motionUnderWay.set(false);
-            changes.raise();
-        }
-    }
-
-    /** Waits for the motion under way to end; a drive just ends for a motion. */
-    private void begin(Permit permit) {
-        try {
-            while (!motionUnderWay.compareAndSet(false, true)) {
-                changes.await(() -> !motionUnderWay.get() || permit.isRevoked(), Signal.FOR_EVER);
-                permit.check();
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new MotionStopped("interrupted");
-        }
-        driving = false;
-    }
-
-    private void haltQuietly() {
-        try {
-            synchronized (commandLock) {
-                if (isConnected()) {
-                    halt();
-                }
-            }
-        } catch (BotException e) {
-            LOG.log(Level.DEBUG, "could not halt " + name, e);
-        }
+    /** Makes the news of another robot wake the motions of this one. */
+    final BotListener readingsRelay() {
+        return new ReadingsRelay(changes, readings);
     }
 
     private ParameterTable.Entry entry(String parameter) {

@@ -1,0 +1,159 @@
+package majic.bot;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Who moves one robot, and when: motions one after the other, drives that lapse, and the stop that overtakes both. All
+ * that moves the robot is sent under one lock, together with a look at the permit. Thread-safe.
+ */
+final class Helm {
+    private static final Logger LOG = System.getLogger(Helm.class.getName());
+
+    /** How long a drive holds without being renewed, seconds. */
+    private static final double DRIVE_LEASE_S = 0.6;
+
+    /** How often a timed drive renews itself, seconds. */
+    private static final double DRIVE_RENEWAL_S = 0.3;
+
+    private final MajicBot bot;
+    private final Keeper keeper;
+    private final Permits permits = new Permits();
+    private final Object commandLock = new Object();
+    private final AtomicBoolean motionUnderWay = new AtomicBoolean();
+    private volatile boolean driving;
+
+    /** What a motion does between its beginning and its end. */
+    @FunctionalInterface
+    interface Maneuver {
+        @Nullable
+        Value run(Motion motion);
+    }
+
+    Helm(MajicBot bot, Keeper keeper) {
+        this.bot = bot;
+        this.keeper = keeper;
+    }
+
+    Permits permits() {
+        return permits;
+    }
+
+    boolean isDriving() {
+        return driving;
+    }
+
+    boolean isBusy() {
+        return driving || motionUnderWay.get();
+    }
+
+    /** Does a whole motion; whatever ends it before its time, the robot is told to stand. */
+    MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
+        bot.requireConnected();
+        begin(permit);
+        BotListener relay = bot.readingsRelay();
+        until.alsoWatches().forEach(other -> other.addListener(relay));
+        try {
+            Motion motion = new Motion(bot, until, permit);
+            motion.check();
+            Value amount = maneuver.run(motion);
+            return new MotionReport(amount, motion.seconds());
+        } catch (RuntimeException e) {
+            haltAfter(permit);
+            throw e;
+        } finally {
+            until.alsoWatches().forEach(other -> other.removeListener(relay));
+            motionUnderWay.set(false);
+            bot.changes().raise();
+        }
+    }
+
+    /** Waits for the motion under way to end; a drive just ends for a motion. */
+    private void begin(Permit permit) {
+        try {
+            while (!motionUnderWay.compareAndSet(false, true)) {
+                bot.changes().await(() -> !motionUnderWay.get() || permit.isRevoked(), Signal.FOR_EVER);
+                permit.check();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new MotionStopped("interrupted");
+        }
+        driving = false;
+    }
+
+    /** Who revoked the permit has sent a stop already. */
+    private void haltAfter(Permit permit) {
+        if (permit.isRevoked() || !bot.isConnected()) {
+            return;
+        }
+        try {
+            synchronized (commandLock) {
+                bot.halt();
+            }
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, "could not halt " + bot.name(), e);
+        }
+    }
+
+    MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
+        return perform(until, permit, motion -> {
+            while (motion.seconds() < seconds && !motion.guardReached()) {
+                motion.send(() -> bot.driveAt(mmPerSec, degPerSec));
+                motion.pause(Math.min(DRIVE_RENEWAL_S, seconds - motion.seconds()));
+            }
+            motion.send(bot::halt);
+            return null;
+        });
+    }
+
+    void drive(double mmPerSec, double degPerSec, Permit permit) {
+        if (motionUnderWay.get()) {
+            throw new BotException(bot.name() + " is in a motion; stop it before driving");
+        }
+        if (mmPerSec == 0 && degPerSec == 0) {
+            endDrive();
+            return;
+        }
+        send(permit, () -> {
+            driving = true;
+            keeper.once("drive lapse", DRIVE_LEASE_S, this::endDrive);
+            bot.driveAt(mmPerSec, degPerSec);
+        });
+    }
+
+    private void endDrive() {
+        synchronized (commandLock) {
+            if (driving) {
+                driving = false;
+                bot.halt();
+            }
+        }
+    }
+
+    /** Sends what moves the robot. */
+    void send(Permit permit, Runnable write) {
+        synchronized (commandLock) {
+            permit.check();
+            bot.requireConnected();
+            write.run();
+        }
+    }
+
+    /** Tells the robot to stand and waits until it has confirmed it. */
+    void sendStop() {
+        synchronized (commandLock) {
+            driving = false;
+            bot.halt();
+        }
+        bot.confirmHalt();
+    }
+
+    /** The link is gone, and with it the leave of everybody who moves the robot. */
+    void lost(LinkLost cause) {
+        driving = false;
+        permits.revokeAll(() -> new LinkLost(cause.getMessage(), cause));
+    }
+}
