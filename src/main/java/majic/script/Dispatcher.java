@@ -152,11 +152,13 @@ final class Dispatcher {
         } else if (line.isBlock()) {
             session.record().commit(entry);
             runBlock(line, execution);
+            session.record().took(line, execution.isTyped());
             return;
         } else {
             new Interpreter(execution).run(List.of(line.statement()));
         }
         session.record().commit(entry);
+        session.record().took(line, execution.isTyped());
     }
 
     private void runBlock(Given line, Execution execution) {

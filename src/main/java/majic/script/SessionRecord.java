@@ -63,16 +63,15 @@ final class SessionRecord {
      * @param robots those it makes do something
      * @param finished the others that had finished by then, and when
      * @param atNanos when it began
-     * @param letsTimePass whether it lets time pass by itself
      */
-    record Entry(String line, Set<Integer> robots, Map<Integer, Long> finished, long atNanos, boolean letsTimePass) {}
+    record Entry(String line, Set<Integer> robots, Map<Integer, Long> finished, long atNanos) {}
 
     /** Looks at what had finished when a line began; nothing is kept before {@link #commit}. */
     synchronized Entry prepare(Given given, Selection selection, boolean typed) {
         Set<Integer> robots = given.robots(selection);
         Map<Integer, Long> finished = robots.isEmpty() ? Map.of() : finishedOthers(robots);
         return new Entry(
-                given.forRecord(team, typed), robots, finished, team.time().nanos(), given.isWait());
+                given.forRecord(team, typed), robots, finished, team.time().nanos());
     }
 
     /** Keeps a line. */
@@ -88,7 +87,14 @@ final class SessionRecord {
         pause((entry.atNanos - lastNanos) / 1e9);
         lines.addAll(entry.line.lines().toList());
         started.addAll(entry.robots);
-        lastNanos = entry.letsTimePass ? team.time().nanos() : entry.atNanos;
+        lastNanos = entry.atNanos;
+    }
+
+    /** A line is over; what takes its time in a replay as well is not to be paused for once more. */
+    synchronized void took(Given given, boolean typed) {
+        if (given.isWait() || (!typed && !given.isQuick())) {
+            lastNanos = team.time().nanos();
+        }
     }
 
     private Map<Integer, Long> finishedOthers(Set<Integer> robots) {

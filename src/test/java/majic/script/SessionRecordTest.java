@@ -57,6 +57,14 @@ class SessionRecordTest {
     }
 
     @Test
+    void doesNotPauseAgainForWhatTakesItsTimeAnyway() throws InterruptedException {
+        desk.runPipe("add sim:aibo", "repeat 2", "  1 move 300", "  1 wait", "end", "wait 2s", "1 turn 90");
+        assertThat(desk.session.record().lines())
+                .containsExactly(
+                        "add sim:aibo as 1", "repeat 2", "  1 move 300", "  1 wait", "end", "wait 2s", "1 turn 90");
+    }
+
+    @Test
     void leavesOutWhatWasRefusedAndWhatChangedNothing() throws InterruptedException {
         addTwo();
         type("bots");
