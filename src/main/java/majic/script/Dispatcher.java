@@ -2,6 +2,7 @@ package majic.script;
 
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotException;
 import majic.bot.Member;
@@ -23,7 +24,7 @@ final class Dispatcher {
     private final LineQueue queue;
     private final LineQueue comings;
     private final AtomicInteger beside = new AtomicInteger();
-    private long ownStops;
+    private final StopCount ownStops = new StopCount();
 
     Dispatcher(Session session, Source source) {
         this.session = session;
@@ -72,7 +73,8 @@ final class Dispatcher {
      * @throws ScriptException if it cannot be done with the robots there are; nothing happened
      */
     void give(Statement statement, String text) {
-        Given line = new Given(statement, text, stops());
+        Set<Integer> robots = Given.robots(statement, selection);
+        Given line = new Given(statement, text, robots, stops(robots));
         if (goesNow(line)) {
             perform(line);
         } else if (goesBeside(line) && queue.isEmpty()) {
@@ -120,7 +122,7 @@ final class Dispatcher {
     }
 
     private void inTurn(Given line) {
-        if (line.mayMove() && line.stops() != stops()) {
+        if (line.mayMove() && line.stops() != stops(line.robots())) {
             tally.fail(line.title());
             session.say(Line.Kind.ANSWER, line.title() + ": not run: stopped");
         } else if (goesBeside(line)) {
@@ -147,8 +149,8 @@ final class Dispatcher {
         Execution execution = Execution.ofLine(
                 session, source == Source.PROMPT ? Execution.Manner.TYPED : Execution.Manner.IN_TURN, tally);
         SessionRecord.Entry entry = session.record().prepare(line, selection, execution.isTyped());
-        if (line.isStopAll()) {
-            stopEverything(line, execution);
+        if (line.isStop()) {
+            stop(line, execution);
         } else if (line.isBlock()) {
             session.record().commit(entry);
             runBlock(line, execution);
@@ -168,16 +170,18 @@ final class Dispatcher {
         }
     }
 
-    /** STOP drops the lines held behind this one, unless it is one of them itself and had its turn. */
-    private synchronized void stopEverything(Given line, Execution execution) {
+    /** A stop drops the lines that are held for its robots, unless it is one of the held itself and had its turn. */
+    private synchronized void stop(Given line, Execution execution) {
         boolean inTurn = queue.isEmpty() || queue.isCurrent(line);
-        execution.stopEverything();
-        if (inTurn) {
-            ownStops++;
+        new Interpreter(execution).run(List.of(line.statement()));
+        if (inTurn && line.isStopAll()) {
+            ownStops.stoppedAll();
+        } else if (inTurn && line.statement() instanceof Statement.ForRobots robots) {
+            ownStops.stopped(selection.present(robots.robots()));
         }
     }
 
-    private synchronized long stops() {
-        return session.stops() - ownStops;
+    private synchronized long stops(Set<Integer> robots) {
+        return session.stops().of(robots) - ownStops.of(robots);
     }
 }

@@ -60,12 +60,19 @@ final class Execution {
 
     /** One line, which has no robot to itself and ends only by its own end. */
     static Execution ofLine(Session session, Manner manner, Tally lines) {
-        return new Execution(session, manner, lines, null, OptionalInt.empty(), session.stops());
+        return new Execution(
+                session,
+                manner,
+                lines,
+                null,
+                OptionalInt.empty(),
+                session.stops().all());
     }
 
     /** A script, which has every robot it commands to itself. */
     static Execution ofScript(Session session, String name, Tally lines, OptionalInt me) {
-        return new Execution(session, Manner.IN_TURN, lines, name, me, session.stops());
+        return new Execution(
+                session, Manner.IN_TURN, lines, name, me, session.stops().all());
     }
 
     /** A script that this line begins. */
@@ -183,6 +190,9 @@ final class Execution {
     void stop(List<Member> members) {
         own.forget(members);
         lines.forget(members);
+        if (owner == null) {
+            session.stops().stopped(members);
+        }
         team.stop(members, owner);
     }
 
@@ -255,7 +265,7 @@ final class Execution {
     }
 
     void checkAlive() {
-        if (ended || session.stops() != stopsBefore) {
+        if (ended || session.stops().all() != stopsBefore) {
             throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
         }
         own.trouble().ifPresent(trouble -> {
@@ -268,10 +278,10 @@ final class Execution {
 
     /** Whether a STOP came since this began; its order may be refused before the script hears of it. */
     boolean wasStopped() {
-        return session.stops() != stopsBefore || (team.isLatched() && !latchedBefore);
+        return session.stops().all() != stopsBefore || (team.isLatched() && !latchedBefore);
     }
 
     private boolean isOver() {
-        return ended || session.stops() != stopsBefore || own.trouble().isPresent();
+        return ended || session.stops().all() != stopsBefore || own.trouble().isPresent();
     }
 }

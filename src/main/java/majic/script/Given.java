@@ -3,6 +3,7 @@ package majic.script;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import majic.bot.Member;
 import majic.bot.Team;
 
 /**
@@ -10,9 +11,10 @@ import majic.bot.Team;
  *
  * @param statement what it says
  * @param text as it was typed
- * @param stops how often STOP had been pressed by then
+ * @param robots those it makes do something, as far as they were there by then
+ * @param stops how often they had been stopped by then
  */
-record Given(Statement statement, String text, long stops) {
+record Given(Statement statement, String text, Set<Integer> robots, long stops) {
     /** Its first line, as answers call it. */
     String title() {
         return text.strip().lines().findFirst().orElse("").replaceAll("\\s+", " ");
@@ -84,10 +86,10 @@ record Given(Statement statement, String text, long stops) {
         return isBlock() || (statement instanceof Statement.ForSession line && Checker.changesTeam(line.command()));
     }
 
-    /** The robots it makes do something, as far as they are there. */
-    Set<Integer> robots(Selection selection) {
+    /** The robots that a statement makes do something, as far as they are there. */
+    static Set<Integer> robots(Statement statement, Selection selection) {
         return Commanded.in(List.of(statement), selection).stream()
-                .map(member -> member.number())
+                .map(Member::number)
                 .collect(Collectors.toSet());
     }
 

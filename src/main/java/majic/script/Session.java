@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicLong;
 import majic.bot.Answer;
 import majic.bot.BotFactory;
 import majic.bot.Member;
@@ -33,7 +32,7 @@ public final class Session {
     private final Runnable quit;
     private final List<Listening> listeners = new CopyOnWriteArrayList<>();
     private final Object saying = new Object();
-    private final AtomicLong stops = new AtomicLong();
+    private final StopCount stops = new StopCount();
     private final Comings comings;
     private final SessionRecord sessionRecord;
     private final ParameterLog parameterLog = new ParameterLog();
@@ -144,9 +143,9 @@ public final class Session {
         quit.run();
     }
 
-    /** How often STOP was pressed; who waits compares it with what it was. */
-    long stops() {
-        return stops.get();
+    /** How often robots were stopped; who waits compares it with what it was. */
+    StopCount stops() {
+        return stops;
     }
 
     /** Where robots come from and go to. */
@@ -187,7 +186,7 @@ public final class Session {
         @Override
         public void latchChanged(boolean latched) {
             if (latched) {
-                stops.incrementAndGet();
+                stops.stoppedAll();
                 team.changes().raise();
             }
             say(

@@ -68,7 +68,7 @@ final class SessionRecord {
 
     /** Looks at what had finished when a line began; nothing is kept before {@link #commit}. */
     synchronized Entry prepare(Given given, Selection selection, boolean typed) {
-        Set<Integer> robots = given.robots(selection);
+        Set<Integer> robots = Given.robots(given.statement(), selection);
         Map<Integer, Long> finished = robots.isEmpty() ? Map.of() : finishedOthers(robots);
         return new Entry(
                 given.forRecord(team, typed), robots, finished, team.time().nanos());

@@ -85,6 +85,24 @@ class StopTest {
     }
 
     @Test
+    void ofOneRobotDropsWhatIsHeldForItAlone() throws InterruptedException {
+        for (String line : new String[] {"1 move 3m", "wait", "1 turn 90", "2 move 100"}) {
+            desk.prompt.parseText(line);
+        }
+        desk.pause(0.1);
+        desk.prompt.parseText("1 stop");
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).contains("1 turn 90: not run: stopped", "2 move 100: done (100 mm, 0.3 s)");
+    }
+
+    @Test
+    void ofOneRobotInAPipeLetsItsNextLinesRun() throws InterruptedException {
+        assertThat(desk.runPipe("1 move 3m", "wait 1s", "1 stop", "1 turn 90"))
+                .contains("1 move 3m: stopped", "1 turn 90: done (90 deg, 1.0 s)");
+        assertThat(desk.pipe.allSucceeded()).isTrue();
+    }
+
+    @Test
     void takesItsTurnInAPipe() throws InterruptedException {
         assertThat(desk.runPipe("1 move 3m", "wait 1s", "all stop", "release", "1 turn 90", "wait", "quit"))
                 .contains("1 move 3m: stopped", "1 turn 90: done (90 deg, 1.0 s)");
