@@ -17,9 +17,18 @@ final class DisplayView extends JPanel implements Scrollable {
         add(display);
     }
 
+    /**
+     * The least the display can do with. The scroll pane asks before the viewport has its size; a display that would like
+     * more than there is would get scroll bars that stay.
+     */
+    @Override
+    public Dimension getPreferredSize() {
+        return getMinimumSize();
+    }
+
     @Override
     public Dimension getPreferredScrollableViewportSize() {
-        return getPreferredSize();
+        return getMinimumSize();
     }
 
     @Override
