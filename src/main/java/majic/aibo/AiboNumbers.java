@@ -1,0 +1,59 @@
+package majic.aibo;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JLabel;
+import majic.bot.Value;
+
+/** A dog's readings by the names of their parameters; none of them asks the dog. For the event thread. */
+final class AiboNumbers extends NumbersPanel {
+    private static final long serialVersionUID = 1;
+    private static final String NONE = "–";
+    private static final String LONGEST = "-88888 mm";
+
+    private static final List<String> SHOWN = List.of(
+            "battery",
+            "motors",
+            "distanceFront",
+            "distanceNear",
+            "distance",
+            "distanceChest",
+            "headPan",
+            "headTilt",
+            "neck",
+            "bumped",
+            "headSensor",
+            "backSensorF",
+            "backSensorM",
+            "backSensorR",
+            "accelX",
+            "accelY",
+            "accelZ",
+            "x",
+            "y",
+            "heading");
+
+    private final JLabel posture = row("posture", "unknown");
+    private final Map<String, JLabel> shown = new LinkedHashMap<>();
+
+    AiboNumbers() {
+        SHOWN.forEach(name -> shown.put(name, row(name, LONGEST)));
+    }
+
+    void show(MajicAibo bot) {
+        String guess = bot.dog().senses().posture();
+        posture.setText(guess == null ? NONE : guess);
+        shown.forEach((name, label) -> label.setText(text(bot.get(name))));
+    }
+
+    /** Short: without the word about, without the reason why there is none. */
+    private static String text(Value value) {
+        if (value instanceof Value.Unknown) {
+            return NONE;
+        }
+        return value instanceof Value.Number number
+                ? Value.of(number.amount(), number.unit()).toString()
+                : value.toString();
+    }
+}

@@ -1,0 +1,128 @@
+package majic.aibo;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Optional;
+import majic.bot.Value;
+
+/**
+ * What the distance sensors see, around the point where the head turns: rings at every half metre, the head's beam where
+ * it looks, the chest's straight ahead, and a bar at what is nearest in the way. The dog is drawn larger than the rings
+ * are, so distances count from its nose on.
+ */
+final class BeamsDrawing {
+    private static final int FARTHEST_MM = 1500;
+    private static final int RING_MM = 500;
+    private static final double HALF_BEAM_DEG = 3;
+    private static final double HALF_BAR_DEG = 18;
+    private static final double NEAR_MM = 250;
+
+    private final Dog dog;
+    private final Ink ink;
+    private final double reachPx;
+    private final double nosePx;
+
+    /**
+     * The beams.
+     *
+     * @param reachPx from where the head turns to where the farthest sensor ends
+     * @param nosePx from where the head turns to its nose
+     */
+    BeamsDrawing(Dog dog, Ink ink, double reachPx, double nosePx) {
+        this.dog = dog;
+        this.ink = ink;
+        this.reachPx = reachPx;
+        this.nosePx = nosePx;
+    }
+
+    /** Paints around the pen's origin, ahead upward. */
+    void paint(Graphics2D pen) {
+        paintRings(pen);
+        double pan = dog.senses().number(Sensor.HEAD_PAN).orElse(0.0);
+        Optional<Double> seen = dog.infraRed().headMm();
+        paintBeam(pen, pan, seen.orElse((double) FARTHEST_MM), seen.isPresent());
+        dog.frontMm().ifPresent(mm -> paintBar(pen, mm));
+        dog.infraRed().chestMm().ifPresent(mm -> paintChest(pen, mm));
+        seen.ifPresent(mm -> paintHit(pen, pan, mm));
+    }
+
+    private double radius(double mm) {
+        return nosePx + (reachPx - nosePx) * Math.min(mm, FARTHEST_MM) / FARTHEST_MM;
+    }
+
+    private void paintRings(Graphics2D pen) {
+        pen.setStroke(Ink.stroke(1));
+        double free = Double.POSITIVE_INFINITY;
+        for (int mm = FARTHEST_MM; mm > 0; mm -= RING_MM) {
+            pen.setColor(ink.grey(0.25));
+            pen.draw(arc(radius(mm), 0, 90, Arc2D.OPEN));
+            free = paintNumber(pen, Value.plain(mm / 1000.0) + (mm == FARTHEST_MM ? " m" : ""), radius(mm), free);
+        }
+    }
+
+    /** Writes under the right end of a ring, if there is room to the left of what stands there already. */
+    private double paintNumber(Graphics2D pen, String text, double radius, double free) {
+        FontMetrics metrics = pen.getFontMetrics();
+        double width = metrics.stringWidth(text);
+        double left = Math.min(radius - width / 2, reachPx - width);
+        if (left + width > free) {
+            return free;
+        }
+        pen.setColor(ink.grey(0.75));
+        pen.drawString(text, (float) left, metrics.getAscent() + 2f);
+        return left - metrics.charWidth(' ');
+    }
+
+    private void paintBeam(Graphics2D pen, double panDeg, double mm, boolean met) {
+        double radius = radius(mm);
+        pen.setColor(met ? ink.wash(0.35) : ink.grey(0.15));
+        pen.fill(arc(radius, panDeg, HALF_BEAM_DEG, Arc2D.PIE));
+    }
+
+    private void paintHit(Graphics2D pen, double panDeg, double mm) {
+        double x = -radius(mm) * Math.sin(Math.toRadians(panDeg));
+        double y = -radius(mm) * Math.cos(Math.toRadians(panDeg));
+        double half = 4;
+        pen.setColor(ink.accent());
+        pen.fill(new Ellipse2D.Double(x - half, y - half, 2 * half, 2 * half));
+        label(pen, Math.round(mm) + " mm", x, y);
+    }
+
+    private void paintChest(Graphics2D pen, double mm) {
+        double y = -radius(mm);
+        pen.setColor(ink.accent());
+        pen.setStroke(new BasicStroke(1.2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0));
+        pen.draw(new Line2D.Double(0, 0, 0, y));
+        pen.setStroke(Ink.stroke(1.5));
+        pen.draw(new Rectangle2D.Double(-4, y - 4, 8, 8));
+    }
+
+    /** What is nearest in the way, from the foremost part of the dog. */
+    private void paintBar(Graphics2D pen, double mm) {
+        Color color = mm < NEAR_MM ? ink.alarm() : ink.grey(0.7);
+        pen.setColor(color);
+        pen.setStroke(Ink.stroke(mm < NEAR_MM ? 4 : 2));
+        pen.draw(arc(radius(mm), 0, HALF_BAR_DEG, Arc2D.OPEN));
+    }
+
+    /** Writes beside a hit, away from the head as long as the rings have room there. */
+    private void label(Graphics2D pen, String text, double x, double y) {
+        FontMetrics metrics = pen.getFontMetrics();
+        double width = metrics.stringWidth(text) + 8.0;
+        boolean toTheRight = x >= 0 ? x + width <= reachPx : x - width < -reachPx;
+        double base = Math.max(y + metrics.getAscent() / 2.0, metrics.getAscent() - reachPx);
+        pen.setColor(ink.line());
+        pen.drawString(text, (float) (toTheRight ? x + 8 : x - width), (float) base);
+    }
+
+    /** Around the origin; the middle counts from ahead, counterclockwise. */
+    private static Arc2D arc(double radius, double middleDeg, double halfDeg, int kind) {
+        return new Arc2D.Double(-radius, -radius, 2 * radius, 2 * radius, 90 + middleDeg - halfDeg, 2 * halfDeg, kind);
+    }
+}
