@@ -1,6 +1,8 @@
 package majic.pioneer;
 
-import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Timer;
@@ -8,66 +10,89 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 
-/** Shows one Pioneer from above with what its sonars hear, and its numbers. Looks at the robot ten times a second. */
+/**
+ * Shows one Pioneer from above with what its sonars hear, and its readings in numbers. News only leave a mark, on whatever
+ * thread; a timer of the event thread looks for it ten times a second.
+ */
 final class PioneerPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int REFRESH_MS = 100;
 
     private final transient MajicPioneer bot;
-    private final PioneerView view = new PioneerView();
+    private final transient AtomicBoolean news = new AtomicBoolean(true);
+    private final transient BotListener listener = new News();
+    private final Timer timer = new Timer(REFRESH_MS, tick -> refresh());
     private final PioneerNumbers numbers = new PioneerNumbers();
-    private final transient News news = new News();
-    private final Timer refresh = new Timer(REFRESH_MS, event -> refresh());
+    private final PioneerDrawing drawing = new PioneerDrawing();
 
     private PioneerPanel(MajicPioneer bot) {
-        super(new BorderLayout(12, 12));
+        super(null);
         this.bot = bot;
-        add(view, BorderLayout.CENTER);
-        add(numbers, BorderLayout.EAST);
+        add(drawing);
+        add(numbers);
     }
 
+    /** Makes the panel; on the event dispatch thread. */
     static JComponent create(MajicPioneer bot) {
-        return new PioneerPanel(bot);
+        PioneerPanel panel = new PioneerPanel(bot);
+        panel.refresh();
+        return panel;
     }
 
     @Override
     public void addNotify() {
         super.addNotify();
-        bot.addListener(news);
-        news.came = true;
-        refresh.start();
+        bot.addListener(listener);
+        news.set(true);
+        timer.start();
     }
 
     @Override
     public void removeNotify() {
-        refresh.stop();
-        bot.removeListener(news);
+        timer.stop();
+        bot.removeListener(listener);
         super.removeNotify();
     }
 
-    /** On the event thread; the driver's threads only leave word that there is something to see. */
+    @Override
+    public void doLayout() {
+        int gap = numbers.gap() / 2;
+        Rectangle room = new Rectangle(gap, gap, getWidth() - 2 * gap, getHeight() - 2 * gap);
+        Rectangle claimed = numbers.claim(room);
+        numbers.setBounds(claimed);
+        boolean atFoot = claimed.y > room.y;
+        int width = atFoot ? room.width : room.width - claimed.width - 2 * gap;
+        int height = atFoot ? room.height - claimed.height - 2 * gap : room.height;
+        drawing.setBounds(gap, gap, Math.max(0, width), Math.max(0, height));
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        Dimension least = numbers.getMinimumSize();
+        int gaps = numbers.gap();
+        return new Dimension(least.width + gaps, least.height + gaps);
+    }
+
     private void refresh() {
-        Session session = bot.session();
-        if (news.came && session != null && session.hasSpoken()) {
-            news.came = false;
-            PioneerState state = session.state();
-            view.show(session.model(), state);
-            numbers.show(state, bot.connection());
+        if (news.getAndSet(false)) {
+            numbers.show(bot);
+            Session session = bot.session();
+            if (session != null && session.hasSpoken()) {
+                drawing.show(PioneerScene.of(session, bot.isConnected()));
+            }
         }
     }
 
-    /** Hears on the driver's threads. */
-    private static final class News implements BotListener {
-        private volatile boolean came;
-
+    /** Marks that there is something to show; called on the driver's threads. */
+    private final class News implements BotListener {
         @Override
-        public void stateChanged(MajicBot from, BotState state) {
-            came = true;
+        public void stateChanged(MajicBot changed, BotState state) {
+            news.set(true);
         }
 
         @Override
-        public void connectionChanged(MajicBot from, MajicBot.Connection connection) {
-            came = true;
+        public void connectionChanged(MajicBot changed, MajicBot.Connection connection) {
+            news.set(true);
         }
     }
 }

@@ -1,0 +1,105 @@
+package majic.pioneer;
+
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.RoundRectangle2D;
+
+/** The robot itself in its own frame, mm: hull, wheels, an arrow ahead; crossed where stalled, barred where touched. */
+final class BodyDrawing {
+    private static final double CORNER = 0.3;
+    private static final double WHEEL_WIDTH_MM = 50;
+    private static final double WHEEL_LENGTH_MM = 190;
+    private static final double DISC_MM = 16;
+
+    private final PioneerScene scene;
+    private final Hull hull;
+    private final Ink ink;
+    private final double pxPerMm;
+
+    BodyDrawing(PioneerScene scene, Ink ink, double pxPerMm) {
+        this.scene = scene;
+        this.hull = scene.model().hull();
+        this.ink = ink;
+        this.pxPerMm = pxPerMm;
+    }
+
+    void paint(Graphics2D pen) {
+        part(pen, outline(), 0.15);
+        paintWheel(pen, hull.halfWidthMm(), scene.state().stallLeft());
+        paintWheel(pen, -hull.halfWidthMm(), scene.state().stallRight());
+        paintDiscs(pen);
+        pen.setColor(scene.connected() ? ink.line() : ink.grey(0.4));
+        pen.fill(arrow());
+        if (scene.touchedFront()) {
+            paintTouch(pen, hull.frontMm());
+        }
+        if (scene.touchedRear()) {
+            paintTouch(pen, -hull.rearMm());
+        }
+    }
+
+    /** A box with its corners cut off. */
+    private Shape outline() {
+        double half = hull.halfWidthMm();
+        double cut = CORNER * half;
+        Path2D outline = new Path2D.Double();
+        outline.moveTo(hull.frontMm(), half - 2 * cut);
+        outline.lineTo(hull.frontMm() - cut, half);
+        outline.lineTo(cut - hull.rearMm(), half);
+        outline.lineTo(-hull.rearMm(), half - 2 * cut);
+        outline.lineTo(-hull.rearMm(), 2 * cut - half);
+        outline.lineTo(cut - hull.rearMm(), -half);
+        outline.lineTo(hull.frontMm() - cut, -half);
+        outline.lineTo(hull.frontMm(), 2 * cut - half);
+        outline.closePath();
+        return outline;
+    }
+
+    private void paintWheel(Graphics2D pen, double sideMm, boolean stalled) {
+        double y = sideMm > 0 ? sideMm - WHEEL_WIDTH_MM : sideMm;
+        double half = Math.min(WHEEL_LENGTH_MM, hull.frontMm() + hull.rearMm()) / 2;
+        part(pen, new RoundRectangle2D.Double(-half, y, 2 * half, WHEEL_WIDTH_MM, 30, 30), 0.6);
+        if (stalled) {
+            pen.setColor(ink.alarm());
+            pen.setStroke(Ink.stroke(3 / pxPerMm));
+            pen.draw(new Line2D.Double(-half, y, half, y + WHEEL_WIDTH_MM));
+            pen.draw(new Line2D.Double(-half, y + WHEEL_WIDTH_MM, half, y));
+        }
+    }
+
+    private void paintDiscs(Graphics2D pen) {
+        pen.setColor(ink.grey(0.6));
+        for (SonarDisc disc : scene.model().discs()) {
+            pen.fill(new Ellipse2D.Double(disc.xMm() - DISC_MM, disc.yMm() - DISC_MM, 2 * DISC_MM, 2 * DISC_MM));
+        }
+    }
+
+    private Shape arrow() {
+        double length = 0.6 * hull.frontMm();
+        Path2D arrow = new Path2D.Double();
+        arrow.moveTo(length, 0);
+        arrow.lineTo(-0.2 * length, 0.45 * length);
+        arrow.lineTo(0.1 * length, 0);
+        arrow.lineTo(-0.2 * length, -0.45 * length);
+        arrow.closePath();
+        return arrow;
+    }
+
+    private void paintTouch(Graphics2D pen, double x) {
+        double ahead = x + Math.signum(x) * 4 / pxPerMm;
+        pen.setColor(ink.alarm());
+        pen.setStroke(Ink.stroke(4 / pxPerMm));
+        pen.draw(new Line2D.Double(ahead, -hull.halfWidthMm(), ahead, hull.halfWidthMm()));
+    }
+
+    private void part(Graphics2D pen, Shape shape, double grey) {
+        pen.setColor(ink.grey(grey));
+        pen.fill(shape);
+        pen.setColor(ink.grey(scene.connected() ? 0.85 : 0.4));
+        pen.setStroke(Ink.stroke(1.3 / pxPerMm));
+        pen.draw(shape);
+    }
+}

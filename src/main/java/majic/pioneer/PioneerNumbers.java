@@ -1,0 +1,56 @@
+package majic.pioneer;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JLabel;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.Value;
+
+/** A Pioneer's readings by the names of their parameters; none of them asks the robot. For the event thread. */
+final class PioneerNumbers extends NumbersPanel {
+    private static final long serialVersionUID = 1;
+    private static final String NONE = "–";
+    private static final String LONGEST = "-888.8 deg/s";
+
+    private static final List<String> SHOWN = List.of(
+            "voltage",
+            "motors",
+            "distanceFront",
+            "distanceLeft",
+            "distanceRight",
+            "distanceBack",
+            "speed",
+            "turnRate",
+            "bumped",
+            "stopButton",
+            "sonarPower",
+            "x",
+            "y",
+            "heading",
+            "stallLeft",
+            "stallRight",
+            "packetRate",
+            "model");
+
+    private final Map<String, JLabel> shown = new LinkedHashMap<>();
+
+    PioneerNumbers() {
+        SHOWN.forEach(name -> shown.put(name, row(name, LONGEST)));
+    }
+
+    void show(MajicBot bot) {
+        shown.forEach((name, label) -> label.setText(text(bot, name)));
+    }
+
+    /** Not every model can tell everything: one that is not known has no distances. */
+    private static String text(MajicBot bot, String name) {
+        try {
+            Value value = bot.get(name);
+            return value instanceof Value.Unknown ? NONE : value.toString();
+        } catch (BotException e) {
+            return NONE;
+        }
+    }
+}
