@@ -1,12 +1,9 @@
 package majic.hemisson;
 
-import java.awt.BorderLayout;
-import java.util.Locale;
+import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.stream.Collectors;
-import javax.swing.BorderFactory;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import majic.bot.BotListener;
@@ -19,29 +16,21 @@ import majic.bot.MajicBot;
  */
 final class HemissonPanel extends JPanel {
     private static final long serialVersionUID = 1;
-
     private static final int REFRESH_MS = 100;
 
     private final transient MajicHemisson bot;
-    private final transient BotListener news = new News();
-    private final AtomicBoolean changed = new AtomicBoolean(true);
+    private final transient AtomicBoolean news = new AtomicBoolean(true);
+    private final transient BotListener listener = new News();
     private final Timer timer = new Timer(REFRESH_MS, tick -> refresh());
+    private final HemissonNumbers numbers = new HemissonNumbers();
     private final HemissonDrawing drawing;
-    private final JLabel motion = new JLabel();
-    private final JLabel line = new JLabel();
 
     private HemissonPanel(MajicHemisson bot) {
-        super(new BorderLayout(8, 8));
+        super(null);
         this.bot = bot;
         this.drawing = new HemissonDrawing(HemissonView.of(bot));
-        JPanel figures = new JPanel(new BorderLayout());
-        figures.add(motion, BorderLayout.NORTH);
-        figures.add(line, BorderLayout.CENTER);
-        figures.add(
-                new JLabel("No watchdog: if the link is lost, lift it or press 5 on a TV remote"), BorderLayout.SOUTH);
-        setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
-        add(drawing, BorderLayout.CENTER);
-        add(figures, BorderLayout.SOUTH);
+        add(drawing);
+        add(numbers);
     }
 
     /** Makes the panel; on the event dispatch thread. */
@@ -54,64 +43,55 @@ final class HemissonPanel extends JPanel {
     @Override
     public void addNotify() {
         super.addNotify();
-        bot.addListener(news);
-        changed.set(true);
+        bot.addListener(listener);
+        news.set(true);
         timer.start();
     }
 
     @Override
     public void removeNotify() {
         timer.stop();
-        bot.removeListener(news);
+        bot.removeListener(listener);
         super.removeNotify();
     }
 
+    @Override
+    public void doLayout() {
+        int gap = numbers.gap() / 2;
+        Rectangle room = new Rectangle(gap, gap, getWidth() - 2 * gap, getHeight() - 2 * gap);
+        Rectangle claimed = numbers.claim(room);
+        numbers.setBounds(claimed);
+        boolean atFoot = claimed.y > room.y;
+        int width = atFoot ? room.width : room.width - claimed.width - 2 * gap;
+        int height = atFoot ? room.height - claimed.height - 2 * gap : room.height;
+        drawing.setBounds(gap, gap, Math.max(0, width), Math.max(0, height));
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        Dimension least = numbers.getMinimumSize();
+        int gaps = numbers.gap();
+        return new Dimension(least.width + gaps, least.height + gaps);
+    }
+
     private void refresh() {
-        if (changed.getAndSet(false)) {
+        if (news.getAndSet(false)) {
             HemissonView view = HemissonView.of(bot);
+            numbers.show(view);
             drawing.show(view);
-            motion.setText(motionOf(view));
-            line.setText(lineOf(view));
         }
     }
 
-    private static String motionOf(HemissonView view) {
-        BotState state = view.state();
-        return String.format(
-                Locale.ROOT,
-                "wheels %d, %d · about %.0f mm/s, %.0f deg/s · about x %.0f, y %.0f mm, %.0f deg",
-                view.wheels().left(),
-                view.wheels().right(),
-                state.speedMmPerSec(),
-                state.turnRateDegPerSec(),
-                state.pose().xMm(),
-                state.pose().yMm(),
-                state.pose().headingDeg());
-    }
-
-    private static String lineOf(HemissonView view) {
-        String switches = view.switches().stream().map(String::valueOf).collect(Collectors.joining(" "));
-        return String.format(
-                Locale.ROOT,
-                "%s · round trip %.1f ms, %d answers, %d missed · switches %s · buzzer %s",
-                view.connected() ? "connected" : "not connected",
-                view.quality().roundTripMs(),
-                view.quality().answers(),
-                view.quality().misses(),
-                switches.isEmpty() ? "?" : switches,
-                view.buzzing() ? "on" : "off");
-    }
-
-    /** Marks that something is new; called on the driver's threads. */
+    /** Marks that there is something to show; called on the driver's threads. */
     private final class News implements BotListener {
         @Override
-        public void stateChanged(MajicBot who, BotState state) {
-            changed.set(true);
+        public void stateChanged(MajicBot changed, BotState state) {
+            news.set(true);
         }
 
         @Override
-        public void connectionChanged(MajicBot who, MajicBot.Connection connection) {
-            changed.set(true);
+        public void connectionChanged(MajicBot changed, MajicBot.Connection connection) {
+            news.set(true);
         }
     }
 }

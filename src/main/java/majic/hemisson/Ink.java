@@ -1,0 +1,73 @@
+package majic.hemisson;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import javax.swing.UIManager;
+
+/**
+ * What the drawing is drawn with: the colours and the font of the present look. Taken anew for every painting. Immutable.
+ *
+ * @param line for outlines and figures
+ * @param paper what it is drawn on
+ * @param accent for what the robot senses
+ * @param alarm for what needs attention
+ */
+record Ink(Color line, Color paper, Color accent, Color alarm) {
+    private static final float FIGURES = 0.85f;
+
+    static Ink ofTheLook() {
+        return new Ink(
+                color("Label.foreground", Color.BLACK),
+                color("Panel.background", Color.WHITE),
+                color("Component.linkColor", Color.BLUE),
+                color("Actions.Red", Color.RED));
+    }
+
+    private static Color color(String key, Color otherwise) {
+        Color known = UIManager.getColor(key);
+        return known == null ? otherwise : known;
+    }
+
+    /** Makes edges smooth and figures a little smaller than the text around. */
+    static void prepare(Graphics2D pen) {
+        pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        pen.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        pen.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        Font label = UIManager.getFont("Label.font");
+        Font font = label == null ? pen.getFont() : label;
+        pen.setFont(font.deriveFont(font.getSize2D() * FIGURES));
+    }
+
+    /**
+     * The line's colour thinned with the paper's.
+     *
+     * @param share of the line's colour, 0 to 1
+     */
+    Color grey(double share) {
+        return new Color(
+                mix(line.getRed(), paper.getRed(), share),
+                mix(line.getGreen(), paper.getGreen(), share),
+                mix(line.getBlue(), paper.getBlue(), share));
+    }
+
+    /**
+     * The accent, translucent.
+     *
+     * @param opacity 0 to 1
+     */
+    Color wash(double opacity) {
+        return new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), (int) Math.round(255 * opacity));
+    }
+
+    /** A round-ended stroke, in the units of the pen it is set on. */
+    static BasicStroke stroke(double width) {
+        return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    }
+
+    private static int mix(int one, int other, double share) {
+        return (int) Math.round(one * share + other * (1 - share));
+    }
+}

@@ -1,0 +1,119 @@
+package majic.hemisson;
+
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Rectangle;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+
+/**
+ * Names and values in columns, the most useful first: what finds no room is left out, nothing is cut. Every robot's
+ * package has its own, since packages of robots share no Swing. For the event thread.
+ */
+class NumbersPanel extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int LEAST_ROWS = 7;
+
+    private final List<JLabel> names = new ArrayList<>();
+    private final List<JLabel> values = new ArrayList<>();
+    private final List<String> longest = new ArrayList<>();
+
+    NumbersPanel() {
+        super(null);
+        setOpaque(false);
+    }
+
+    /**
+     * Adds a row below the others.
+     *
+     * @param name of the reading, if there is one the parameter's
+     * @param longestValue what the column must hold
+     * @return where the value is shown
+     */
+    final JLabel row(String name, String longestValue) {
+        JLabel value = new JLabel("–", SwingConstants.TRAILING);
+        value.setName(name);
+        names.add(new JLabel(name));
+        values.add(value);
+        longest.add(longestValue);
+        add(names.get(names.size() - 1));
+        add(value);
+        return value;
+    }
+
+    /** The part of a room that the readings take, on its right, or where it is taller than wide at its foot. */
+    final Rectangle claim(Rectangle room) {
+        if (room.height > room.width) {
+            int columns = Math.max(1, (room.width + gap()) / (columnWidth() + gap()));
+            int height = Math.min(room.height / 2, rowHeight() * ceil(names.size(), columns));
+            return new Rectangle(room.x, room.y + room.height - height, room.width, height);
+        }
+        int wanted = ceil(names.size(), Math.max(1, room.height / rowHeight()));
+        int spare = room.width - room.height + gap();
+        int columns = Math.max(1, Math.min(wanted, spare / (columnWidth() + gap())));
+        int width = Math.min(room.width, columns * (columnWidth() + gap()) - gap());
+        return new Rectangle(room.x + room.width - width, room.y, width, room.height);
+    }
+
+    @Override
+    public void doLayout() {
+        int rows = Math.max(1, getHeight() / rowHeight());
+        int columns = Math.max(1, (getWidth() + gap()) / (columnWidth() + gap()));
+        int filled = Math.min(rows, ceil(names.size(), columns));
+        for (int index = 0; index < names.size(); index++) {
+            boolean fits = index / filled < columns;
+            names.get(index).setVisible(fits);
+            values.get(index).setVisible(fits);
+            place(index, index / filled * (columnWidth() + gap()), index % filled * rowHeight());
+        }
+    }
+
+    private void place(int index, int x, int y) {
+        int nameWidth = nameWidth();
+        names.get(index).setBounds(x, y, nameWidth, rowHeight());
+        values.get(index).setBounds(x + nameWidth, y, columnWidth() - nameWidth, rowHeight());
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(columnWidth(), LEAST_ROWS * rowHeight());
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(columnWidth(), names.size() * rowHeight());
+    }
+
+    /** Between two columns, and between readings and drawing. */
+    final int gap() {
+        return rowHeight();
+    }
+
+    private int columnWidth() {
+        FontMetrics metrics = metrics();
+        int valueWidth = longest.stream().mapToInt(metrics::stringWidth).max().orElse(0);
+        return nameWidth() + gap() / 2 + valueWidth;
+    }
+
+    private int nameWidth() {
+        return names.stream()
+                .mapToInt(name -> name.getPreferredSize().width)
+                .max()
+                .orElse(0);
+    }
+
+    private int rowHeight() {
+        return metrics().getHeight() + 2;
+    }
+
+    private FontMetrics metrics() {
+        return getFontMetrics(names.isEmpty() ? getFont() : names.get(0).getFont());
+    }
+
+    private static int ceil(int count, int parts) {
+        return (count + parts - 1) / parts;
+    }
+}
