@@ -87,7 +87,7 @@ class ArchitectureTest {
     void onlyTheWindowAndTheRobotsPanelsTouchSwing() {
         DescribedPredicate<JavaClass> panels = DescribedPredicate.describe(
                 "a robot's panel or what it draws with",
-                type -> type.getName().matches(".*(Panel|Drawing|View|Numbers)(\\$.*)?"));
+                type -> type.getName().matches(".*(Panel|Drawing|Numbers|Ink)(\\$.*)?"));
         noClasses()
                 .that(resideInAPackage("majic..").and(DescribedPredicate.not(resideInAnyPackage("majic.gui", "majic"))))
                 .and(DescribedPredicate.not(panels))

@@ -1,0 +1,104 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
+import majic.bot.Member;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+@Timeout(60)
+class PanelsInLabTest {
+
+    @ParameterizedTest
+    @CsvSource({"380, 200", "470, 260", "800, 600", "400, 700"})
+    void noReadingIsCutOffOnAnyRobotsPanel(int width, int height) throws Exception {
+        try (LabRig lab = LabRig.exact().withAllRobots()) {
+            lab.run("2 move 300", "3 move 100", "1 set headPan -60");
+            for (Member member : lab.team().members()) {
+                List<JLabel> labels = labels(panel(member, width, height));
+                assertThat(labels)
+                        .hasSizeGreaterThanOrEqualTo(14)
+                        .allSatisfy(label -> assertThat(label.getPreferredSize().width)
+                                .as(label.getText())
+                                .isLessThanOrEqualTo(label.getWidth()));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"380, 200", "470, 260", "800, 600", "400, 700"})
+    void drawingAndReadingsShareThePanelWithoutCoveringEachOther(int width, int height) throws Exception {
+        try (LabRig lab = LabRig.exact().withAllRobots()) {
+            for (Member member : lab.team().members()) {
+                JComponent panel = panel(member, width, height);
+                Component drawing = panel.getComponent(0);
+                Component readings = panel.getComponent(1);
+                assertThat(drawing.getBounds().intersects(readings.getBounds())).isFalse();
+                assertThat(Math.min(drawing.getWidth(), drawing.getHeight())).isGreaterThan(120);
+                assertThat(panel.getBounds().contains(readings.getBounds())).isTrue();
+            }
+        }
+    }
+
+    @Test
+    void thePanelsSayWhatTheRobotsSay() throws Exception {
+        try (LabRig lab = LabRig.exact().withAllRobots()) {
+            lab.run("1 set headPan 40", "2 move 300", "3 set beep on");
+
+            assertThat(shown(lab, 1, "headPan")).isEqualTo("40 deg");
+            assertThat(shown(lab, 2, "x")).matches("(299|300|301)(\\.\\d+)? mm");
+            assertThat(shown(lab, 3, "beep")).isEqualTo("on");
+        }
+    }
+
+    private static String shown(LabRig lab, int number, String reading) throws Exception {
+        Member member = lab.team().members().get(number - 1);
+        return labels(panel(member, 800, 600)).stream()
+                .filter(label -> reading.equals(label.getName()))
+                .map(JLabel::getText)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** The robot's panel as it would stand in a window, without a display. */
+    private static JComponent panel(Member member, int width, int height) throws Exception {
+        JComponent[] made = new JComponent[1];
+        SwingUtilities.invokeAndWait(() -> {
+            made[0] = Objects.requireNonNull(member.bot().display());
+            made[0].setSize(width, height);
+            layOut(made[0]);
+        });
+        return made[0];
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layOut(inner);
+            }
+        }
+    }
+
+    private static List<JLabel> labels(Container container) {
+        List<JLabel> labels = new ArrayList<>();
+        for (Component child : container.getComponents()) {
+            if (child instanceof JLabel label && label.isVisible()) {
+                labels.add(label);
+            } else if (child instanceof Container inner) {
+                labels.addAll(labels(inner));
+            }
+        }
+        return labels;
+    }
+}
