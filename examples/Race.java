@@ -13,7 +13,7 @@ public final class Race {
     private Race() {}
 
     /**
-     * Runs the race over half a metre.
+     * Runs the race over two hundred millimetres.
      *
      * @param args the addresses of the Aibo, the Pioneer and the Hemisson
      * @throws InterruptedException if it is interrupted meanwhile
@@ -25,7 +25,7 @@ public final class Race {
         try {
             racers.forEach(MajicBot::connect);
             for (var arrival : lanes.invokeAll(racers.stream()
-                    .map(racer -> (Callable<String>) () -> racer.type().label() + ": " + racer.move(500))
+                    .map(racer -> (Callable<String>) () -> racer.type().label() + ": " + racer.move(200))
                     .toList())) {
                 System.out.println(arrival.get());
             }

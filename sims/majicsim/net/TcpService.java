@@ -96,6 +96,8 @@ final class TcpService implements Runnable {
                 byte[] bytes = new byte[count];
                 chunk.flip().get(bytes);
                 line.receive(bytes);
+            }
+            if (count >= 0) {
                 return;
             }
         } catch (IOException e) {
@@ -125,21 +127,34 @@ final class TcpService implements Runnable {
     }
 
     private void acceptAll() throws IOException {
-        if (clients == Clients.ONE) {
-            lines.forEach(line -> locked(line::hurryIfClientLeft));
-            endThoseThatAreOver();
-        }
+        makePlace();
         while (server.isOpen()) {
             SocketChannel channel = server.accept();
             if (channel == null) {
                 return;
             }
-            if (clients == Clients.ONE && !lines.isEmpty()) {
+            if (isTaken()) {
                 LOG.log(Level.DEBUG, "a second client is turned away");
                 channel.close();
             } else {
                 tryToWelcome(channel);
             }
+        }
+    }
+
+    /** A client may have left since its line was last read: it must not keep the next one out. */
+    private boolean isTaken() {
+        if (clients == Clients.ONE && wiring.faults().isReading()) {
+            lines.stream().filter(line -> line.key().isValid()).forEach(this::read);
+            makePlace();
+        }
+        return clients == Clients.ONE && !lines.isEmpty();
+    }
+
+    private void makePlace() {
+        if (clients == Clients.ONE) {
+            lines.forEach(line -> locked(line::hurryIfClientLeft));
+            endThoseThatAreOver();
         }
     }
 

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.Iterator;
 import java.util.List;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
@@ -32,15 +33,27 @@ final class Plugins {
      */
     static List<BotType> types(Path folder) {
         List<BotType> types = new ArrayList<>();
-        ServiceLoader.load(BotType.class, loader(folder)).stream().forEach(provider -> {
-            try {
-                types.add(provider.get());
-            } catch (ServiceConfigurationError e) {
-                LOG.log(Level.WARNING, "a plug-in cannot be used: " + e.getMessage(), e);
-            }
-        });
+        Iterator<BotType> found =
+                ServiceLoader.load(BotType.class, loader(folder)).iterator();
+        while (takeNext(found, types)) {
+            LOG.log(Level.DEBUG, "{0} type(s) of robots so far", types.size());
+        }
         types.sort(Comparator.comparingInt(Plugins::place).thenComparing(BotType::name));
         return types;
+    }
+
+    /** False at the end; a type that cannot be made is skipped. */
+    private static boolean takeNext(Iterator<BotType> found, List<BotType> types) {
+        try {
+            boolean more = found.hasNext();
+            if (more) {
+                types.add(found.next());
+            }
+            return more;
+        } catch (ServiceConfigurationError | LinkageError e) {
+            LOG.log(Level.WARNING, "a plug-in cannot be used: " + e.getMessage(), e);
+            return true;
+        }
     }
 
     private static int place(BotType type) {

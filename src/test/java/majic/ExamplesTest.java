@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The stand-alone programs of the programmer's guide, run as they are against the lab. */
+/** The stand-alone programs of the programmer's guide, run against the lab; {@link EmbeddingTest} runs the ten lines. */
 @Timeout(120)
 class ExamplesTest {
     private final PrintStream console = System.out;
@@ -39,11 +39,6 @@ class ExamplesTest {
 
     private String address(String robot) {
         return lab.address(robot).orElseThrow().toString();
-    }
-
-    @Test
-    void tenLinesDriveASquare() throws Exception {
-        assertThat(run("TenLines", address("pioneer"))).startsWith("ahead: ");
     }
 
     @Test
