@@ -247,10 +247,14 @@ final class Execution {
         await(own::allEnded, Double.POSITIVE_INFINITY);
     }
 
-    /** Stops the robots of a script that still do something; those a stop is on its way to are left alone. */
+    /**
+     * Stops the robots of a script that still do something; those a stop is on its way to are left alone, and so is the
+     * one whose order failed: it stands, and its queue goes with the reason.
+     */
     void stopAllUsed() {
+        Member failed = own.trouble().map(Tally.Trouble::robot).orElse(null);
         List<Member> busy = used.stream()
-                .filter(member -> !member.isIdle() && !member.isStopping())
+                .filter(member -> member != failed && !member.isIdle() && !member.isStopping())
                 .toList();
         if (!team.isLatched() && !busy.isEmpty()) {
             team.stop(busy, owner);

@@ -10,6 +10,7 @@ import java.util.Set;
 import majic.bot.Answer;
 import majic.bot.Member;
 import majic.bot.Pending;
+import org.jspecify.annotations.Nullable;
 
 /** Keeps count of orders: which are still under way, and whether one did not come to a good end. Thread-safe. */
 final class Tally {
@@ -22,8 +23,10 @@ final class Tally {
      *
      * @param outcome how it ended
      * @param text the order with its robot
+     * @param robot whose order it was; null if it was a whole line
      */
-    record Trouble(Answer.Outcome outcome, String text) {}
+    record Trouble(
+            Answer.Outcome outcome, String text, @Nullable Member robot) {}
 
     synchronized void add(Member member, Pending pending) {
         look();
@@ -42,7 +45,7 @@ final class Tally {
 
     synchronized void fail(String what) {
         if (trouble.isEmpty()) {
-            trouble = Optional.of(new Trouble(Answer.Outcome.FAILED, what));
+            trouble = Optional.of(new Trouble(Answer.Outcome.FAILED, what, null));
         }
     }
 
@@ -67,7 +70,7 @@ final class Tally {
             if (!forgiven.remove(entry.getKey()) && outcome != Answer.Outcome.DONE && trouble.isEmpty()) {
                 String text =
                         entry.getValue().number() + " " + entry.getKey().order().text();
-                trouble = Optional.of(new Trouble(outcome, text));
+                trouble = Optional.of(new Trouble(outcome, text, entry.getValue()));
             }
         }
     }
