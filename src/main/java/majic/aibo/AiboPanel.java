@@ -77,6 +77,7 @@ final class AiboPanel extends JPanel {
     private void refresh() {
         if (news.getAndSet(false)) {
             numbers.show(bot);
+            drawing.setEnabled(bot.isConnected());
             drawing.repaint();
         }
     }

@@ -6,7 +6,7 @@ import javax.swing.JPanel;
 
 /**
  * Draws the dog as large as the room allows: from above, with what its distance sensors meet around its head, and in the
- * corner beside it from its left. For the event thread.
+ * corner beside it from its right; faded while disabled. For the event thread.
  */
 final class DogDrawing extends JPanel {
     private static final long serialVersionUID = 1;
@@ -30,7 +30,7 @@ final class DogDrawing extends JPanel {
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
         Ink.prepare(pen);
-        Ink ink = Ink.ofTheLook();
+        Ink ink = isEnabled() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
         double size = Math.min(getHeight(), getWidth() / WIDTH_TO_HEIGHT);
         double foot = (getHeight() + size) / 2;
         double middle = getWidth() / 2.0;

@@ -26,6 +26,11 @@ record Ink(Color line, Color paper, Color accent, Color alarm) {
                 color("Actions.Red", Color.RED));
     }
 
+    /** For what is no longer so: everything thin, nothing stands out. */
+    Ink faded() {
+        return new Ink(grey(0.45), paper, grey(0.4), grey(0.4));
+    }
+
     private static Color color(String key, Color otherwise) {
         Color known = UIManager.getColor(key);
         return known == null ? otherwise : known;

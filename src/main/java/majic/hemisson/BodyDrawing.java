@@ -33,7 +33,7 @@ final class BodyDrawing {
     void paint(Graphics2D screen) {
         Graphics2D pen = (Graphics2D) screen.create();
         pen.transform(new AffineTransform(0, -pxPerMm, -pxPerMm, 0, 0, 0));
-        part(pen, circle(0, 0, HULL_MM), view.connected() ? 0.13 : 0.04);
+        part(pen, circle(0, 0, HULL_MM), 0.13);
         paintWheel(pen, WHEEL_Y_MM, view.wheels().left());
         paintWheel(pen, -WHEEL_Y_MM, view.wheels().right());
         paintLamp(pen, 40, 24, view.leds().left());
@@ -96,7 +96,7 @@ final class BodyDrawing {
     }
 
     private void outline(Graphics2D pen, Shape shape) {
-        pen.setColor(ink.grey(view.connected() ? 0.8 : 0.4));
+        pen.setColor(ink.grey(0.8));
         pen.setStroke(Ink.stroke(1.3 / pxPerMm));
         pen.draw(shape);
     }

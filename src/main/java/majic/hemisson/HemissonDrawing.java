@@ -35,7 +35,7 @@ final class HemissonDrawing extends JPanel {
         Ink.prepare(pen);
         pen.translate(getWidth() / 2.0, getHeight() / 2.0);
         double pxPerMm = Math.min(getWidth(), getHeight()) / (2 * SHOWN_MM);
-        Ink ink = Ink.ofTheLook();
+        Ink ink = view.connected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
         new BodyDrawing(view, ink, pxPerMm).paint(pen);
         new BarsDrawing(view.seen(), ink, pxPerMm).paint(pen);
         pen.dispose();

@@ -31,7 +31,7 @@ final class BodyDrawing {
         paintWheel(pen, hull.halfWidthMm(), scene.state().stallLeft());
         paintWheel(pen, -hull.halfWidthMm(), scene.state().stallRight());
         paintDiscs(pen);
-        pen.setColor(scene.connected() ? ink.line() : ink.grey(0.4));
+        pen.setColor(ink.line());
         pen.fill(arrow());
         if (scene.touchedFront()) {
             paintTouch(pen, hull.frontMm());
@@ -98,7 +98,7 @@ final class BodyDrawing {
     private void part(Graphics2D pen, Shape shape, double grey) {
         pen.setColor(ink.grey(grey));
         pen.fill(shape);
-        pen.setColor(ink.grey(scene.connected() ? 0.85 : 0.4));
+        pen.setColor(ink.grey(0.85));
         pen.setStroke(Ink.stroke(1.3 / pxPerMm));
         pen.draw(shape);
     }

@@ -43,7 +43,7 @@ final class PioneerDrawing extends JPanel {
         double side = Math.max(1, Math.min(getWidth(), getHeight()));
         double reach = Math.max(LEAST_REACH_MM, Math.min(MOST_REACH_MM, side / 2 / PX_PER_MM));
         double pxPerMm = side / 2 / reach;
-        Ink ink = Ink.ofTheLook();
+        Ink ink = shown.connected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
         paintWorld(pen, shown, ink, pxPerMm);
         new RingsDrawing(ink, pxPerMm).paint(pen, reach);
         paintRobot(pen, shown, ink, pxPerMm);

@@ -28,15 +28,19 @@ final class RingsDrawing {
             double radius = mm * pxPerMm;
             pen.setColor(ink.grey(0.3));
             pen.draw(new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius));
-            number(pen, String.format(Locale.ROOT, stepMm < COARSE_MM ? "%.1f m" : "%.0f m", mm / 1000), radius);
+            number(
+                    pen,
+                    String.format(Locale.ROOT, stepMm < COARSE_MM ? "%.1f m" : "%.0f m", mm / 1000),
+                    radius,
+                    2 - reachMm * pxPerMm);
         }
     }
 
-    private void number(Graphics2D pen, String text, double radius) {
+    private void number(Graphics2D pen, String text, double radius, double leftmost) {
         FontMetrics metrics = pen.getFontMetrics();
-        double right = -radius * NUMBER_AT - 2;
+        double left = Math.max(-radius * NUMBER_AT - 2 - metrics.stringWidth(text), leftmost);
         double base = -radius * NUMBER_AT - 2;
         pen.setColor(ink.grey(0.8));
-        pen.drawString(text, (float) (right - metrics.stringWidth(text)), (float) base);
+        pen.drawString(text, (float) left, (float) base);
     }
 }

@@ -22,8 +22,19 @@ class AiboPanelTest {
         assertThat(pixels(aside)).isNotEqualTo(pixels(ahead));
     }
 
-    private BufferedImage drawn() {
+    @Test
+    void aDogThatIsNotConnectedIsDrawnFaded() {
         DogDrawing drawing = new DogDrawing(dog);
+        drawing.setEnabled(false);
+
+        assertThat(pixels(drawn(drawing))).isNotEqualTo(pixels(drawn()));
+    }
+
+    private BufferedImage drawn() {
+        return drawn(new DogDrawing(dog));
+    }
+
+    private static BufferedImage drawn(DogDrawing drawing) {
         drawing.setSize(400, 300);
         BufferedImage image = new BufferedImage(400, 300, BufferedImage.TYPE_INT_RGB);
         drawing.paint(image.getGraphics());
