@@ -2,38 +2,61 @@ package majic;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Map;
 import majicsim.LabOptions;
 import majicsim.world.Room;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
 
 /** The options that shape a simulated lab, the same for {@code --lab} and for {@code lab}. */
 final class LabChoice {
     private static final double SLOWEST = 0.01;
     private static final double FASTEST = 100;
 
-    @Option(names = "--exact", description = "Switch all noise of the simulated lab off.")
+    @Option(names = "--exact", scope = ScopeType.INHERIT, description = "Switch all noise of the simulated lab off.")
     private boolean exact;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Choose the lab's noise; the same N repeats it (1).")
+    @Option(
+            names = "--seed",
+            scope = ScopeType.INHERIT,
+            paramLabel = "N",
+            description = "Choose the lab's noise; the same N repeats it (1).")
     private long seed = 1;
 
     @Option(
             names = "--world",
+            scope = ScopeType.INHERIT,
             paramLabel = "FILE",
             description = "A map to drive in, in the Pioneer world's .map format.")
     private @Nullable Path world;
 
-    @Option(names = "--speed", paramLabel = "F", description = "How many times as fast as real time the lab runs (1).")
+    @Option(
+            names = "--speed",
+            scope = ScopeType.INHERIT,
+            paramLabel = "F",
+            description = "How many times as fast as real time the lab runs (1).")
     private double speed = 1;
 
-    @Option(names = "--aibo-port", paramLabel = "N", description = "TCP port of the Aibo (54000, or a free one).")
+    @Option(
+            names = "--aibo-port",
+            scope = ScopeType.INHERIT,
+            paramLabel = "N",
+            description = "TCP port of the Aibo (54000, or a free one).")
     private int aiboPort = LabOptions.AIBO_PORT;
 
-    @Option(names = "--pioneer-port", paramLabel = "N", description = "TCP port of the Pioneer (8101, or a free one).")
+    @Option(
+            names = "--pioneer-port",
+            scope = ScopeType.INHERIT,
+            paramLabel = "N",
+            description = "TCP port of the Pioneer (8101, or a free one).")
     private int pioneerPort = LabOptions.PIONEER_PORT;
 
-    @Option(names = "--hemisson-port", paramLabel = "N", description = "TCP port of the Hemisson (a free one).")
+    @Option(
+            names = "--hemisson-port",
+            scope = ScopeType.INHERIT,
+            paramLabel = "N",
+            description = "TCP port of the Hemisson (a free one).")
     private int hemissonPort;
 
     /** What a lab of this choice is opened with. */
@@ -48,6 +71,19 @@ final class LabChoice {
             throw new UsageException("--speed " + speed + ": outside " + SLOWEST + " … " + FASTEST);
         }
         return speed;
+    }
+
+    /** Says which default ports were taken, so that nobody looks for a robot there. */
+    void tellTakenPorts(Map<String, String> addresses) {
+        tellIfTaken("aibo", aiboPort, addresses);
+        tellIfTaken("pioneer", pioneerPort, addresses);
+    }
+
+    private static void tellIfTaken(String robot, int wanted, Map<String, String> addresses) {
+        String address = addresses.getOrDefault(robot, "");
+        if (wanted != 0 && !address.endsWith(":" + wanted)) {
+            System.err.println("majic: port " + wanted + " is taken; the lab's " + robot + " listens at " + address);
+        }
     }
 
     private static int port(int port) {

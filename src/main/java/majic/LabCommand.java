@@ -1,11 +1,13 @@
 package majic;
 
 import java.io.IOException;
+import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import majicsim.Lab;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
+import picocli.CommandLine.ParentCommand;
 
 /** {@code majic lab}: the simulators alone, for any client. */
 @Command(
@@ -14,13 +16,15 @@ import picocli.CommandLine.Mixin;
         versionProvider = Version.class,
         description = "Runs the simulated lab alone and prints where its robots listen, until it is ended by Ctrl-C.")
 final class LabCommand implements Callable<Integer> {
-    @Mixin
-    private LabChoice choice = new LabChoice();
+    @ParentCommand
+    private @Nullable MajicCommand majic;
 
     @Override
     public Integer call() throws IOException, InterruptedException {
+        LabChoice choice = Objects.requireNonNull(majic).start().choice();
         double speed = choice.speed();
         try (Lab lab = Lab.open(choice.options())) {
+            choice.tellTakenPorts(lab.addresses());
             lab.addresses().forEach((robot, address) -> System.out.println(robot + " " + address));
             System.out.flush();
             lab.run(speed);

@@ -32,6 +32,10 @@ final class MajicCommand implements Callable<Integer> {
         this.folder = folder;
     }
 
+    StartOptions start() {
+        return start;
+    }
+
     @Override
     public Integer call() throws IOException {
         boolean windowless = !console && GraphicsEnvironment.isHeadless();

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParentCommand;
 
 /** {@code majic run FILE}: a file of MAJIC Script, without window. */
 @Command(
@@ -19,8 +21,8 @@ import picocli.CommandLine.Parameters;
 final class RunCommand implements Callable<Integer> {
     private final UserFolder folder;
 
-    @Mixin
-    private StartOptions start = new StartOptions();
+    @ParentCommand
+    private @Nullable MajicCommand majic;
 
     @Parameters(paramLabel = "FILE", description = "the script")
     private Path file = Path.of("");
@@ -31,6 +33,7 @@ final class RunCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        StartOptions start = Objects.requireNonNull(majic).start();
         try (Program program = start.program(folder)) {
             List<String> lines = new ArrayList<>(start.firstLines(program));
             lines.add("run \"" + file + "\"");

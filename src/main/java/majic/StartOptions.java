@@ -7,26 +7,35 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
 
 /** What can be asked for at every start of a session: a lab, robots, a port to listen at. */
 final class StartOptions {
-    @Option(names = "--lab", description = "Start the simulated lab and add its three robots.")
+    @Option(
+            names = "--lab",
+            scope = ScopeType.INHERIT,
+            description = "Start the simulated lab and add its three robots.")
     private boolean lab;
 
     @Mixin
     private LabChoice choice = new LabChoice();
 
-    @Option(names = "--add", paramLabel = "URI", description = "Add a robot, such as pioneer://10.0.0.5; repeatable.")
+    @Option(
+            names = "--add",
+            paramLabel = "URI",
+            scope = ScopeType.INHERIT,
+            description = "Add a robot, such as pioneer://10.0.0.5; repeatable.")
     private List<String> robots = new ArrayList<>();
 
     @Option(
             names = "--listen",
             paramLabel = "HOST:PORT",
+            scope = ScopeType.INHERIT,
             description = "Take lines of MAJIC Script over a socket, such as 127.0.0.1:7777, and answer in lines.")
     private @Nullable String listen;
 
-    boolean wantsLab() {
-        return lab;
+    LabChoice choice() {
+        return choice;
     }
 
     /**
@@ -38,6 +47,9 @@ final class StartOptions {
      */
     Program program(UserFolder folder) throws IOException {
         SimulatedLab simulated = lab ? SimulatedLab.scaled(choice.options(), choice.speed()) : null;
+        if (simulated != null) {
+            choice.tellTakenPorts(simulated.simulators().addresses());
+        }
         Program program = new Program(folder, simulated);
         program.closeWhenProgramEnds();
         if (listen != null) {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -97,6 +98,16 @@ class ProgramTest {
 
         assertThat(said).startsWith("majic: ").contains("nowhere.map").doesNotContain("Exception", "\tat ");
         assertThat(majic.exitValue()).isEqualTo(3);
+    }
+
+    @Test
+    void aScriptRunsWhereverTheOptionsStand() throws Exception {
+        Path script = Files.writeString(folder.resolve("little.majic"), "2 turn 5\n");
+
+        Process majic = start("--lab", "--exact", "--aibo-port", "0", "run", script.toString(), "--pioneer-port", "0");
+
+        assertThat(talk(majic, "")).contains("2 turn 5: done (").contains("little.majic: done (");
+        assertThat(majic.exitValue()).isZero();
     }
 
     @Test

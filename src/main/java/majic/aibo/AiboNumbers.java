@@ -35,7 +35,7 @@ final class AiboNumbers extends NumbersPanel {
             "heading");
 
     private final JLabel posture = row("posture", "unknown");
-    private final Map<String, JLabel> shown = new LinkedHashMap<>();
+    private final transient Map<String, JLabel> shown = new LinkedHashMap<>();
 
     AiboNumbers() {
         SHOWN.forEach(name -> shown.put(name, row(name, LONGEST)));

@@ -17,9 +17,9 @@ class NumbersPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int LEAST_ROWS = 7;
 
-    private final List<JLabel> names = new ArrayList<>();
-    private final List<JLabel> values = new ArrayList<>();
-    private final List<String> longest = new ArrayList<>();
+    private final transient List<JLabel> names = new ArrayList<>();
+    private final transient List<JLabel> values = new ArrayList<>();
+    private final transient List<String> longest = new ArrayList<>();
 
     NumbersPanel() {
         super(null);

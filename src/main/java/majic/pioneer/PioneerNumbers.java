@@ -34,7 +34,7 @@ final class PioneerNumbers extends NumbersPanel {
             "packetRate",
             "model");
 
-    private final Map<String, JLabel> shown = new LinkedHashMap<>();
+    private final transient Map<String, JLabel> shown = new LinkedHashMap<>();
 
     PioneerNumbers() {
         SHOWN.forEach(name -> shown.put(name, row(name, LONGEST)));
