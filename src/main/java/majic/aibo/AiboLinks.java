@@ -154,10 +154,10 @@ final class AiboLinks implements UrbiConnection.Owner {
     private void sayGoodbye(UrbiConnection connection, String words, AtomicInteger left) {
         try {
             connection.send(words);
-            connection.close();
         } catch (LinkLost e) {
             LOG.log(Level.DEBUG, "no goodbye over a broken connection", e);
         } finally {
+            connection.close();
             left.decrementAndGet();
             watch.changes().raise();
         }

@@ -13,7 +13,7 @@ public interface Link extends AutoCloseable {
     int WRITE_DEADLINE_MS = 1000;
 
     /**
-     * Opens the link.
+     * Opens the link, once; a link that was closed does not open any more.
      *
      * @param timeoutMs how long to try at most, ms
      * @throws IOException if it cannot be opened; the message is a sentence that says why and what to try
@@ -37,7 +37,7 @@ public interface Link extends AutoCloseable {
      */
     void write(byte[] message) throws IOException;
 
-    /** Closes the link after what was written; wakes the reader. Does nothing the second time. */
+    /** Closes the link after what was written; wakes the reader, and ends an {@link #open} under way. Does nothing the second time. */
     @Override
     void close();
 

@@ -3,6 +3,7 @@ package majic.link;
 import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
 import java.io.IOException;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
@@ -19,6 +20,7 @@ final class SerialLink implements Link {
     private final Counter counter = new Counter();
     private final ReentrantLock writing = new ReentrantLock();
     private volatile @Nullable SerialPort port;
+    private boolean closed;
 
     SerialLink(String name, int baud) {
         this.name = name;
@@ -31,13 +33,37 @@ final class SerialLink implements Link {
         opening.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
         opening.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         opening.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
-        if (!opening.openPort()) {
+        if (!open(opening, timeoutMs)) {
             throw new IOException("cannot open the serial port " + name
                     + "; is it in use by another program, or are you not allowed to use it (on Linux: group dialout)?");
         }
-        port = opening;
         counter.opened();
         Links.register(this);
+    }
+
+    /** A Bluetooth port, for one, opens when the radio has found the robot. */
+    private boolean open(SerialPort opening, int timeoutMs) throws IOException {
+        try {
+            return Bounded.call("opening " + name, timeoutMs, () -> opening.openPort() && keep(opening));
+        } catch (TimeoutException e) {
+            close();
+            throw new IOException(
+                    "the serial port " + name + " did not open within " + timeoutMs / 1000.0
+                            + " s; is the robot on and in reach?",
+                    e);
+        }
+    }
+
+    /** Takes over an open port, unless it comes too late. */
+    private boolean keep(SerialPort opened) {
+        synchronized (this) {
+            if (!closed) {
+                port = opened;
+                return true;
+            }
+        }
+        opened.closePort();
+        return false;
     }
 
     private SerialPort find() throws IOException {
@@ -70,8 +96,14 @@ final class SerialLink implements Link {
 
     @Override
     public void write(byte[] message) throws IOException {
-        writing.lock();
         try (WriteDeadline deadline = WriteDeadline.start(this)) {
+            write(message, deadline);
+        }
+    }
+
+    private void write(byte[] message, WriteDeadline deadline) throws IOException {
+        writing.lock();
+        try {
             SerialPort open = port;
             if (open == null) {
                 throw new IOException("the serial port " + name + " is closed");
@@ -96,6 +128,7 @@ final class SerialLink implements Link {
         synchronized (this) {
             open = port;
             port = null;
+            closed = true;
         }
         if (open != null) {
             counter.ended();

@@ -3,10 +3,14 @@ package majic.link;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.ConnectException;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.NoRouteToHostException;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
+import java.net.UnknownHostException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
@@ -17,34 +21,66 @@ import org.jspecify.annotations.Nullable;
 final class TcpLink implements Link {
     private final String host;
     private final int port;
+    private final Names names;
     private final Counter counter = new Counter();
     private final ReentrantLock writing = new ReentrantLock();
     private volatile @Nullable Socket socket;
     private volatile String local = "";
+    private boolean closed;
+
+    /** Where computers are found by their names. */
+    @FunctionalInterface
+    interface Names {
+        InetAddress find(String host) throws UnknownHostException;
+    }
 
     TcpLink(String host, int port) {
+        this(host, port, InetAddress::getByName);
+    }
+
+    TcpLink(String host, int port, Names names) {
         this.host = host;
         this.port = port;
+        this.names = names;
     }
 
     @Override
     public void open(int timeoutMs) throws IOException {
-        InetSocketAddress peer = new InetSocketAddress(host, port);
-        if (peer.isUnresolved()) {
-            throw new IOException("there is no computer named " + host + "; check the name or use its IP address");
-        }
-        Socket opening = new Socket();
+        long deadlineNanos = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMs);
+        InetAddress computer = find(timeoutMs);
+        Socket opening = begin();
         try {
             opening.setTcpNoDelay(true);
-            opening.connect(peer, timeoutMs);
+            long leftMs = TimeUnit.NANOSECONDS.toMillis(deadlineNanos - System.nanoTime());
+            opening.connect(new InetSocketAddress(computer, port), (int) Math.max(1, leftMs));
             local = opening.getLocalAddress().getHostAddress() + ":" + opening.getLocalPort();
             counter.opened();
-            socket = opening;
             Links.register(this);
         } catch (IOException e) {
-            opening.close();
+            abort();
             throw explained(e, timeoutMs);
         }
+    }
+
+    private InetAddress find(int timeoutMs) throws IOException {
+        try {
+            return Bounded.call("looking up " + host, timeoutMs, () -> names.find(host));
+        } catch (UnknownHostException e) {
+            throw new IOException("there is no computer named " + host + "; check the name or use its IP address", e);
+        } catch (TimeoutException e) {
+            throw new IOException(
+                    "the name " + host + " was not found within " + timeoutMs / 1000.0 + " s; use its IP address", e);
+        }
+    }
+
+    /** From here on {@link #close} ends the attempt. */
+    private synchronized Socket begin() throws IOException {
+        if (closed) {
+            throw new IOException("closed while connecting");
+        }
+        Socket opening = new Socket();
+        socket = opening;
+        return opening;
     }
 
     private IOException explained(IOException e, int timeoutMs) {
@@ -92,8 +128,14 @@ final class TcpLink implements Link {
 
     @Override
     public void write(byte[] message) throws IOException {
-        writing.lock();
         try (WriteDeadline deadline = WriteDeadline.start(this)) {
+            write(message, deadline);
+        }
+    }
+
+    private void write(byte[] message, WriteDeadline deadline) throws IOException {
+        writing.lock();
+        try {
             Socket open = socket;
             if (open == null) {
                 throw new IOException("the connection is closed");
@@ -125,6 +167,7 @@ final class TcpLink implements Link {
         synchronized (this) {
             open = socket;
             socket = null;
+            closed = true;
         }
         if (open == null) {
             return;

@@ -4,7 +4,10 @@ import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
-/** Aborts a link whose write does not come back in time; that wakes the writer. One thread watches all writes. */
+/**
+ * Aborts a link whose write does not come back in time; that wakes the writer. One thread watches all writes; it leaves
+ * the aborting, which a serial port's driver may hold up, to another one for each link.
+ */
 final class WriteDeadline implements AutoCloseable {
     private static final ScheduledThreadPoolExecutor WATCH = watch();
 
@@ -21,7 +24,7 @@ final class WriteDeadline implements AutoCloseable {
 
     private void expire(Link link) {
         passed = true;
-        link.abort();
+        daemon(link::abort, "aborting " + link.address()).start();
     }
 
     boolean passed() {
@@ -34,12 +37,15 @@ final class WriteDeadline implements AutoCloseable {
     }
 
     private static ScheduledThreadPoolExecutor watch() {
-        ScheduledThreadPoolExecutor watch = new ScheduledThreadPoolExecutor(1, body -> {
-            Thread thread = new Thread(body, "link write deadlines");
-            thread.setDaemon(true);
-            return thread;
-        });
+        ScheduledThreadPoolExecutor watch =
+                new ScheduledThreadPoolExecutor(1, body -> daemon(body, "link write deadlines"));
         watch.setRemoveOnCancelPolicy(true);
         return watch;
+    }
+
+    private static Thread daemon(Runnable body, String name) {
+        Thread thread = new Thread(body, name);
+        thread.setDaemon(true);
+        return thread;
     }
 }

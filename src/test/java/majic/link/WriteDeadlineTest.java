@@ -1,0 +1,63 @@
+package majic.link;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class WriteDeadlineTest {
+    /** A link of which only the end matters. */
+    private record Ending(Runnable abortion) implements Link {
+        @Override
+        public void open(int timeoutMs) {}
+
+        @Override
+        public int read(byte[] buffer) {
+            return -1;
+        }
+
+        @Override
+        public void write(byte[] message) {}
+
+        @Override
+        public void close() {}
+
+        @Override
+        public void abort() {
+            abortion.run();
+        }
+
+        @Override
+        public String address() {
+            return "test";
+        }
+
+        @Override
+        public Traffic traffic() {
+            return new Traffic("", "", 0, 0, false);
+        }
+    }
+
+    @Test
+    void aLinkThatCannotEvenBeAbortedHoldsUpNoOther() throws InterruptedException {
+        CountDownLatch over = new CountDownLatch(1);
+        CountDownLatch aborted = new CountDownLatch(1);
+        WriteDeadline.start(new Ending(() -> hang(over)));
+
+        WriteDeadline.start(new Ending(aborted::countDown));
+
+        assertThat(aborted.await(5, TimeUnit.SECONDS)).isTrue();
+        over.countDown();
+    }
+
+    private static void hang(CountDownLatch over) {
+        try {
+            over.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}
