@@ -51,6 +51,7 @@ final class Maneuver {
             check(motion.seconds() - startedS);
             there = isThere(rate);
         }
+        motion.send(session.wheels()::stand);
         return way.value(session.state());
     }
 

@@ -40,6 +40,13 @@ final class Wheels {
         line.send(Command.STOP.packet(), Command.VEL.packet(0), Command.RVEL.packet(0));
     }
 
+    /** Takes back what the robot was last told, where it stands although it was told to creep on. */
+    synchronized void stand() {
+        if (rolling || turning) {
+            stop();
+        }
+    }
+
     /** Tells the robot to stand and refuses to tell it anything else. */
     synchronized void hold() {
         held = true;

@@ -259,4 +259,13 @@ class MajicPioneerTest {
     private static double number(MotionReport report) {
         return report.amount() == null ? Double.NaN : report.amount().number();
     }
+
+    @Test
+    void aMoveThatEndsAStepShortLeavesNoSpeedInForce() throws Exception {
+        connect(Peer.Quirk.STICKS_WHEN_SLOW);
+
+        bot.move(150);
+
+        assertThat(peer.hearsLast("STOP 0", "VEL 0", "RVEL 0")).isTrue();
+    }
 }

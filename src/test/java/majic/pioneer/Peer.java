@@ -40,7 +40,8 @@ final class Peer implements AutoCloseable {
         DEAF_TO_FIRST_SYNC,
         HANGS_UP,
         NEVER_ANSWERS,
-        NO_CONFIG
+        NO_CONFIG,
+        STICKS_WHEN_SLOW
     }
 
     Peer(Quirk quirk) throws IOException {
@@ -194,7 +195,7 @@ final class Peer implements AutoCloseable {
             case 1 -> sendsSips = true;
             case 2 -> endSession();
             case 4 -> motors = value != 0;
-            case 11 -> robot.speed(motors ? value : 0);
+            case 11 -> robot.speed(motors && !isStuckAt(value) ? value : 0);
             case 18 -> config();
             case 21 -> robot.rate(motors ? value : 0);
             case 29 -> {
@@ -203,6 +204,10 @@ final class Peer implements AutoCloseable {
             }
             default -> {}
         }
+    }
+
+    private boolean isStuckAt(int speed) {
+        return quirk == Quirk.STICKS_WHEN_SLOW && Math.abs(speed) < 20;
     }
 
     /** A serial line's other end does not hang up. */
