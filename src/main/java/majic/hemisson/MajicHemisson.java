@@ -184,8 +184,11 @@ public final class MajicHemisson extends MajicBot {
         }
         double patience = 2 * open.timeoutSeconds() + 0.9;
         try {
-            if (!changes().await(() -> open.conversation().isStanding() || !isConnected(), patience)) {
-                throw new BotException("the stop was not confirmed within " + patience + " s; " + HELP);
+            changes().await(() -> open.conversation().isStanding() || !isConnected(), patience);
+            if (!open.conversation().isStanding()) {
+                throw isConnected()
+                        ? new BotException("the stop was not confirmed within " + patience + " s; " + HELP)
+                        : new LinkLost("the connection was lost before the stop was confirmed; " + HELP);
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

@@ -347,4 +347,12 @@ class MajicHemissonTest {
             Thread.currentThread().interrupt();
         }
     }
+
+    @Test
+    void aStopInWhichTheConnectionIsLostIsNotConfirmed() {
+        bot.connect();
+        robot.answer('D', command -> robot.hangUpInsteadOfAnswering());
+
+        assertThatThrownBy(bot::stop).isInstanceOf(BotException.class).hasMessageContaining("lost");
+    }
 }

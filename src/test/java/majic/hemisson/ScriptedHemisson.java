@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -59,6 +60,15 @@ final class ScriptedHemisson implements AutoCloseable {
 
     void hangUp() throws IOException {
         client.close();
+    }
+
+    String hangUpInsteadOfAnswering() {
+        try {
+            hangUp();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return "";
     }
 
     void say(String line) throws IOException {
