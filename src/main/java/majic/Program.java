@@ -1,10 +1,12 @@
 package majic;
 
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
 import majic.bot.BotFactory;
@@ -21,6 +23,7 @@ import org.jspecify.annotations.Nullable;
  * links do; it is done at the latest when the program is asked to end.
  */
 final class Program implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Program.class.getName());
     private static final int CLOSE_BOUND_MS = 3000;
 
     private final UserFolder folder;
@@ -32,7 +35,8 @@ final class Program implements AutoCloseable {
     private final SessionLog log;
     private volatile @Nullable LineServer server;
     private final CountDownLatch quit = new CountDownLatch(1);
-    private final AtomicBoolean closed = new AtomicBoolean();
+    private final AtomicBoolean closing = new AtomicBoolean();
+    private final CountDownLatch closed = new CountDownLatch(1);
     private final Thread closeAtEnd = new Thread(this::closeRobots, "shutdown");
 
     /**
@@ -130,20 +134,37 @@ final class Program implements AutoCloseable {
         closeRobots();
     }
 
+    /** Whoever comes second waits for the first: the program must not end in the middle of it. */
     private void closeRobots() {
-        if (!closed.compareAndSet(false, true)) {
-            return;
+        if (closing.compareAndSet(false, true)) {
+            closeAll();
+            closed.countDown();
+        } else {
+            awaitClosed();
         }
+    }
+
+    private void awaitClosed() {
+        try {
+            if (!closed.await(CLOSE_BOUND_MS, TimeUnit.MILLISECONDS)) {
+                LOG.log(Level.WARNING, "the robots could not be closed in time");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void closeAll() {
         quit.countDown();
         LineServer listening = server;
         if (listening != null) {
             listening.close();
         }
-        Thread closing = new Thread(team::close, "closing all robots");
-        closing.setDaemon(true);
-        closing.start();
+        Thread robots = new Thread(team::close, "closing all robots");
+        robots.setDaemon(true);
+        robots.start();
         try {
-            closing.join(CLOSE_BOUND_MS);
+            robots.join(CLOSE_BOUND_MS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
