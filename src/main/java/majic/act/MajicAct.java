@@ -107,10 +107,13 @@ public abstract class MajicAct extends Thread implements Serializable {
      */
     public final void end() {
         Lease given = lease;
-        if (given != null) {
-            given.revoke();
+        try {
+            if (given != null) {
+                given.revoke();
+            }
+        } finally {
+            interrupt();
         }
-        interrupt();
     }
 
     /** Runs the behaviour; called by the thread's start and by nobody else. */
