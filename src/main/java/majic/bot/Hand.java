@@ -59,9 +59,11 @@ public final class Hand implements AutoCloseable {
 
     private void release() {
         released = true;
+        lease.revoke(() -> new MotionStopped("the hand is off"));
         wanted.raise();
     }
 
+    /** Ends in a stand however it ends; the lease is gone before, so that nothing more is driven after a stop. */
     private void run() {
         BotControl robot = member.control(lease);
         try {
@@ -72,7 +74,6 @@ public final class Hand implements AutoCloseable {
                     robot.drive(next.mmPerSec, next.degPerSec);
                 }
             }
-            robot.drive(0, 0);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } catch (BotException e) {
@@ -80,8 +81,17 @@ public final class Hand implements AutoCloseable {
                 member.complain(e);
             }
         } finally {
-            lease.revoke(() -> new MotionStopped("the hand is off"));
+            release();
+            stand(robot);
             member.free(owner);
+        }
+    }
+
+    private void stand(BotControl robot) {
+        try {
+            robot.drive(0, 0);
+        } catch (BotException e) {
+            Team.LOG.log(System.Logger.Level.DEBUG, "a hand could not let robot " + member.number() + " stand", e);
         }
     }
 

@@ -56,11 +56,12 @@ final class Helm {
         BotListener relay = bot.readingsRelay();
         until.alsoWatches().forEach(other -> other.addListener(relay));
         try {
+            endDrive();
             Motion motion = new Motion(bot, until, permit);
             motion.check();
             Value amount = maneuver.run(motion);
             return new MotionReport(amount, motion.seconds());
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             haltAfter(permit);
             throw e;
         } finally {
@@ -70,7 +71,7 @@ final class Helm {
         }
     }
 
-    /** Waits for the motion under way to end; a drive just ends for a motion. */
+    /** Waits for the motion under way to end. */
     private void begin(Permit permit) {
         try {
             while (!motionUnderWay.compareAndSet(false, true)) {
@@ -81,7 +82,6 @@ final class Helm {
             Thread.currentThread().interrupt();
             throw new MotionStopped("interrupted");
         }
-        driving = false;
     }
 
     /** Who revoked the permit has sent a stop already. */
@@ -110,20 +110,27 @@ final class Helm {
     }
 
     void drive(double mmPerSec, double degPerSec, Permit permit) {
-        if (motionUnderWay.get()) {
-            throw new BotException(bot.name() + " is in a motion; stop it before driving");
-        }
+        refuseInMotion();
         if (mmPerSec == 0 && degPerSec == 0) {
             endDrive();
             return;
         }
         send(permit, () -> {
+            refuseInMotion();
             driving = true;
             keeper.once("drive lapse", DRIVE_LEASE_S, this::endDrive);
             bot.driveAt(mmPerSec, degPerSec);
         });
     }
 
+    /** Looked at again under the lock: a motion that has begun meanwhile must not get a drive into it. */
+    private void refuseInMotion() {
+        if (motionUnderWay.get()) {
+            throw new BotException(bot.name() + " is in a motion; stop it before driving");
+        }
+    }
+
+    /** Lets the robot stand if somebody drives it, as for a motion, which may find that it has nothing to do. */
     private void endDrive() {
         synchronized (commandLock) {
             if (driving) {

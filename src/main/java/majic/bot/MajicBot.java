@@ -95,7 +95,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         }
         try {
             open();
-        } catch (BotException e) {
+        } catch (RuntimeException | Error e) {
             endConnecting(Connection.LOST);
             throw e;
         }
@@ -149,7 +149,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     @Override
     public final void stop() {
         revokeMotions();
-        sendStop();
+        if (isConnected()) {
+            sendStop();
+        }
     }
 
     /** Ends the leave of everybody who moves this robot now; quick, sends nothing. */
@@ -158,9 +160,17 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         changes.raise();
     }
 
-    /** Tells the robot to stand and waits until it has confirmed it. */
+    /**
+     * Tells the robot to stand and waits until it has confirmed it.
+     *
+     * @throws LinkLost if the connection was lost: nobody can tell it, so nobody may say it stands
+     */
     final void sendStop() {
-        if (connection == Connection.CONNECTED) {
+        LinkLost cause = lostBecause;
+        if (cause != null) {
+            throw new LinkLost(cause.getMessage(), cause);
+        }
+        if (isConnected()) {
             helm.sendStop();
         }
     }
@@ -525,9 +535,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
                 return;
             }
             lostBecause = cause;
+            helm.lost(cause);
             become(Connection.LOST);
         }
-        helm.lost(cause);
         changes.raise();
     }
 

@@ -200,12 +200,12 @@ public final class Member {
     }
 
     /** Empties the queue and forbids the worker to go on until {@link #stopEnded}. */
-    void stopBegins(boolean latching, @Nullable Owner by) {
+    void stopBegins(@Nullable Owner by) {
         List<Pending> dropped;
         Owner ended;
         synchronized (this) {
             stopsUnderWay++;
-            if (latching) {
+            if (team.isLatched()) {
                 bot.latch();
             } else {
                 bot.revokeMotions();
@@ -216,7 +216,22 @@ public final class Member {
         }
         dropped.forEach(pending -> end(pending, Answer.Outcome.NOT_RUN, "not run: stopped"));
         if (ended != null) {
+            end(ended);
+        }
+    }
+
+    /** Allows motion again, unless STOP came anew meanwhile. */
+    synchronized void release() {
+        if (!team.isLatched()) {
+            bot.unlatch();
+        }
+    }
+
+    private void end(Owner ended) {
+        try {
             ended.end();
+        } catch (RuntimeException e) {
+            Team.LOG.log(System.Logger.Level.ERROR, ended.name() + " did not end well", e);
         }
     }
 
@@ -287,7 +302,7 @@ public final class Member {
             end(pending, Answer.Outcome.STOPPED, "stopped");
         } catch (BotException e) {
             end(pending, Answer.Outcome.FAILED, "failed: " + e.getMessage());
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             Team.LOG.log(System.Logger.Level.ERROR, "an order to robot " + number + " failed", e);
             end(pending, Answer.Outcome.FAILED, "failed: an error in MAJIC, see its log (" + e + ")");
         }

@@ -130,7 +130,7 @@ public final class Team implements AutoCloseable {
      */
     public void remove(int number) {
         Member member = member(number);
-        member.stopBegins(false, null);
+        member.stopBegins(null);
         synchronized (members) {
             members.remove(number);
         }
@@ -190,7 +190,7 @@ public final class Team implements AutoCloseable {
      * @param by the script that says so, which is not ended by it; null for a person
      */
     public void stop(Collection<Member> chosen, @Nullable Owner by) {
-        chosen.forEach(member -> member.stopBegins(false, by));
+        chosen.forEach(member -> member.stopBegins(by));
         chosen.forEach(member -> sendStop(member, member::stopEnded));
     }
 
@@ -198,7 +198,7 @@ public final class Team implements AutoCloseable {
     public void stopAll() {
         latched = true;
         List<Member> all = members();
-        all.forEach(member -> member.stopBegins(true, null));
+        all.forEach(member -> member.stopBegins(null));
         all.forEach(member -> sendStop(member, member::stopEnded));
         tell(listener -> listener.latchChanged(true));
     }
@@ -206,7 +206,7 @@ public final class Team implements AutoCloseable {
     /** Allows motion again after STOP. Nothing resumes by itself. */
     public void release() {
         latched = false;
-        members().forEach(member -> member.bot().unlatch());
+        members().forEach(Member::release);
         tell(listener -> listener.latchChanged(false));
     }
 
@@ -266,7 +266,7 @@ public final class Team implements AutoCloseable {
     public void close() {
         latched = true;
         List<Member> all = members();
-        all.forEach(member -> member.stopBegins(true, null));
+        all.forEach(member -> member.stopBegins(null));
         synchronized (members) {
             members.clear();
         }
@@ -313,7 +313,7 @@ public final class Team implements AutoCloseable {
             try {
                 member.bot().sendStop();
                 answer(new Answer(member.number(), Answer.Outcome.DONE, stop + "done"));
-            } catch (BotException e) {
+            } catch (RuntimeException e) {
                 answer(new Answer(member.number(), Answer.Outcome.FAILED, stop + "failed: " + e.getMessage()));
             } finally {
                 whenSent.run();

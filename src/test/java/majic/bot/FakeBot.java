@@ -19,7 +19,7 @@ public final class FakeBot extends MajicBot {
     private volatile double headPanDeg;
     private volatile boolean light;
     private volatile double stallAfterMm = Double.POSITIVE_INFINITY;
-    private volatile @Nullable BotException refusal;
+    private volatile @Nullable RuntimeException refusal;
     private volatile double connectSeconds;
     private volatile boolean stuck;
     private volatile Pose pose = Pose.START;
@@ -101,6 +101,11 @@ public final class FakeBot extends MajicBot {
         refusal = problem;
     }
 
+    /** Makes connecting fail as no driver should; null makes it whole again. */
+    public void breakDownWhileConnecting(@Nullable RuntimeException mistake) {
+        refusal = mistake;
+    }
+
     /** Makes connecting take time. */
     public void connectIn(double seconds) {
         connectSeconds = seconds;
@@ -123,7 +128,7 @@ public final class FakeBot extends MajicBot {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        BotException problem = refusal;
+        RuntimeException problem = refusal;
         if (problem != null) {
             throw problem;
         }

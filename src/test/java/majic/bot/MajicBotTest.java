@@ -187,4 +187,36 @@ class MajicBotTest {
         assertThatThrownBy(() -> bot.drive(100, 0)).hasMessageContaining("STOP is latched");
         assertThat(bot.get("voltage")).hasToString("12.6 V");
     }
+
+    @Test
+    void aDriveEndsForAMotionEvenIfThatHasNothingToDo() throws InterruptedException {
+        bot.drive(200, 0);
+
+        bot.turn(0, () -> true);
+        clock.time().sleep(1);
+
+        assertThat(bot.sent()).startsWith("drive 200 0", "halt").doesNotHaveDuplicates();
+    }
+
+    @Test
+    void anErrorInAGuardHaltsTheRobotToo() {
+        assertThatThrownBy(() -> bot.move(500, () -> {
+                    throw new StackOverflowError();
+                }))
+                .isInstanceOf(StackOverflowError.class);
+        assertThat(bot.sent()).endsWith("halt");
+    }
+
+    @Test
+    void aDriverThatFailsWhileConnectingMayTryAgain() {
+        FakeBot other = FakeBot.on(clock.time());
+        other.breakDownWhileConnecting(new IllegalStateException("a mistake of the driver"));
+        assertThatThrownBy(other::connect).isInstanceOf(IllegalStateException.class);
+
+        other.breakDownWhileConnecting(null);
+        other.connect();
+
+        assertThat(other.isConnected()).isTrue();
+        other.close();
+    }
 }

@@ -236,4 +236,47 @@ class TeamTest {
 
         assertThatThrownBy(() -> new Hand(team.member(1))).hasMessage("1 is busy; \"1 stop\" ends it");
     }
+
+    @Test
+    void aStopThatCannotReachALostRobotIsNotConfirmed() throws InterruptedException {
+        join().cut();
+        join();
+        listen();
+
+        team.stopAll();
+        team.changes().await(() -> said.size() >= 2, 5);
+
+        assertThat(said).containsExactlyInAnyOrder("1 stop: failed: connection lost", "2 stop: done");
+    }
+
+    @Test
+    void anOwnerThatDoesNotEndWellHoldsUpNoStop() throws InterruptedException {
+        join();
+        join();
+        listen();
+        team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", () -> {
+            throw new IllegalStateException("will not end");
+        }));
+
+        team.stopAll();
+        team.changes().await(() -> said.size() >= 2, 5);
+
+        assertThat(said).containsExactlyInAnyOrder("1 stop: done", "2 stop: done");
+    }
+
+    @Test
+    void anOrderThatEndsInAnErrorLeavesTheRobotUsable() throws InterruptedException {
+        join();
+        listen();
+        Order broken = new Order("wag", true, robot -> {
+            throw new AssertionError("a mistake");
+        });
+
+        team.member(1).submit(broken, null);
+        awaitIdle(1);
+        team.member(1).submit(move(300), null);
+        awaitIdle(1);
+
+        assertThat(said).hasSize(2).last().isEqualTo("1 move 300: done (300 mm, 1.0 s)");
+    }
 }
