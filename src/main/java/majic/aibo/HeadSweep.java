@@ -18,6 +18,7 @@ final class HeadSweep {
     private final Tags tags;
     private final AtomicReference<@Nullable String> sweeping = new AtomicReference<>();
     private final AtomicReference<@Nullable String> halted = new AtomicReference<>();
+    private final AtomicReference<@Nullable String> homing = new AtomicReference<>();
     private volatile double homeDeg;
 
     HeadSweep(UrbiConnection sensors, Tags tags) {
@@ -25,9 +26,16 @@ final class HeadSweep {
         this.tags = tags;
     }
 
-    /** Where the head looks when it does not sweep, degrees to the left. */
+    /**
+     * Where the head looks when it does not sweep, degrees to the left. A head that is still on its way back from a
+     * sweep goes no further, for on the dog the older of two movements would end where it likes.
+     */
     void home(double degrees) {
         homeDeg = degrees;
+        String tag = homing.getAndSet(null);
+        if (tag != null) {
+            sensors.send("stop " + tag + ",");
+        }
     }
 
     /** Begins to sweep, unless it does; to be sent as part of a motion. */
@@ -42,7 +50,10 @@ final class HeadSweep {
     void end() {
         String tag = sweeping.getAndSet(null);
         if (tag != null) {
-            sensors.send("stop " + tag + "; headPan.val = " + Dialect.number(homeDeg) + " time:" + BACK_MS + ",");
+            String back = tags.next();
+            homing.set(back);
+            sensors.send("stop " + tag + "; " + back + ": headPan.val = " + Dialect.number(homeDeg) + " time:" + BACK_MS
+                    + ",");
         }
     }
 

@@ -53,7 +53,7 @@ final class JointParameters {
         AiboSession open = session.get();
         open.feet().power(motion);
         if (sensor == Sensor.HEAD_PAN) {
-            open.sweep().home(target);
+            motion.send(() -> open.sweep().home(target));
         }
         String command = name + ".val = " + Dialect.number(target) + " time:" + Dialect.number(Math.rint(ms));
         open.feet().perform(motion, open.runner().command(open.links().sensors(), command), ms / 1000 + LATE_S);
