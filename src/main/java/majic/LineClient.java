@@ -26,6 +26,7 @@ final class LineClient implements SessionListener {
     private final Consumer<LineClient> whenGone;
     private final MajicParser parser;
     private final BlockingQueue<String> answers = new ArrayBlockingQueue<>(UNREAD_LINES);
+    private final Thread writer = daemon(this::write, "client writer");
 
     LineClient(Socket socket, Session session, Consumer<LineClient> whenGone) {
         this.socket = socket;
@@ -36,14 +37,14 @@ final class LineClient implements SessionListener {
 
     void start() {
         session.addListener(this);
-        daemon(this::read, "client reader");
-        daemon(this::write, "client writer");
+        daemon(this::read, "client reader").start();
+        writer.start();
     }
 
-    private static void daemon(Runnable body, String name) {
+    private static Thread daemon(Runnable body, String name) {
         Thread thread = new Thread(body, name);
         thread.setDaemon(true);
-        thread.start();
+        return thread;
     }
 
     @Override
@@ -113,5 +114,6 @@ final class LineClient implements SessionListener {
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "closing a client", e);
         }
+        writer.interrupt();
     }
 }

@@ -10,7 +10,10 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import majic.bot.BotFactory;
 import majic.bot.FakeType;
 import majic.bot.Settings;
@@ -78,6 +81,29 @@ class LineServerTest {
 
             assertThat(awaitLine(answers, "no robots")).isNotNull();
         }
+    }
+
+    @Test
+    void aProgramThatHangsUpLeavesNoThreadBehind() throws Exception {
+        Set<Thread> before = writers();
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+            say(socket, "bots");
+            awaitLine(answers(socket), "no robots");
+        }
+
+        Set<Thread> after = writers();
+        after.removeAll(before);
+        for (Thread writer : after) {
+            writer.join(5000);
+        }
+
+        assertThat(after).noneMatch(Thread::isAlive);
+    }
+
+    private static Set<Thread> writers() {
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().equals("client writer"))
+                .collect(Collectors.toCollection(HashSet::new));
     }
 
     @Test
