@@ -20,6 +20,10 @@ final class LineClient implements SessionListener {
     private static final System.Logger LOG = System.getLogger(LineClient.class.getName());
     private static final int UNREAD_LINES = 10_000;
     private static final int LONGEST_LINE = 10_000;
+    private static final int LAST_ANSWERS_MS = 1000;
+
+    /** Behind the last answer; no answer has a line end in it. */
+    private static final String END = "\n";
 
     private final Socket socket;
     private final Session session;
@@ -69,6 +73,8 @@ final class LineClient implements SessionListener {
                 parser.awaitRoom();
             }
             parser.awaitAll();
+            answers.offer(END);
+            writer.join(LAST_ANSWERS_MS);
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "a client is gone", e);
         } catch (InterruptedException e) {
@@ -94,8 +100,8 @@ final class LineClient implements SessionListener {
     private void write() {
         try {
             OutputStream out = socket.getOutputStream();
-            while (!socket.isClosed()) {
-                out.write((answers.take() + "\n").getBytes(StandardCharsets.UTF_8));
+            for (String answer = answers.take(); !answer.equals(END); answer = answers.take()) {
+                out.write((answer + "\n").getBytes(StandardCharsets.UTF_8));
                 out.flush();
             }
         } catch (IOException e) {

@@ -107,6 +107,18 @@ class LineServerTest {
     }
 
     @Test
+    void whoEndsItsInputStillHearsTheLastAnswer() throws IOException {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+            say(socket, "add fake://here");
+            say(socket, "1 move 30");
+            say(socket, "1 get x");
+            socket.shutdownOutput();
+
+            assertThat(answers(socket).lines().toList()).last().isEqualTo("1 x = 30 mm");
+        }
+    }
+
+    @Test
     void onlyThisMachineMayCommandTheRobots() {
         assertThatThrownBy(() -> LineServer.open(new InetSocketAddress("0.0.0.0", 0), session))
                 .isInstanceOf(UsageException.class)
