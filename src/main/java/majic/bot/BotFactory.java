@@ -110,7 +110,7 @@ public final class BotFactory {
             bot.connect();
             return "a " + bot.type().make() + " answers";
         } catch (BotException e) {
-            throw new BotException(e.getMessage() + ". " + bot.type().advice(), e);
+            throw new BotException(bot.type().adviceAfter(String.valueOf(e.getMessage())), e);
         }
     }
 }

@@ -68,4 +68,15 @@ public interface BotType {
      * @return one or two sentences
      */
     String advice();
+
+    /**
+     * The advice behind what went wrong, as whole sentences.
+     *
+     * @param problem what went wrong, with or without a full stop
+     * @return both in one line
+     */
+    default String adviceAfter(String problem) {
+        boolean ended = problem.endsWith(".") || problem.endsWith("?");
+        return problem + (ended ? " " : ". ") + advice();
+    }
 }

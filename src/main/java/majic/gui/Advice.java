@@ -9,6 +9,7 @@ final class Advice {
         if (problem.contains(advice)) {
             return problem;
         }
-        return problem + (problem.endsWith(".") ? " " : ". ") + advice;
+        boolean ended = problem.endsWith(".") || problem.endsWith("?");
+        return problem + (ended ? " " : ". ") + advice;
     }
 }

@@ -44,14 +44,8 @@ final class Comings {
             bot.connect();
         } catch (BotException e) {
             bot.close();
-            throw new BotException(address + ": " + withAdvice(e, bot), e);
+            throw new BotException(address + ": " + bot.type().adviceAfter(String.valueOf(e.getMessage())), e);
         }
-    }
-
-    private static String withAdvice(BotException problem, MajicBot bot) {
-        String message = String.valueOf(problem.getMessage());
-        String sentence = message.endsWith(".") ? message : message + ".";
-        return sentence + " " + bot.type().advice();
     }
 
     private Member join(MajicBot bot, OptionalInt number) {
