@@ -8,6 +8,9 @@ import java.util.Locale;
 public final class Suggestion {
     private static final int MOST_MISTAKES = 2;
 
+    /** With a mistake in each letter but one, a short word could be any other. */
+    private static final int LETTERS_A_MISTAKE = 2;
+
     private Suggestion() {}
 
     /**
@@ -19,10 +22,14 @@ public final class Suggestion {
      */
     public static String didYouMean(String typed, Collection<String> words) {
         return words.stream()
-                .filter(word -> distance(typed, word) <= Math.min(MOST_MISTAKES, typed.length() - 1))
+                .filter(word -> distance(typed, word) <= mostMistakes(typed))
                 .min(Comparator.comparingInt(word -> distance(typed, word)))
                 .map(word -> "; did you mean " + word + "?")
                 .orElse("");
+    }
+
+    private static int mostMistakes(String typed) {
+        return Math.min(MOST_MISTAKES, typed.length() / LETTERS_A_MISTAKE);
     }
 
     /** How many letters have to be added, dropped or changed (Levenshtein), whatever their case. */
