@@ -29,8 +29,9 @@ final class ScriptFile {
             return;
         }
         Execution alone = execution.asScript(String.valueOf(path.getFileName()));
-        if (!new ScriptRun(alone, "run " + file, file, true).run(script)) {
-            execution.fail("run " + file);
+        String title = "run " + SessionRecord.quoted(file);
+        if (!new ScriptRun(alone, title, file, true).run(script)) {
+            execution.fail(title);
         }
     }
 

@@ -135,7 +135,8 @@ final class SessionRecord {
         Files.write(file, all);
     }
 
-    private static String quoted(String address) {
-        return address.matches("[^\\s#\"]+") ? address : '"' + address + '"';
+    /** An address or a file as a script would write it. */
+    static String quoted(String value) {
+        return value.matches("[^\\s#\"]+") ? value : '"' + value + '"';
     }
 }

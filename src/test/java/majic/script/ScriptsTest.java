@@ -46,6 +46,14 @@ class ScriptsTest {
     }
 
     @Test
+    void aFileWithABlankInItsNameIsAnsweredInQuotes() throws Exception {
+        Path file = folder.resolve("a square.majic");
+        Files.write(file, List.of("1 move 30"));
+        assertThat(desk.runPipe("run \"" + file + "\""))
+                .anyMatch(line -> line.startsWith("run \"" + file + "\": done ("));
+    }
+
+    @Test
     void allMistakesAreReportedTogetherAndNothingRuns() throws Exception {
         String file =
                 file("1 move 30", "1 mvoe 3", "", "while 1 bumpd == no", "  2 move", "end", "9 move 3", "1 move 5 5");
