@@ -25,12 +25,19 @@ final class Failures {
 
     static int usage(ParameterException problem) {
         PrintWriter err = problem.getCommandLine().getErr();
-        err.println("majic: " + problem.getMessage());
+        err.println("majic: " + plain(problem));
         if (!UnmatchedArgumentException.printSuggestions(problem, err)) {
             err.println("majic: --help lists what can be said");
         }
         err.flush();
         return USAGE;
+    }
+
+    /** The parser of the command line names Java types; a person knows numbers. */
+    private static String plain(ParameterException problem) {
+        return String.valueOf(problem.getMessage())
+                .replaceFirst("is not an? (long|int)$", "is not a whole number")
+                .replaceFirst("is not a double$", "is not a number");
     }
 
     static int explain(CommandLine command, Exception problem) {

@@ -59,6 +59,12 @@ final class LabChoice {
             description = "TCP port of the Hemisson (a free one).")
     private int hemissonPort;
 
+    /** Whether any lab but the usual one is chosen. */
+    boolean isGiven() {
+        boolean ports = aiboPort != LabOptions.AIBO_PORT || pioneerPort != LabOptions.PIONEER_PORT || hemissonPort != 0;
+        return exact || seed != 1 || world != null || speed != 1 || ports;
+    }
+
     /** What a lab of this choice is opened with. */
     LabOptions options() throws IOException {
         Room room = world == null ? Room.standard() : Room.load(world);

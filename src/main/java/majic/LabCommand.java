@@ -21,7 +21,7 @@ final class LabCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        LabChoice choice = Objects.requireNonNull(majic).start().choice();
+        LabChoice choice = Objects.requireNonNull(majic).start().labAlone();
         double speed = choice.speed();
         try (Lab lab = Lab.open(choice.options())) {
             choice.tellTakenPorts(lab.addresses());

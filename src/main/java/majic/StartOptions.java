@@ -34,7 +34,11 @@ final class StartOptions {
             description = "Take lines of MAJIC Script over a socket, such as 127.0.0.1:7777, and answer in lines.")
     private @Nullable String listen;
 
-    LabChoice choice() {
+    /** What shapes the lab, where nothing else is to be started. */
+    LabChoice labAlone() {
+        if (lab || listen != null || !robots.isEmpty()) {
+            throw new UsageException("lab runs the simulators alone; --lab, --add and --listen do not go with it");
+        }
         return choice;
     }
 
@@ -43,9 +47,13 @@ final class StartOptions {
      *
      * @param folder the user's folder
      * @return the program, its robots not yet added
+     * @throws UsageException if they do not go together
      * @throws IOException if the lab or the socket cannot open its ports, the world is none, or a file cannot be written
      */
     Program program(UserFolder folder) throws IOException {
+        if (!lab && choice.isGiven()) {
+            throw new UsageException("the options of the simulated lab need --lab, as in majic --lab --exact");
+        }
         SimulatedLab simulated = lab ? SimulatedLab.scaled(choice.options(), choice.speed()) : null;
         if (simulated != null) {
             choice.tellTakenPorts(simulated.simulators().addresses());

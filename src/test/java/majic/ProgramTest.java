@@ -18,6 +18,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The program as users start it: a process with arguments, input, output and an exit status. */
 @Timeout(120)
@@ -86,6 +88,22 @@ class ProgramTest {
         String said = talk(majic, "");
 
         assertThat(said).startsWith("majic: ").doesNotContain("Exception", "\tat ");
+        assertThat(majic.exitValue()).isEqualTo(2);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            quoteCharacter = '"',
+            value = {
+                "--console --exact, the options of the simulated lab need --lab",
+                "--console --lab --seed many, 'many' is not a whole number",
+                "--console --lab --speed fast, 'fast' is not a number",
+                "lab --add sim:aibo, lab runs the simulators alone"
+            })
+    void optionsThatMakeNoSenseAreExplained(String arguments, String why) throws Exception {
+        Process majic = start(arguments.split(" "));
+
+        assertThat(talk(majic, "")).startsWith("majic: ").contains(why).doesNotContain("Exception");
         assertThat(majic.exitValue()).isEqualTo(2);
     }
 
