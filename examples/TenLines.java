@@ -5,17 +5,15 @@ public final class TenLines {
     private TenLines() {}
 
     /**
-     * Drives a little square and tells what is ahead.
+     * Drives round a corner and tells what is ahead.
      *
      * @param args where the robot is, for instance {@code pioneer://localhost}
      */
     public static void main(String[] args) {
         try (MajicPioneer robot = new MajicPioneer(args[0])) {
             robot.connect();
-            for (int side = 0; side < 4; side++) {
-                robot.move(300);
-                robot.turn(90);
-            }
+            robot.move(300);
+            robot.turn(90);
             System.out.println("ahead: " + robot.get("distanceFront"));
         }
     }

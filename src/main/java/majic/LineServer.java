@@ -7,6 +7,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.locks.LockSupport;
 import majic.script.Session;
 
 /**
@@ -15,6 +16,7 @@ import majic.script.Session;
  */
 final class LineServer implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(LineServer.class.getName());
+    private static final long PAUSE_AFTER_TROUBLE_NANOS = 100_000_000;
 
     private final ServerSocket socket;
     private final Session session;
@@ -62,7 +64,8 @@ final class LineServer implements AutoCloseable {
             try {
                 serve(socket.accept());
             } catch (IOException e) {
-                LOG.log(Level.DEBUG, "no longer listening", e);
+                LOG.log(Level.DEBUG, "no client could be taken", e);
+                LockSupport.parkNanos(PAUSE_AFTER_TROUBLE_NANOS);
             }
         }
     }

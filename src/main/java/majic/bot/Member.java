@@ -235,6 +235,11 @@ public final class Member {
         }
     }
 
+    /** Lets no robot seem idle before everybody has heard of a STOP; {@link #stopEnded} ends it. */
+    synchronized void holdWork() {
+        stopsUnderWay++;
+    }
+
     void stopEnded() {
         synchronized (this) {
             stopsUnderWay--;

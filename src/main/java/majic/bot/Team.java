@@ -198,9 +198,11 @@ public final class Team implements AutoCloseable {
     public void stopAll() {
         latched = true;
         List<Member> all = members();
+        all.forEach(Member::holdWork);
         all.forEach(member -> member.stopBegins(null));
         all.forEach(member -> sendStop(member, member::stopEnded));
         tell(listener -> listener.latchChanged(true));
+        all.forEach(Member::stopEnded);
     }
 
     /** Allows motion again after STOP. Nothing resumes by itself. */

@@ -75,7 +75,8 @@ final class Handshake {
 
     private void refuseDeadLine() {
         if (session.isClosed()) {
-            throw new BotException("the connection was lost at once: " + session.end());
+            String end = session.end();
+            throw new BotException(end == null ? "closed while connecting" : "the connection was lost at once: " + end);
         }
         if (session.isTelnet()) {
             throw new BotException(
