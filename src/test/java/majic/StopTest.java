@@ -8,7 +8,11 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import majic.bot.Answer;
 import majic.bot.BotFactory;
@@ -44,11 +48,7 @@ class StopTest {
 
     @Test
     void reachesEveryRobotThatCanBeReachedAndAnswersForAll() throws Exception {
-        for (int count = 0; count < LABS; count++) {
-            join("pioneer", "hemisson");
-        }
-        List<MajicBot> bots =
-                team.members().stream().map(member -> member.bot()).toList();
+        List<MajicBot> bots = connectAll();
         bots.forEach(bot -> bot.drive(100, 0));
         labs.subList(0, STUCK).forEach(lab -> {
             lab.simulators().faults("pioneer").stopReading();
@@ -77,15 +77,37 @@ class StopTest {
         assertThat(lab.truePoses().get(robot)).isEqualTo(before);
     }
 
-    private void join(String... types) throws IOException {
+    private List<MajicBot> connectAll() throws Exception {
+        List<Callable<MajicBot>> arrivals = new ArrayList<>();
+        for (int count = 0; count < LABS; count++) {
+            BotFactory lab = openLab();
+            arrivals.add(() -> join(lab, "pioneer"));
+            arrivals.add(() -> join(lab, "hemisson"));
+        }
+        ExecutorService doors = Executors.newFixedThreadPool(ROBOTS);
+        try {
+            List<MajicBot> bots = new ArrayList<>();
+            for (Future<MajicBot> arrival : doors.invokeAll(arrivals)) {
+                bots.add(arrival.get());
+            }
+            return bots;
+        } finally {
+            doors.shutdown();
+        }
+    }
+
+    private BotFactory openLab() throws IOException {
         SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
         labs.add(lab);
         BotFactory factory = new BotFactory(Plugins.types(Path.of("none")), Settings.inMemory());
         factory.useLab(lab);
-        for (String type : types) {
-            MajicBot bot = factory.create("sim:" + type);
-            bot.connect();
-            team.add(bot, OptionalInt.empty());
-        }
+        return factory;
+    }
+
+    private MajicBot join(BotFactory lab, String type) {
+        MajicBot bot = lab.create("sim:" + type);
+        bot.connect();
+        team.add(bot, OptionalInt.empty());
+        return bot;
     }
 }
