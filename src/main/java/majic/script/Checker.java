@@ -1,8 +1,10 @@
 package majic.script;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import majic.bot.BotException;
 import majic.bot.Member;
 import org.jspecify.annotations.Nullable;
@@ -15,6 +17,7 @@ final class Checker implements Statement.Visitor<@Nullable Void> {
     private final Session session;
     private final Selection selection;
     private final List<Mistake> mistakes = new ArrayList<>();
+    private final Set<Member> limitsSet = new HashSet<>();
     private boolean teamMayChange;
 
     private Checker(Session session, Selection selection) {
@@ -79,10 +82,18 @@ final class Checker implements Statement.Visitor<@Nullable Void> {
     public @Nullable Void forRobots(Statement.ForRobots line) {
         if (!teamMayChange) {
             for (Member member : selection.members(line.robots())) {
-                line.command().accept(new CommandCheck(selection, member));
+                line.command().accept(new CommandCheck(selection, member, limitsSet.contains(member)));
+                if (setsLimit(line.command())) {
+                    limitsSet.add(member);
+                }
             }
         }
         return null;
+    }
+
+    /** Behind it, only the robot can tell how far a move may go. */
+    private static boolean setsLimit(Command command) {
+        return command instanceof Command.Set set && set.parameter().text().equalsIgnoreCase("maxMove");
     }
 
     @Override

@@ -17,8 +17,20 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
     private final Selection selection;
     private final Member member;
     private final MajicBot bot;
+    private final boolean limitMayChange;
 
     CommandCheck(Selection selection, Member member) {
+        this(selection, member, false);
+    }
+
+    /**
+     * A check of commands for one robot.
+     *
+     * @param limitMayChange whether {@code maxMove} may be another one when the command's turn comes; what a robot that
+     *     is busy will be told before is not known here either
+     */
+    CommandCheck(Selection selection, Member member, boolean limitMayChange) {
+        this.limitMayChange = limitMayChange || !member.isIdle();
         this.selection = selection;
         this.member = member;
         this.bot = member.bot();
@@ -27,7 +39,7 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
     @Override
     public @Nullable Void move(Command.Move move) {
         until(move.until());
-        if (member.isIdle()) {
+        if (!limitMayChange) {
             attempt(move.distance().at(), () -> Checks.move(bot, number(move.distance())));
         }
         return null;

@@ -54,6 +54,12 @@ class ScriptsTest {
     }
 
     @Test
+    void aLimitThatIsRaisedInAFileHoldsForItsMoves() throws Exception {
+        String file = file("1 set maxMove 10m", "1 move 6m");
+        assertThat(desk.runPipe("run " + file)).anyMatch(line -> line.startsWith("1 move 6m: done ("));
+    }
+
+    @Test
     void allMistakesAreReportedTogetherAndNothingRuns() throws Exception {
         String file =
                 file("1 move 30", "1 mvoe 3", "", "while 1 bumpd == no", "  2 move", "end", "9 move 3", "1 move 5 5");
