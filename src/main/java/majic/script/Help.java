@@ -154,6 +154,9 @@ final class Help {
     }
 
     static String noSuchCommand(String word, MajicBot bot) {
+        if (bot.parameters().stream().anyMatch(parameter -> parameter.name().equalsIgnoreCase(word))) {
+            return word + ": a parameter; read it with get, or change it with set";
+        }
         List<String> words = new ArrayList<>(CommandParser.WORDS);
         words.addAll(bot.commands().stream().map(BotCommand::name).toList());
         return word + ": " + bot.name() + " has no such command" + Suggestion.didYouMean(word, words);

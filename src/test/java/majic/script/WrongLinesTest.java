@@ -23,6 +23,7 @@ class WrongLinesTest {
                 "move 100 | move: which robot? Write its number in front, as in \"1 move\"",
                 "bobs | bobs: no such command; did you mean bots?",
                 "1 mvoe 100 | mvoe: robot 1 (Aibo) has no such command; did you mean move?",
+                "1 headPan 30 | headPan: a parameter; read it with get, or change it with set",
                 "1 fly | fly: robot 1 (Aibo) has no such command",
                 "1 move | behind \"move\" a distance (mm, cm, m) is missing",
                 "1 move fast | fast: a distance (mm, cm, m) is expected here",
