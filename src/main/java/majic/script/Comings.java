@@ -18,17 +18,32 @@ final class Comings {
     }
 
     /**
-     * Connects to a robot and takes it in; says so.
+     * Connects to a robot and takes it in; says so. One that is here under just this number and address stays as it is,
+     * so that a saved session can be done again by the team that did it.
      *
      * @throws BotException if it cannot be reached or taken in; nothing is left open
      */
     Member add(String address, OptionalInt number) {
+        Optional<Member> there = alreadyThere(address, number);
+        if (there.isPresent()) {
+            session.say(Line.Kind.ANSWER, there.get().number() + ": at " + address + ", connected already");
+            return there.get();
+        }
         session.team().checkRoom(number);
         MajicBot bot = session.factory().create(address);
         connect(bot, address);
         Member member = join(bot, number);
         joined(member, address);
         return member;
+    }
+
+    /** The robot that is connected under just this number and address. */
+    Optional<Member> alreadyThere(String address, OptionalInt number) {
+        return session.team().members().stream()
+                .filter(member -> number.isPresent() && number.getAsInt() == member.number())
+                .filter(member -> address.equalsIgnoreCase(addresses.get(member.number())))
+                .filter(member -> member.bot().isConnected())
+                .findFirst();
     }
 
     /** Says and keeps that a robot was taken in. */

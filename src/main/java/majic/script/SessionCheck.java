@@ -14,6 +14,9 @@ record SessionCheck(Session session, Selection selection) implements SessionComm
     @Override
     public @Nullable Void add(SessionCommand.Add add) {
         address(add.address());
+        if (session.comings().alreadyThere(text(add.address()), add.number()).isPresent()) {
+            return null;
+        }
         try {
             session.team().checkRoom(add.number());
         } catch (BotException e) {

@@ -65,6 +65,14 @@ class SessionRecordTest {
     }
 
     @Test
+    void canBeDoneAgainByTheTeamThatDidIt() throws InterruptedException {
+        desk.runPipe("add sim:aibo as 1", "1 move 30", "add sim:aibo as 1", "1 move 30");
+        assertThat(desk.pipe.allSucceeded()).isTrue();
+        assertThat(desk.said()).contains("1: at sim:aibo, connected already");
+        assertThat(desk.session.record().lines()).containsOnlyOnce("add sim:aibo as 1");
+    }
+
+    @Test
     void leavesOutWhatWasRefusedAndWhatChangedNothing() throws InterruptedException {
         addTwo();
         type("bots");
