@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import majic.TestClock;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotListener;
@@ -222,10 +223,12 @@ class MajicAiboTest {
     @Test
     void whatIsNoUrbiServerIsSaidSoInTime() {
         dog.introducesItself = false;
-
-        assertThatThrownBy(aibo::connect)
-                .isInstanceOf(BotException.class)
-                .hasMessageContaining("not as an URBI server within 4 s");
+        try (TestClock clock = new TestClock();
+                MajicAibo mute = new MajicAibo(dog.address(), new BotEnvironment(clock.time(), settings))) {
+            assertThatThrownBy(mute::connect)
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining("not as an URBI server within 4 s");
+        }
     }
 
     @Test

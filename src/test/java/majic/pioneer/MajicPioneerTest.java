@@ -10,6 +10,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import majic.TestClock;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotListener;
@@ -18,6 +19,7 @@ import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
+import majic.bot.Settings;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -89,10 +91,14 @@ class MajicPioneerTest {
 
     @Test
     void aPeerThatNeverAnswersIsGivenUp() {
-        assertThatThrownBy(() -> connect(Peer.Quirk.NEVER_ANSWERS))
-                .isInstanceOf(BotException.class)
-                .hasMessageContaining("no Pioneer answers")
-                .hasMessageContaining("6 s");
+        try (TestClock clock = new TestClock()) {
+            BotEnvironment quick = new BotEnvironment(clock.time(), Settings.inMemory());
+
+            assertThatThrownBy(() -> connect(Peer.Quirk.NEVER_ANSWERS, quick))
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining("no Pioneer answers")
+                    .hasMessageContaining("6 s");
+        }
         assertThat(bot.connection()).isEqualTo(MajicBot.Connection.LOST);
     }
 
@@ -245,8 +251,12 @@ class MajicPioneerTest {
     }
 
     private void connect(Peer.Quirk quirk) throws IOException {
+        connect(quirk, BotEnvironment.plain());
+    }
+
+    private void connect(Peer.Quirk quirk, BotEnvironment environment) throws IOException {
         peer = new Peer(quirk);
-        bot = new MajicPioneer(peer.address(), BotEnvironment.plain());
+        bot = new MajicPioneer(peer.address(), environment);
         bot.addListener(new BotListener() {
             @Override
             public void notice(MajicBot from, String message) {
