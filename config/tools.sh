@@ -18,7 +18,10 @@ as_root() {
 }
 
 may_install() {
-    is_debian && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null || [ -t 0 ] && command -v sudo >/dev/null 2>&1; }
+    is_debian || return 1
+    [ "$(id -u)" = 0 ] && return 0
+    command -v sudo >/dev/null 2>&1 || return 1
+    sudo -n true 2>/dev/null || [ -t 0 ]
 }
 
 # install_or_name WHY PACKAGE...: installs Debian packages after one line that says so, or names the command.
