@@ -1,5 +1,6 @@
 package majic;
 
+import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
@@ -27,9 +28,10 @@ class ArchitectureTest {
     private static final Map<String, Set<String>> MAY_USE = Map.ofEntries(
             Map.entry("majic.bot", Set.of()),
             Map.entry("majic.link", Set.of()),
-            Map.entry("majic.aibo", Set.of("majic.bot", "majic.link")),
-            Map.entry("majic.pioneer", Set.of("majic.bot", "majic.link")),
-            Map.entry("majic.hemisson", Set.of("majic.bot", "majic.link")),
+            Map.entry("majic.panel", Set.of("majic.bot")),
+            Map.entry("majic.aibo", Set.of("majic.bot", "majic.link", "majic.panel")),
+            Map.entry("majic.pioneer", Set.of("majic.bot", "majic.link", "majic.panel")),
+            Map.entry("majic.hemisson", Set.of("majic.bot", "majic.link", "majic.panel")),
             Map.entry("majic.act", Set.of("majic.bot")),
             Map.entry("majic.log", Set.of("majic.bot")),
             Map.entry("majic.script", Set.of("majic.bot", "majic.act", "majic.log")),
@@ -84,16 +86,31 @@ class ArchitectureTest {
 
     @Test
     void onlyTheWindowAndTheRobotsPanelsTouchSwing() {
-        DescribedPredicate<JavaClass> panels = DescribedPredicate.describe(
-                "a robot's panel or what it draws with",
-                type -> type.getName().matches(".*(Panel|Drawing|Numbers|Ink)(\\$.*)?"));
         noClasses()
-                .that(resideInAPackage("majic..").and(DescribedPredicate.not(resideInAnyPackage("majic.gui", "majic"))))
-                .and(DescribedPredicate.not(panels))
+                .that(resideInAPackage("majic..")
+                        .and(not(resideInAnyPackage("majic.gui", "majic.panel", "majic")))
+                        .and(not(panelsOfRobots())))
                 .should()
                 .dependOnClassesThat(
                         resideInAnyPackage("javax.swing..", "java.awt..").and(notTheReturnOfDisplay()))
                 .check(CLASSES);
+    }
+
+    @Test
+    void whatPanelsShareIsUsedByPanelsAlone() {
+        noClasses()
+                .that(resideInAPackage("majic..")
+                        .and(not(resideInAPackage("majic.panel")))
+                        .and(not(panelsOfRobots())))
+                .should()
+                .dependOnClassesThat(resideInAPackage("majic.panel"))
+                .check(CLASSES);
+    }
+
+    private static DescribedPredicate<JavaClass> panelsOfRobots() {
+        return DescribedPredicate.describe(
+                "a robot's panel or what it draws with",
+                type -> type.getName().matches(".*(Panel|Drawing|Numbers)(\\$.*)?"));
     }
 
     private static DescribedPredicate<JavaClass> notTheReturnOfDisplay() {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import javax.swing.JLabel;
 import majic.bot.Value;
+import majic.panel.NumbersPanel;
 
 /** A dog's readings by the names of their parameters; none of them asks the dog. For the event thread. */
 final class AiboNumbers extends NumbersPanel {

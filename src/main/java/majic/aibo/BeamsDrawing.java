@@ -10,6 +10,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Optional;
 import majic.bot.Value;
+import majic.panel.Ink;
 
 /**
  * What the distance sensors see, around the point where the head turns: rings at every half metre, the head's beam where

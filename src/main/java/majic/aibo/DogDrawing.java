@@ -3,6 +3,7 @@ package majic.aibo;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.swing.JPanel;
+import majic.panel.Ink;
 
 /**
  * Draws the dog as large as the room allows: from above, with what its distance sensors meet around its head, and in the

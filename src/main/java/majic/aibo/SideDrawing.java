@@ -7,6 +7,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.RoundRectangle2D;
+import majic.panel.Ink;
 
 /** The dog seen from its right, looking to the right: mm, x ahead, y up from the ground. Tells neck, head and posture. */
 final class SideDrawing {

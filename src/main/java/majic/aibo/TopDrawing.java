@@ -7,6 +7,7 @@ import java.awt.geom.Area;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
+import majic.panel.Ink;
 
 /** The dog seen from above, in mm around the point where its head turns: ahead is y, its right is x. */
 final class TopDrawing {

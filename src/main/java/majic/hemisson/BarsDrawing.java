@@ -4,6 +4,7 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.RoundRectangle2D;
+import majic.panel.Ink;
 import org.jspecify.annotations.Nullable;
 
 /** A bar where each infra-red sensor sits, filled the more the nearer something is, with its figure. */

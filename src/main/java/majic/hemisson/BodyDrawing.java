@@ -9,6 +9,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
+import majic.panel.Ink;
 
 /**
  * The robot without its sensors: a round body; wheels with an arrow that grows with what the motor is told; lamps that

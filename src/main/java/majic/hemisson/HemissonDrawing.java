@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.swing.JPanel;
+import majic.panel.Ink;
 
 /**
  * The robot from above, its front upward, as large as the room allows: its body, and around it the bars of its sensors.

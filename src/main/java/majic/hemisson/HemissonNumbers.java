@@ -6,6 +6,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import javax.swing.JLabel;
 import majic.bot.Pose;
+import majic.panel.NumbersPanel;
 
 /**
  * A Hemisson's readings in figures; what moves is an estimate, for the robot measures nothing of it. For the event

@@ -6,6 +6,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
+import majic.panel.Ink;
 
 /** The robot itself in its own frame, mm: hull, wheels, an arrow ahead; crossed where stalled, barred where touched. */
 final class BodyDrawing {

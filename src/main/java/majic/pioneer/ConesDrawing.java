@@ -4,6 +4,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.util.List;
+import majic.panel.Ink;
 
 /** The cone of every sonar disc as far as it heard nothing, with a bar and a dot where the echo came from. */
 final class ConesDrawing {

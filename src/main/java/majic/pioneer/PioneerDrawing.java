@@ -3,6 +3,7 @@ package majic.pioneer;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.swing.JPanel;
+import majic.panel.Ink;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -7,6 +7,7 @@ import javax.swing.JLabel;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Value;
+import majic.panel.NumbersPanel;
 
 /** A Pioneer's readings by the names of their parameters; none of them asks the robot. For the event thread. */
 final class PioneerNumbers extends NumbersPanel {

@@ -4,6 +4,7 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.util.Locale;
+import majic.panel.Ink;
 
 /** Rings around the turning centre at round distances, each with its number to the upper left. */
 final class RingsDrawing {

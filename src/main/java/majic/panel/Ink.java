@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.panel;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -15,10 +15,15 @@ import javax.swing.UIManager;
  * @param accent for what the robot senses
  * @param alarm for what needs attention
  */
-record Ink(Color line, Color paper, Color accent, Color alarm) {
+public record Ink(Color line, Color paper, Color accent, Color alarm) {
     private static final float FIGURES = 0.85f;
 
-    static Ink ofTheLook() {
+    /**
+     * The present look's; plain ones where there is no look.
+     *
+     * @return taken at this moment
+     */
+    public static Ink ofTheLook() {
         return new Ink(
                 color("Label.foreground", Color.BLACK),
                 color("Panel.background", Color.WHITE),
@@ -26,8 +31,12 @@ record Ink(Color line, Color paper, Color accent, Color alarm) {
                 color("Actions.Red", Color.RED));
     }
 
-    /** For what is no longer so: everything thin, nothing stands out. */
-    Ink faded() {
+    /**
+     * For what is no longer so: everything thin, nothing stands out.
+     *
+     * @return the same paper with paler colours
+     */
+    public Ink faded() {
         return new Ink(grey(0.45), paper, grey(0.4), grey(0.4));
     }
 
@@ -36,8 +45,12 @@ record Ink(Color line, Color paper, Color accent, Color alarm) {
         return known == null ? otherwise : known;
     }
 
-    /** Makes edges smooth and figures a little smaller than the text around. */
-    static void prepare(Graphics2D pen) {
+    /**
+     * Makes edges smooth and figures a little smaller than the text around.
+     *
+     * @param pen changed for good
+     */
+    public static void prepare(Graphics2D pen) {
         pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         pen.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         pen.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
@@ -50,8 +63,9 @@ record Ink(Color line, Color paper, Color accent, Color alarm) {
      * The line's colour thinned with the paper's.
      *
      * @param share of the line's colour, 0 to 1
+     * @return opaque
      */
-    Color grey(double share) {
+    public Color grey(double share) {
         return new Color(
                 mix(line.getRed(), paper.getRed(), share),
                 mix(line.getGreen(), paper.getGreen(), share),
@@ -62,13 +76,19 @@ record Ink(Color line, Color paper, Color accent, Color alarm) {
      * The accent, translucent.
      *
      * @param opacity 0 to 1
+     * @return what lies below shows through
      */
-    Color wash(double opacity) {
+    public Color wash(double opacity) {
         return new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), (int) Math.round(255 * opacity));
     }
 
-    /** A round-ended stroke, in the units of the pen it is set on. */
-    static BasicStroke stroke(double width) {
+    /**
+     * A round-ended stroke.
+     *
+     * @param width in the units of the pen it is set on
+     * @return solid
+     */
+    public static BasicStroke stroke(double width) {
         return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }
 

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.panel;
 
 import java.awt.Dimension;
 import java.awt.FontMetrics;
@@ -9,11 +9,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 
-/**
- * Names and values in columns, the most useful first: what finds no room is left out, nothing is cut. Every robot's
- * package has its own, since packages of robots share no Swing. For the event thread.
- */
-class NumbersPanel extends JPanel {
+/** Names and values in columns, the most useful first: what finds no room is left out, nothing is cut. For the event thread. */
+public class NumbersPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int LEAST_ROWS = 7;
 
@@ -21,7 +18,8 @@ class NumbersPanel extends JPanel {
     private final transient List<JLabel> values = new ArrayList<>();
     private final transient List<String> longest = new ArrayList<>();
 
-    NumbersPanel() {
+    /** Makes it without a row. */
+    public NumbersPanel() {
         super(null);
         setOpaque(false);
     }
@@ -33,7 +31,7 @@ class NumbersPanel extends JPanel {
      * @param longestValue what the column must hold
      * @return where the value is shown
      */
-    final JLabel row(String name, String longestValue) {
+    public final JLabel row(String name, String longestValue) {
         JLabel value = new JLabel("–", SwingConstants.TRAILING);
         value.setName(name);
         names.add(new JLabel(name));

@@ -1,0 +1,85 @@
+package majic.panel;
+
+import java.awt.event.HierarchyEvent;
+import java.util.concurrent.atomic.AtomicBoolean;
+import javax.swing.JPanel;
+import javax.swing.Timer;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.MajicBot;
+
+/**
+ * A panel that shows one robot. News of the robot only leave a mark, on whatever thread they come; a timer of the event
+ * dispatch thread looks for the mark ten times a second while the panel is on the screen, and only then. For the event
+ * dispatch thread.
+ */
+public abstract class NewsPanel extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int REFRESH_MS = 100;
+
+    private final transient MajicBot bot;
+    private final transient AtomicBoolean news = new AtomicBoolean(true);
+    private final transient BotListener listener = new News();
+    private final Timer timer = new Timer(REFRESH_MS, tick -> refreshOnNews());
+
+    /**
+     * Makes an empty panel; it hears of the robot as long as it is part of a window.
+     *
+     * @param bot which one to listen to
+     */
+    protected NewsPanel(MajicBot bot) {
+        super(null);
+        this.bot = bot;
+        addHierarchyListener(change -> {
+            if ((change.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
+                runTimer(isShowing());
+            }
+        });
+    }
+
+    /** Shows what the robot said last. Called on the event dispatch thread, at most ten times a second; must not wait. */
+    protected abstract void refresh();
+
+    /** Shows what the robot said last if it said something since; for a panel that has just been made. */
+    public final void refreshOnNews() {
+        if (news.getAndSet(false)) {
+            refresh();
+        }
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        bot.addListener(listener);
+        news.set(true);
+    }
+
+    @Override
+    public void removeNotify() {
+        runTimer(false);
+        bot.removeListener(listener);
+        super.removeNotify();
+    }
+
+    private void runTimer(boolean showing) {
+        if (showing) {
+            refreshOnNews();
+            timer.start();
+        } else {
+            timer.stop();
+        }
+    }
+
+    /** Marks that there is something to show; called on the driver's threads. */
+    private final class News implements BotListener {
+        @Override
+        public void stateChanged(MajicBot changed, BotState state) {
+            news.set(true);
+        }
+
+        @Override
+        public void connectionChanged(MajicBot changed, MajicBot.Connection connection) {
+            news.set(true);
+        }
+    }
+}
