@@ -19,12 +19,12 @@ record Approach(double cruise, double deceleration, double creep, double toleran
     /** Half of what the robot is set to leaves it room to follow. */
     private static final double SHARE = 0.5;
 
-    static Approach straight(double cruiseMmPerSec) {
-        return new Approach(cruiseMmPerSec, SHARE * Ramps.DECELERATION, 15, 2);
+    static Approach straight(double cruiseMmPerSec, Ramps ramps) {
+        return new Approach(cruiseMmPerSec, SHARE * ramps.deceleration(), 15, 2);
     }
 
-    static Approach turning(double cruiseDegPerSec) {
-        return new Approach(cruiseDegPerSec, SHARE * Ramps.TURN_ACCELERATION, 3, 0.55);
+    static Approach turning(double cruiseDegPerSec, Ramps ramps) {
+        return new Approach(cruiseDegPerSec, SHARE * ramps.turnDeceleration(), 3, 0.55);
     }
 
     /**

@@ -5,6 +5,7 @@ import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
+import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
@@ -34,7 +35,7 @@ public final class MajicPioneer extends MajicBot {
     private final AtomicReference<@Nullable Session> session = new AtomicReference<>();
     private volatile @Nullable Motors motors;
     private final PioneerParameters parameters;
-    private volatile @Nullable Model adopted;
+    private final Dynamics dynamics = new Dynamics(Models.USUAL);
     private volatile Pose lastPose = Pose.START;
 
     /**
@@ -55,7 +56,7 @@ public final class MajicPioneer extends MajicBot {
      * @throws BotException if it is no such address
      */
     public MajicPioneer(String address, BotEnvironment environment) {
-        super(new PioneerType(), Models.USUAL.profile(), environment);
+        super(new PioneerType(), Models.USUAL.profile(Ramps.careful(Limits.of(Models.USUAL, null))), environment);
         this.address = address;
         link();
         this.parameters = new PioneerParameters(table(), session::get);
@@ -83,22 +84,22 @@ public final class MajicPioneer extends MajicBot {
     private void openOnce() {
         Session opening = new Session(new ArcosLine(link(), time()), time(), changes(), new Owner());
         session.set(opening);
-        Identity identity = opening.shakeHands();
-        adopt(opening.model(), identity);
         motors = new Motors(opening, time(), this::notice);
-        opening.begin(lastPose);
+        opening.open(lastPose, dynamics);
+        adopt(opening);
     }
 
-    private void adopt(Model model, Identity identity) {
+    private void adopt(Session opened) {
+        Model model = opened.model();
         if (!model.known()) {
-            notice("it calls itself " + identity.subclass()
+            notice("it calls itself " + model.subclass()
                     + ", a model that is not known here; it is driven slowly, and its distances cannot be told");
         }
-        if (!model.equals(adopted)) {
-            adopted = model;
-            profile(model.profile());
-            parameters.describeSonars(model);
+        BotProfile found = model.profile(dynamics.ramps());
+        if (!found.equals(profile())) {
+            profile(found);
         }
+        parameters.describeSonars(model);
     }
 
     @Override
@@ -112,13 +113,19 @@ public final class MajicPioneer extends MajicBot {
     @Override
     protected Value moveBy(double mm, Motion motion) {
         Session open = current();
-        return cover(open, new Way.Straight(open.state(), mm, Approach.straight(cruiseMmPerSec())), motion);
+        return cover(
+                open,
+                new Way.Straight(open.state(), mm, Approach.straight(cruiseMmPerSec(), dynamics.ramps())),
+                motion);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
         Session open = current();
-        return cover(open, new Way.Turning(open.state(), degrees, Approach.turning(cruiseTurnDegPerSec())), motion);
+        return cover(
+                open,
+                new Way.Turning(open.state(), degrees, Approach.turning(cruiseTurnDegPerSec(), dynamics.ramps())),
+                motion);
     }
 
     private Value cover(Session open, Way way, Motion motion) {

@@ -12,8 +12,8 @@ import majic.bot.Range;
  * @param hull its outline
  * @param discs its sonars; none where they are not known
  * @param scaling of its SIPs
- * @param topSpeedMmPerSec the fastest this driver sends it
- * @param topTurnDegPerSec the fastest this driver turns it
+ * @param topSpeedMmPerSec that it is built for
+ * @param topTurnDegPerSec that it is built for
  * @param frontBumpers segments it has from the factory
  * @param rearBumpers segments it has from the factory
  */
@@ -31,13 +31,15 @@ record Model(
     private static final double CRUISE_TURN_DEG_PER_SEC = 50;
     private static final double NEAR_MM = 500;
 
-    BotProfile profile() {
+    BotProfile profile(Ramps ramps) {
+        int speed = ramps.topSpeedMmPerSec();
+        int turn = ramps.topTurnDegPerSec();
         return new BotProfile(
                 hull.swingMm(),
-                new Range(-topSpeedMmPerSec, topSpeedMmPerSec),
-                new Range(-topTurnDegPerSec, topTurnDegPerSec),
-                Math.min(CRUISE_MM_PER_SEC, topSpeedMmPerSec),
-                Math.min(CRUISE_TURN_DEG_PER_SEC, topTurnDegPerSec),
+                new Range(-speed, speed),
+                new Range(-turn, turn),
+                Math.min(CRUISE_MM_PER_SEC, speed),
+                Math.min(CRUISE_TURN_DEG_PER_SEC, turn),
                 NEAR_MM,
                 false);
     }

@@ -17,12 +17,6 @@ final class Models {
     /** What stands in until a robot has told its model: by far the most common one. */
     static final Model USUAL;
 
-    /** However fast a model is, a room is small (mm/s). */
-    private static final double SPEED_LIMIT = 1000;
-
-    /** Likewise (deg/s). */
-    private static final double TURN_LIMIT = 100;
-
     /** Of current robots, which count in mm. */
     private static final Scaling CURRENT_SCALING = new Scaling(1, 1, 1, 0.0056);
 
@@ -72,8 +66,8 @@ final class Models {
                 Hull.around(discs, number(row[2]), number(row[3])),
                 discs,
                 new Scaling(number(row[6]), number(row[7]), number(row[8]), number(row[9])),
-                Math.min(SPEED_LIMIT, number(row[4])),
-                Math.min(TURN_LIMIT, number(row[5])),
+                number(row[4]),
+                number(row[5]),
                 Integer.parseInt(row[10]),
                 Integer.parseInt(row[11]));
     }

@@ -1,6 +1,5 @@
 package majic.pioneer;
 
-import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import majic.bot.BotException;
@@ -16,10 +15,6 @@ import org.jspecify.annotations.Nullable;
  * everything else may be called from any thread.
  */
 final class Session implements ArcosLine.Listener {
-    private static final double FIRST_SIP_S = 2;
-    private static final double CONFIG_S = 0.2;
-    private static final int CONFIG_TRIES = 5;
-    private static final double SONAR_CYCLE_S = 1;
     private static final double GOODBYE_S = 0.1;
 
     /** The controller was reset (ARCOS sheet 11.6). */
@@ -31,7 +26,6 @@ final class Session implements ArcosLine.Listener {
     private final TimeSource time;
     private final Signal changes;
     private final Owner owner;
-    private volatile boolean shakingHands = true;
     private volatile Model model = Models.USUAL;
     private volatile @Nullable Identity identity;
     private volatile @Nullable Config config;
@@ -60,76 +54,35 @@ final class Session implements ArcosLine.Listener {
     }
 
     /**
-     * Makes the connection as far as the robot's name. Leaves nothing open when it throws.
+     * Opens the line and begins. Leaves nothing open when it throws.
      *
+     * @param start where the robot is to be said to stand
+     * @param dynamics fitted to the robot and then told to it
      * @throws Handshake.SessionClosed if a second try will do
      * @throws BotException if there is no such robot
      */
-    Identity shakeHands() {
-        line.open(this);
-        try {
-            Identity known = new Handshake(line, inbox, time).run();
-            identity = known;
-            model = Models.of(known.subclass());
-            return known;
-        } catch (BotException e) {
-            line.close();
-            throw e;
-        }
+    void open(Pose start, Dynamics dynamics) {
+        new Opening(this, line, inbox, time).run(start, dynamics);
+    }
+
+    /** The handshake is over; what comes from now on are SIPs. */
+    void begin(Identity known, Pose start) {
+        identity = known;
+        model = Models.of(known.subclass());
+        tracker = new Tracker(model, start);
+    }
+
+    boolean hasBegun() {
+        return tracker != null;
     }
 
     /**
-     * Starts the SIPs, without moving anything. Leaves nothing open when it throws.
+     * Waits while the session is being opened.
      *
-     * @param start where the robot is to be said to stand
-     * @throws BotException if no SIP comes
+     * @return whether it came to be so in time
+     * @throws BotException if the connection is not wanted any more
      */
-    void begin(Pose start) {
-        tracker = new Tracker(model, start);
-        shakingHands = false;
-        try {
-            line.send(Command.OPEN.packet(1));
-            require(() -> state != null, FIRST_SIP_S, "answered the handshake, but sends no data within 2 s");
-            for (int tries = 0; tries < CONFIG_TRIES && config == null; tries++) {
-                line.send(Command.CONFIG.packet(1));
-                await(() -> config != null, CONFIG_S);
-            }
-            setPace();
-            line.send(Command.SONAR.packet(1));
-            await(this::seesAllAround, SONAR_CYCLE_S);
-            require(() -> !line.hasEnded(), 0, "closed the connection right after the handshake");
-        } catch (BotException e) {
-            line.sendIfPossible(Command.CLOSE.packet(1));
-            line.close();
-            throw e;
-        }
-    }
-
-    private void setPace() {
-        line.send(
-                Command.SETV.packet((int) model.topSpeedMmPerSec()),
-                Command.SETA.packet(Ramps.ACCELERATION),
-                Command.SETA.packet(-Ramps.DECELERATION),
-                Command.SETRV.packet((int) model.topTurnDegPerSec()),
-                Command.SETRA.packet(Ramps.TURN_ACCELERATION),
-                Command.SETRA.packet(-Ramps.TURN_ACCELERATION));
-    }
-
-    private boolean seesAllAround() {
-        PioneerState now = state;
-        return now != null
-                && Arrays.stream(Side.values())
-                        .filter(side -> model.discs().stream().anyMatch(side::isWatchedBy))
-                        .allMatch(now.gaps()::containsKey);
-    }
-
-    private void require(BooleanSupplier condition, double seconds, String complaint) {
-        if (!await(condition, seconds)) {
-            throw new BotException(line.address() + " " + complaint);
-        }
-    }
-
-    private boolean await(BooleanSupplier condition, double seconds) {
+    boolean awaitOpening(BooleanSupplier condition, double seconds) {
         try {
             changes.await(() -> condition.getAsBoolean() || line.hasEnded() || owner.hasGivenUp(), seconds);
         } catch (InterruptedException e) {
@@ -144,7 +97,7 @@ final class Session implements ArcosLine.Listener {
 
     @Override
     public void received(Packet packet) {
-        if (shakingHands) {
+        if (!hasBegun()) {
             inbox.put(packet);
         } else if (packet.isSip()) {
             heard(Sip.decode(packet));
@@ -170,10 +123,8 @@ final class Session implements ArcosLine.Listener {
 
     @Override
     public void ended(LinkLost cause) {
-        if (shakingHands) {
-            inbox.end(cause);
-        } else {
-            changes.raise();
+        inbox.end(cause);
+        if (hasBegun()) {
             owner.lost(this, cause);
         }
     }
@@ -262,8 +213,18 @@ final class Session implements ArcosLine.Listener {
         return state != null;
     }
 
-    void send(byte[] packet) {
-        line.send(packet);
+    /**
+     * Sends packets, each in a write of its own.
+     *
+     * @throws LinkLost if the line is dead or takes nothing for a second
+     */
+    void send(byte[]... packets) {
+        line.send(packets);
+    }
+
+    /** Tells the robot its ramps, for as long as this session lasts. */
+    void tell(Ramps ramps) {
+        line.send(ramps.packets());
     }
 
     Wheels wheels() {

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ApproachTest {
     private static final double TICK_S = 0.01;
     private static final int TICKS_PER_SIP = 10;
+    private static final Ramps RAMPS = Ramps.careful(Limits.of(Models.USUAL, null));
 
     @ParameterizedTest(name = "{0} mm with ramps of {1}, {2} mm/s², obeying {3} ms late")
     @CsvSource({
@@ -27,7 +28,7 @@ class ApproachTest {
     void aMoveEndsStandingWithinTenMillimetres(double mm, double acceleration, double deceleration, int lateMs) {
         RampModel robot = new RampModel(acceleration, deceleration, 100);
 
-        double seconds = steer(robot, Approach.straight(300), mm, lateMs, true);
+        double seconds = steer(robot, Approach.straight(300, RAMPS), mm, lateMs, true);
 
         assertThat(robot.x()).isCloseTo(mm, within(10.0));
         assertThat(robot.stands()).isTrue();
@@ -40,7 +41,7 @@ class ApproachTest {
     void aTurnEndsStandingWithinADegree(double degrees, double acceleration, int lateMs) {
         RampModel robot = new RampModel(300, 300, acceleration);
 
-        double seconds = steer(robot, Approach.turning(50), degrees, lateMs, false);
+        double seconds = steer(robot, Approach.turning(50, RAMPS), degrees, lateMs, false);
 
         assertThat(robot.heading()).isCloseTo(degrees, within(1.0));
         assertThat(robot.stands()).isTrue();

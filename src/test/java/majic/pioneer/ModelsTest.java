@@ -40,7 +40,8 @@ class ModelsTest {
         Model model = Models.of("p9xx");
 
         assertThat(model.known()).isFalse();
-        assertThat(model.profile().speed().max()).isLessThanOrEqualTo(300);
+        assertThat(model.profile(Ramps.careful(Limits.of(model, null))).speed().max())
+                .isLessThanOrEqualTo(300);
         assertThat(model.discs()).isEmpty();
     }
 }

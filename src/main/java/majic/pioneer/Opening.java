@@ -1,0 +1,86 @@
+package majic.pioneer;
+
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+import majic.bot.BotException;
+import majic.bot.Pose;
+import majic.bot.TimeSource;
+
+/**
+ * Makes a session from a closed line: handshake, OPEN, CONFIG, ramps, sonar (ARCOS sheet 13.1), without moving anything
+ * or switching motors on. Runs on the thread that connects, once for each session.
+ */
+final class Opening {
+    private static final double FIRST_SIP_S = 2;
+    private static final double CONFIG_S = 0.2;
+    private static final int CONFIG_TRIES = 5;
+    private static final double SONAR_CYCLE_S = 1;
+
+    private final Session session;
+    private final ArcosLine line;
+    private final Inbox inbox;
+    private final TimeSource time;
+
+    Opening(Session session, ArcosLine line, Inbox inbox, TimeSource time) {
+        this.session = session;
+        this.line = line;
+        this.inbox = inbox;
+        this.time = time;
+    }
+
+    /**
+     * Goes through all of it. Leaves nothing open when it throws.
+     *
+     * @param start where the robot is to be said to stand
+     * @param dynamics fitted to the robot and then told to it
+     * @throws Handshake.SessionClosed if a second try will do
+     * @throws BotException if there is no such robot, or it sends no SIP
+     */
+    void run(Pose start, Dynamics dynamics) {
+        line.open(session);
+        try {
+            session.begin(new Handshake(line, inbox, time).run(), start);
+            startSips();
+            askConfig();
+            session.tell(dynamics.fit(Limits.of(session.model(), session.config())));
+            startSonar();
+        } catch (BotException e) {
+            if (session.hasBegun()) {
+                line.sendIfPossible(Command.CLOSE.packet(1));
+            }
+            line.close();
+            throw e;
+        }
+    }
+
+    private void startSips() {
+        line.send(Command.OPEN.packet(1));
+        require(session::hasSpoken, FIRST_SIP_S, "answered the handshake, but sends no data within 2 s");
+    }
+
+    private void askConfig() {
+        for (int tries = 0; tries < CONFIG_TRIES && session.config() == null; tries++) {
+            line.send(Command.CONFIG.packet(1));
+            session.awaitOpening(() -> session.config() != null, CONFIG_S);
+        }
+    }
+
+    private void startSonar() {
+        line.send(Command.SONAR.packet(1));
+        session.awaitOpening(this::seesAllAround, SONAR_CYCLE_S);
+        require(() -> !line.hasEnded(), 0, "closed the connection right after the handshake");
+    }
+
+    private boolean seesAllAround() {
+        return session.hasSpoken()
+                && Arrays.stream(Side.values())
+                        .filter(side -> session.model().discs().stream().anyMatch(side::isWatchedBy))
+                        .allMatch(session.state().gaps()::containsKey);
+    }
+
+    private void require(BooleanSupplier condition, double seconds, String complaint) {
+        if (!session.awaitOpening(condition, seconds)) {
+            throw new BotException(line.address() + " " + complaint);
+        }
+    }
+}
