@@ -9,6 +9,8 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.TimeSource;
 import majic.link.Link;
+import majic.pioneer.arcos.FrameDecoder;
+import majic.pioneer.arcos.Packet;
 import org.jspecify.annotations.Nullable;
 
 /**

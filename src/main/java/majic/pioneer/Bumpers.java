@@ -1,5 +1,6 @@
 package majic.pioneer;
 
+import majic.pioneer.arcos.Config;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,6 +3,10 @@ package majic.pioneer;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.TimeSource;
+import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.Frame;
+import majic.pioneer.arcos.Identity;
+import majic.pioneer.arcos.Packet;
 import org.jspecify.annotations.Nullable;
 
 /** SYNC0, SYNC1, SYNC2 with the recoveries of ARCOS sheet 4. Runs on the thread that connects. */

@@ -5,6 +5,7 @@ import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Signal;
+import majic.pioneer.arcos.Packet;
 import org.jspecify.annotations.Nullable;
 
 /** Where packets wait while the connection is being made, and who waits for them. */

@@ -5,6 +5,7 @@ import majic.bot.BotException;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.TimeSource;
+import majic.pioneer.arcos.Command;
 
 /** Switches the motors on when something is to move, and says so. For one session. */
 final class Motors {

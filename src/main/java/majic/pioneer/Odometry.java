@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import majic.bot.Pose;
+import majic.pioneer.arcos.Sip;
 import org.jspecify.annotations.Nullable;
 
 /**

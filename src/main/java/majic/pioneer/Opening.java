@@ -5,6 +5,7 @@ import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.Pose;
 import majic.bot.TimeSource;
+import majic.pioneer.arcos.Command;
 
 /**
  * Makes a session from a closed line: handshake, OPEN, CONFIG, ramps, sonar (ARCOS sheet 13.1), without moving anything

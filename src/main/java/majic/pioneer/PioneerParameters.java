@@ -9,6 +9,9 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.Identity;
+import majic.pioneer.arcos.SipTail;
 import org.jspecify.annotations.Nullable;
 
 /** The parameters of a Pioneer besides those that every robot has. All are read from what the robot said last. */

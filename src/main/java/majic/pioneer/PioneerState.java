@@ -2,6 +2,8 @@ package majic.pioneer;
 
 import java.util.Map;
 import majic.bot.Pose;
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipTail;
 
 /**
  * All that a Pioneer last said of itself. Immutable.

@@ -1,5 +1,7 @@
 package majic.pioneer;
 
+import majic.pioneer.arcos.Command;
+
 /**
  * How fast the robot may go and how sharply it speeds up and slows down, as it is told (ARCOS sheet 6.1: SETV, SETA,
  * SETRV, SETRA). Immutable.

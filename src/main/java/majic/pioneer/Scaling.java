@@ -1,5 +1,8 @@
 package majic.pioneer;
 
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipTail;
+
 /**
  * What the counts in a SIP stand for (ARCOS sheet 9.1). The same for every model: heading in 4096 units a turn.
  * Immutable.

@@ -8,6 +8,11 @@ import majic.bot.MotionStopped;
 import majic.bot.Pose;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
+import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.Identity;
+import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.Sip;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import java.util.Arrays;
+import majic.pioneer.arcos.Readings;
 
 /** The last range of every disc and when it came. Immutable. */
 final class SonarScan {

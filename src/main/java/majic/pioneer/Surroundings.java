@@ -6,6 +6,7 @@ import java.util.EnumMap;
 import java.util.Iterator;
 import java.util.Map;
 import majic.bot.Pose;
+import majic.pioneer.arcos.Readings;
 
 /**
  * What the sonars have heard of late, as points in the frame of the odometry, and how far off the hull they are.

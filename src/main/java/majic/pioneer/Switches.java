@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.TimeSource;
 import majic.bot.Value;
+import majic.pioneer.arcos.Command;
 import org.jspecify.annotations.Nullable;
 
 /** What can be switched on a Pioneer without moving it. */

@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import majic.bot.Pose;
+import majic.pioneer.arcos.Sip;
 
 /** Makes a state of each SIP of one session: adds up odometry, keeps sonar readings, counts packets. For one thread. */
 final class Tracker {

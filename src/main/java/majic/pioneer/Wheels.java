@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import majic.bot.MotionFailed;
+import majic.pioneer.arcos.Command;
 
 /**
  * The speed and turn rate the robot was last told. Once the robot has gone silent while it moved, they are zero and stay

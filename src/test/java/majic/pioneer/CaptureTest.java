@@ -10,6 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import majic.bot.Pose;
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.FrameDecoder;
+import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.Sip;
 import org.junit.jupiter.api.Test;
 
 /** A whole session of the maker's client with the maker's simulator, where the captures are at hand. */

@@ -12,6 +12,12 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.FrameDecoder;
+import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipBytes;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -58,26 +64,6 @@ final class Peer implements AutoCloseable {
 
     static Sip sip(int x, int y, int heading) {
         return new SipBytes().pose(x, y, heading).sip();
-    }
-
-    /** A packet put together without the driver's own means. */
-    static byte[] packet(int type, byte[] data) {
-        byte[] packet = new byte[data.length + 6];
-        packet[0] = (byte) 0xFA;
-        packet[1] = (byte) 0xFB;
-        packet[2] = (byte) (data.length + 3);
-        packet[3] = (byte) type;
-        System.arraycopy(data, 0, packet, 4, data.length);
-        int sum = 0;
-        for (int at = 3; at < data.length + 4; at++) {
-            boolean high = (at - 3) % 2 == 0;
-            boolean single = high && at == data.length + 3;
-            int value = packet[at] & 0xFF;
-            sum = single ? sum ^ value : sum + (high ? value << 8 : value) & 0xFFFF;
-        }
-        packet[data.length + 4] = (byte) (sum >> 8);
-        packet[data.length + 5] = (byte) sum;
-        return packet;
     }
 
     String address() {
@@ -166,9 +152,12 @@ final class Peer implements AutoCloseable {
             sync(packet);
             return;
         }
-        Fields fields = packet.fields();
-        int value = (fields.ubyte() == 0x1B ? -1 : 1) * fields.uint();
-        obey(packet.type(), value);
+        obey(packet.type(), argument(packet.data()));
+    }
+
+    private static int argument(byte[] data) {
+        int magnitude = data.length < 3 ? 0 : data[1] & 0xFF | (data[2] & 0xFF) << 8;
+        return data.length > 0 && data[0] == 0x1B ? -magnitude : magnitude;
     }
 
     private void sync(Packet packet) {
@@ -253,7 +242,7 @@ final class Peer implements AutoCloseable {
         if (open != null && !open.isClosed()) {
             try {
                 OutputStream stream = open.getOutputStream();
-                stream.write(packet(type, data));
+                stream.write(Bytes.wire(type, data));
             } catch (IOException e) {
                 sendsSips = false;
             }

@@ -1,5 +1,9 @@
 package majic.pioneer;
 
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipBytes;
+
 /** A robot that follows its set-points along straight ramps, for tests of what steers it. */
 final class RampModel {
     private final double acceleration;
@@ -54,7 +58,7 @@ final class RampModel {
 
     /** Its SIP, with motors on. */
     Sip sip() {
-        return Bytes.sip(Bytes.hex(Peer.packet(0x32, sipData(1, 0))));
+        return Bytes.sip(Bytes.hex(Bytes.wire(0x32, sipData(1, 0))));
     }
 
     byte[] sipData(int flags, int stallBits) {

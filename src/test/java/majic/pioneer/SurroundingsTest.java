@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import majic.bot.Pose;
+import majic.pioneer.arcos.SipBytes;
 import org.junit.jupiter.api.Test;
 
 class SurroundingsTest {

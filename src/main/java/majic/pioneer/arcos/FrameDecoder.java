@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 import java.util.Arrays;
 import java.util.function.Consumer;
@@ -8,7 +8,7 @@ import java.util.function.Consumer;
  * After a wrong checksum the search goes on right behind the header, so a packet inside the damaged one is not lost. Has
  * no socket, thread or clock.
  */
-final class FrameDecoder {
+public final class FrameDecoder {
     static final int HEADER_1 = 0xFA;
     static final int HEADER_2 = 0xFB;
 
@@ -20,8 +20,11 @@ final class FrameDecoder {
     private long noiseBytes;
     private long badChecksums;
 
+    /** A decoder that has seen nothing yet; one for each link. */
+    public FrameDecoder() {}
+
     /** Takes the first {@code count} bytes of a chunk and hands on every packet that is now complete. */
-    void feed(byte[] chunk, int count, Consumer<Packet> sink) {
+    public void feed(byte[] chunk, int count, Consumer<Packet> sink) {
         if (filled + count > bytes.length) {
             bytes = Arrays.copyOf(bytes, filled + count);
         }
@@ -31,7 +34,7 @@ final class FrameDecoder {
     }
 
     /** Gives up waiting for the rest of a packet; what has come of it is searched for others. */
-    void dropFragment(Consumer<Packet> sink) {
+    public void dropFragment(Consumer<Packet> sink) {
         if (filled > 0) {
             noiseBytes++;
             scan(1, sink);
@@ -86,12 +89,12 @@ final class FrameDecoder {
     }
 
     /** Bytes skipped because no packet begins with them. */
-    long noiseBytes() {
+    public long noiseBytes() {
         return noiseBytes;
     }
 
     /** Headers whose packet did not fit its checksum. */
-    long badChecksums() {
+    public long badChecksums() {
         return badChecksums;
     }
 }

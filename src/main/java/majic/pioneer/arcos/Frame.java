@@ -1,7 +1,7 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 /** Puts packets for the robot together (ARCOS sheet 2, 3). */
-final class Frame {
+public final class Frame {
     /** The protocol's limit for a whole packet, bytes. */
     private static final int LONGEST = 200;
 
@@ -11,8 +11,8 @@ final class Frame {
 
     private Frame() {}
 
-    /** A packet without argument. */
-    static byte[] bare(int id) {
+    /** A packet without argument, such as a SYNC (ARCOS sheet 4). */
+    public static byte[] bare(int id) {
         return frame(id, new byte[0]);
     }
 

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 /**
  * How a robot introduces itself in the answer to SYNC2 (ARCOS sheet 4). Immutable.
@@ -7,9 +7,12 @@ package majic.pioneer;
  * @param robotClass {@code Pioneer} for nearly all
  * @param subclass the model
  */
-record Identity(String name, String robotClass, String subclass) {
+public record Identity(String name, String robotClass, String subclass) {
+    /** The step of the handshake it answers, and the packet's type. */
+    public static final int SYNC2 = 2;
 
-    static Identity decode(Packet packet) {
+    /** Decodes a packet; names that did not come are empty. */
+    public static Identity decode(Packet packet) {
         Fields fields = packet.fields();
         return new Identity(fields.string(), fields.string(), fields.string());
     }

@@ -1,21 +1,34 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 import java.util.Arrays;
 import java.util.HexFormat;
 
 /** One packet whose checksum was right: its type and its data. Immutable. */
-final class Packet {
+public final class Packet {
     private final int type;
     private final byte[] data;
 
-    /** Copies the data from a larger buffer. */
-    Packet(int type, byte[] buffer, int from, int end) {
+    /**
+     * Copies the data from a larger buffer.
+     *
+     * @param type 0 to 255
+     * @param buffer what holds the data
+     * @param from index of the first byte behind the type
+     * @param end index behind the last byte before the checksum
+     */
+    public Packet(int type, byte[] buffer, int from, int end) {
         this.type = type;
         this.data = Arrays.copyOfRange(buffer, from, end);
     }
 
-    int type() {
+    /** What the robot says with it: 0x30 to 0x3F a SIP, 0x20 CONFIG, ... (ARCOS sheet 8, 10, 11). */
+    public int type() {
         return type;
+    }
+
+    /** What came behind the type; a copy. */
+    public byte[] data() {
+        return data.clone();
     }
 
     /** A fresh cursor at the first data byte. */
@@ -24,7 +37,7 @@ final class Packet {
     }
 
     /** Whether it is a standard SIP; ARIA takes all of 0x30 to 0x3F for one (ARCOS sheet 8). */
-    boolean isSip() {
+    public boolean isSip() {
         return (type & 0xF0) == 0x30;
     }
 

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 /**
  * What may follow the sonar readings in a SIP; older firmware sends less of it (ARCOS sheet 8). A field that did not come
@@ -19,7 +19,7 @@ package majic.pioneer;
  * @param clockMicros the controller's clock, µs
  * @param flags3 bits of the newest firmware
  */
-record SipTail(
+public record SipTail(
         int gripState,
         int analogPort,
         int analog,
@@ -34,7 +34,8 @@ record SipTail(
         int chargePercent,
         long clockMicros,
         long flags3) {
-    static final int ABSENT = Integer.MIN_VALUE;
+    /** Stands for a field that did not come. */
+    public static final int ABSENT = Integer.MIN_VALUE;
 
     /** Reads what is left of a SIP. */
     static SipTail read(Fields rest) {

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 /**
  * The answer to CONFIG, as far as the driver has a use for it (ARCOS sheet 10). Fields that did not come are zero or
@@ -21,7 +21,7 @@ package majic.pioneer;
  * @param autobaud 1 can change, 2 automatic
  * @param version of the firmware
  */
-record Config(
+public record Config(
         String robotClass,
         String subclass,
         String serialNumber,
@@ -39,10 +39,10 @@ record Config(
         int autobaud,
         String version) {
     /** The type of the packet. */
-    static final int TYPE = 0x20;
+    public static final int TYPE = 0x20;
 
     /** Decodes a packet; the numbers in the comments are the sheet's. */
-    static Config decode(Packet packet) {
+    public static Config decode(Packet packet) {
         Fields fields = packet.fields();
         String robotClass = fields.string();
         String subclass = fields.string();

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 import org.jspecify.annotations.Nullable;
 
@@ -15,12 +15,12 @@ import org.jspecify.annotations.Nullable;
  * @param stallRear bit 0 left motor stalled, bits 1–7 rear bumper segments
  * @param stallFront bit 0 right motor stalled, bits 1–7 front bumper segments
  * @param control heading servo's set-point
- * @param flags see {@link PioneerState} for those that are used (ARCOS sheet 8.1)
+ * @param flags bits of ARCOS sheet 8.1
  * @param compass in 2°, 0 for none
  * @param sonar the new readings
  * @param tail what followed
  */
-record Sip(
+public record Sip(
         int type,
         int xPos,
         int yPos,
@@ -46,7 +46,7 @@ record Sip(
      *
      * @return the fields; null if it is too short to be a SIP
      */
-    static @Nullable Sip decode(Packet packet) {
+    public static @Nullable Sip decode(Packet packet) {
         Fields fields = packet.fields();
         if (fields.remaining() < HEAD_BYTES) {
             return null;

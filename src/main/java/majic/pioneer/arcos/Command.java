@@ -1,7 +1,7 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 /** The commands of a Pioneer with their numbers, arguments and units, under the manual's names (ARCOS sheet 6.1). */
-enum Command {
+public enum Command {
     /** Does nothing but restart the watchdog. */
     PULSE(0, Argument.NONE, ""),
     /** Starts the servers and the SIPs. */
@@ -90,7 +90,7 @@ enum Command {
     BATTEST(250, Argument.INT, "0.1 V");
 
     /** What follows a command's number. */
-    enum Argument {
+    public enum Argument {
         /** Nothing. */
         NONE,
         /** A whole number of 16 bits and a sign. */
@@ -111,31 +111,52 @@ enum Command {
         this.unit = unit;
     }
 
-    int number() {
+    /** Its number, the type of its packet. */
+    public int number() {
         return number;
     }
 
     /** What the argument counts; empty where it counts nothing. */
-    String unit() {
+    public String unit() {
         return unit;
     }
 
-    byte[] packet() {
+    /**
+     * The packet without an argument.
+     *
+     * @throws IllegalArgumentException if the command takes one
+     */
+    public byte[] packet() {
         require(Argument.NONE);
         return Frame.bare(number);
     }
 
-    byte[] packet(int value) {
+    /**
+     * The packet with a whole number, of the unit and range the sheet gives.
+     *
+     * @throws IllegalArgumentException if the command takes none, or the magnitude does not fit 16 bits
+     */
+    public byte[] packet(int value) {
         require(Argument.INT);
         return Frame.number(number, value);
     }
 
-    byte[] packet(int low, int high) {
+    /**
+     * The packet with two bytes.
+     *
+     * @throws IllegalArgumentException if the command takes none
+     */
+    public byte[] packet(int low, int high) {
         require(Argument.TWO_BYTES);
         return Frame.pair(number, low, high);
     }
 
-    byte[] packet(byte[] text) {
+    /**
+     * The packet with a length and that many bytes.
+     *
+     * @throws IllegalArgumentException if the command takes none, or the packet would be longer than 200 bytes
+     */
+    public byte[] packet(byte[] text) {
         require(Argument.STRING);
         return Frame.string(number, text);
     }

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,7 +1,7 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 /** The sonar readings that came new with one SIP, in its order (ARCOS sheet 8.2). Immutable. */
-final class Readings {
+public final class Readings {
     static final Readings NONE = new Readings(new int[0]);
 
     private final int[] packed;
@@ -20,17 +20,18 @@ final class Readings {
         return new Readings(packed);
     }
 
-    int count() {
+    /** How many there are. */
+    public int count() {
         return packed.length;
     }
 
     /** The number of a disc, 0 to 255; only those the model has mean anything. */
-    int disc(int index) {
+    public int disc(int index) {
         return packed[index] >> 16;
     }
 
     /** Its range as sent, in the model's unit. */
-    int range(int index) {
+    public int range(int index) {
         return packed[index] & 0xFFFF;
     }
 }

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 /** The sum over a packet's type and data (ARCOS sheet 2.1). */
 final class Checksum {

@@ -1,7 +1,6 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
@@ -9,8 +8,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class SipTest {
-    private static final Scaling P3DX = Models.of("p3dx").scaling();
-
     @Test
     void aRobotAtRestSaysSo() {
         Sip sip = Bytes.sip(Bytes.AT_REST);
@@ -29,13 +26,15 @@ class SipTest {
     }
 
     @Test
-    void aMovingRobotIsScaledByItsModel() {
+    void aMovingRobotTellsWhereItIsAndHowFast() {
         Sip sip = Bytes.sip(Bytes.TURNING_RIGHT);
 
-        assertThat(sip.xPos() * P3DX.mmPerCount()).isCloseTo(251.7, within(0.1));
-        assertThat(sip.thPos() * Scaling.DEG_PER_UNIT).isCloseTo(-20.9, within(0.1));
-        assertThat(P3DX.speedMmPerSec(sip)).isEqualTo(249.5);
-        assertThat(P3DX.turnRateDegPerSec(sip)).isEqualTo(-15.0);
+        assertThat(sip.xPos()).isEqualTo(519);
+        assertThat((short) sip.yPos()).isEqualTo((short) -107);
+        assertThat(sip.thPos()).isEqualTo(-238);
+        assertThat(sip.lVel()).isEqualTo(296);
+        assertThat(sip.rVel()).isEqualTo(203);
+        assertThat(sip.tail().turnRateTenths()).isEqualTo(-150);
     }
 
     @Test
@@ -45,14 +44,6 @@ class SipTest {
         assertThat(sip.stallRear()).isEqualTo(1);
         assertThat(sip.stallFront()).isEqualTo(1);
         assertThat(sip.sonar().range(3)).isEqualTo(100);
-    }
-
-    @Test
-    void withoutATurnRateTheWheelsTellIt() {
-        Sip sip = Bytes.sip(cut(Bytes.TURNING_RIGHT, 19 + 16 * 3));
-
-        assertThat(sip.tail().turnRateTenths()).isEqualTo(SipTail.ABSENT);
-        assertThat(P3DX.turnRateDegPerSec(sip)).isCloseTo(-14.9, within(0.1));
     }
 
     @Test
@@ -75,10 +66,5 @@ class SipTest {
     private static byte[] data(String hex) {
         byte[] packet = Bytes.of(hex);
         return Arrays.copyOfRange(packet, 4, packet.length - 2);
-    }
-
-    private static String cut(String hex, int length) {
-        byte[] data = Arrays.copyOf(data(hex), length);
-        return Bytes.hex(Peer.packet(0x32, data));
     }
 }

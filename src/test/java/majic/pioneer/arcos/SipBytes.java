@@ -1,45 +1,45 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /** Puts the data of a SIP together (ARCOS sheet 8). */
-final class SipBytes {
+public final class SipBytes {
     private final ByteBuffer data = ByteBuffer.allocate(200).order(ByteOrder.LITTLE_ENDIAN);
     private int readings;
 
-    SipBytes() {
+    public SipBytes() {
         data.put(10, (byte) 125);
         data.position(19);
     }
 
-    SipBytes pose(int x, int y, int heading) {
+    public SipBytes pose(int x, int y, int heading) {
         data.putShort(0, (short) x).putShort(2, (short) y).putShort(4, (short) heading);
         return this;
     }
 
-    SipBytes wheels(int left, int right) {
+    public SipBytes wheels(int left, int right) {
         data.putShort(6, (short) left).putShort(8, (short) right);
         return this;
     }
 
-    SipBytes state(int stallBits, int flags) {
+    public SipBytes state(int stallBits, int flags) {
         data.put(11, (byte) stallBits).put(12, (byte) (stallBits >> 8)).putShort(15, (short) flags);
         return this;
     }
 
-    SipBytes sonar(int disc, int range) {
+    public SipBytes sonar(int disc, int range) {
         readings++;
         data.put(18, (byte) readings).put((byte) disc).putShort((short) range);
         return this;
     }
 
-    byte[] bytes() {
+    public byte[] bytes() {
         return Arrays.copyOf(data.array(), data.position());
     }
 
-    Sip sip() {
-        return Bytes.sip(Bytes.hex(Peer.packet(0x32, bytes())));
+    public Sip sip() {
+        return Bytes.sip(Bytes.hex(Bytes.wire(0x32, bytes())));
     }
 }

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.arcos;
 
 import java.nio.charset.StandardCharsets;
 
