@@ -43,10 +43,23 @@ final class Furnisher {
     /** All stations in order; after a failure none is left open. */
     List<Station> furnish() throws IOException {
         try {
-            add("aibo", AiboRobot::new, AiboRobot::body, new Door(options.aiboPort(), Clients.MANY));
-            add("pioneer", PioneerRobot::new, PioneerRobot::body, new Door(options.pioneerPort(), Clients.ONE));
-            add("hemisson", HemissonRobot::new, HemissonRobot::body, new Door(options.hemissonPort(), Clients.ONE));
-            addPty("hemisson");
+            add(
+                    "aibo",
+                    AiboRobot::new,
+                    AiboRobot::body,
+                    new Door(options.ports().aibo(), Clients.MANY));
+            PioneerRobot pioneer = add(
+                    "pioneer",
+                    this::pioneer,
+                    PioneerRobot::body,
+                    new Door(options.ports().pioneer(), Clients.ONE));
+            addPty(pioneer.serialPort());
+            HemissonRobot hemisson = add(
+                    "hemisson",
+                    HemissonRobot::new,
+                    HemissonRobot::body,
+                    new Door(options.ports().hemisson(), Clients.ONE));
+            addPty(hemisson);
             return List.copyOf(stations);
         } catch (IllegalArgumentException e) {
             stations.forEach(Station::close);
@@ -57,7 +70,7 @@ final class Furnisher {
         }
     }
 
-    private <R extends Firmware> void add(String name, Maker<R> maker, Function<R, Body> body, Door door)
+    private <R extends Firmware> R add(String name, Maker<R> maker, Function<R, Body> body, Door door)
             throws IOException {
         Pose home = world.room().home(stations.size() + 1);
         Noise own = noise.fork(name);
@@ -69,19 +82,25 @@ final class Furnisher {
         Station station = new Station(name, body.apply(robot), new Wiring(lock, robot, faults), new ArrayList<>());
         stations.add(station);
         station.ports().add(open(name, door, station.wiring()));
+        return robot;
     }
 
-    private void addPty(String name) {
-        stations.stream()
-                .filter(station -> station.name().equals(name))
-                .forEach(station -> PtyPort.open(station.wiring()).ifPresent(station.ports()::add));
+    private PioneerRobot pioneer(World in, Pose home, Noise own) {
+        return new PioneerRobot(in, home, own, options.pioneerModel());
+    }
+
+    /** A serial port for the robot that was added last; its faults are those of the robot's network port too. */
+    private void addPty(Firmware plug) {
+        Station station = stations.get(stations.size() - 1);
+        Wiring wiring = new Wiring(lock, plug, station.wiring().faults());
+        PtyPort.open(wiring).ifPresent(station.ports()::add);
     }
 
     private static TcpPort open(String name, Door door, Wiring wiring) throws IOException {
         try {
             return TcpPort.open(door.port(), door.clients(), wiring);
         } catch (BindException e) {
-            if (door.port() != LabOptions.AIBO_PORT && door.port() != LabOptions.PIONEER_PORT) {
+            if (door.port() != LabPorts.AIBO && door.port() != LabPorts.PIONEER) {
                 throw new IOException("port " + door.port() + " for the " + name + " is taken; 0 takes a free one", e);
             }
             LOG.log(Level.INFO, "port {0} is taken, so the {1} takes a free one", String.valueOf(door.port()), name);

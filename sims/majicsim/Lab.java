@@ -90,8 +90,8 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * How to reach the robots: "aibo", "pioneer" and "hemisson" as "127.0.0.1:port", and "hemisson-pty" as the path of a
-     * pseudo-terminal where the system has them.
+     * How to reach the robots: "aibo", "pioneer" and "hemisson" as "127.0.0.1:port", and "pioneer-pty" and "hemisson-pty" as
+     * the paths of pseudo-terminals where the system has them.
      *
      * @return addresses by name, in the order of the robots' numbers
      */

@@ -1,46 +1,35 @@
 package majicsim;
 
+import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Room;
 
 /**
  * What kind of lab to open.
  *
  * @param room where the robots drive
- * @param exact whether all noise is off, jitter too
+ * @param exact whether all noise is off, jitter and the slowness of serial lines too
  * @param seed of the noise
- * @param aiboPort TCP port, 0 for any free one; a taken default port is replaced by a free one
- * @param pioneerPort likewise
- * @param hemissonPort likewise
+ * @param ports where the robots listen
  * @param jitter whether exchanges take 5 to 50 ms; without effect in an exact lab
+ * @param pioneerModel which Pioneer stands in it, one of {@link PioneerRobot#models()}, in lower case
  */
-public record LabOptions(
-        Room room, boolean exact, long seed, int aiboPort, int pioneerPort, int hemissonPort, boolean jitter) {
-    /** Where an Aibo's URBI listens. */
-    public static final int AIBO_PORT = 54000;
-
-    /** Where a Pioneer listens. */
-    public static final int PIONEER_PORT = 8101;
-
+public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, boolean jitter, String pioneerModel) {
     /**
-     * Checks the ports.
+     * Checks the model.
      *
-     * @throws IllegalArgumentException if one is not a port number
+     * @throws IllegalArgumentException if there is no such Pioneer; the message lists those there are
      */
     public LabOptions {
-        for (int port : new int[] {aiboPort, pioneerPort, hemissonPort}) {
-            if (port < 0 || port > 65535) {
-                throw new IllegalArgumentException("a port must be 0 to 65535, not " + port);
-            }
-        }
+        pioneerModel = PioneerRobot.modelNamed(pioneerModel);
     }
 
     /**
-     * The standard room with noise and jitter, on the default ports.
+     * The standard room with noise and jitter, on the usual ports.
      *
      * @return the options
      */
     public static LabOptions standard() {
-        return new LabOptions(Room.standard(), false, 1, AIBO_PORT, PIONEER_PORT, 0, true);
+        return new LabOptions(Room.standard(), false, 1, LabPorts.USUAL, true, PioneerRobot.STANDARD_MODEL);
     }
 
     /**
@@ -49,7 +38,7 @@ public record LabOptions(
      * @return the options
      */
     public static LabOptions exactOnFreePorts() {
-        return new LabOptions(Room.standard(), true, 1, 0, 0, 0, false);
+        return new LabOptions(Room.standard(), true, 1, LabPorts.FREE, false, PioneerRobot.STANDARD_MODEL);
     }
 
     /**
@@ -59,7 +48,7 @@ public record LabOptions(
      * @return noisy options
      */
     public LabOptions withNoise(long newSeed) {
-        return new LabOptions(room, false, newSeed, aiboPort, pioneerPort, hemissonPort, jitter);
+        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel);
     }
 
     /**
@@ -69,6 +58,27 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withRoom(Room newRoom) {
-        return new LabOptions(newRoom, exact, seed, aiboPort, pioneerPort, hemissonPort, jitter);
+        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel);
+    }
+
+    /**
+     * The same lab with its robots listening elsewhere.
+     *
+     * @param newPorts the ports
+     * @return the options
+     */
+    public LabOptions withPorts(LabPorts newPorts) {
+        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel);
+    }
+
+    /**
+     * The same lab with another Pioneer.
+     *
+     * @param newModel one of {@link PioneerRobot#models()}, in upper or lower case
+     * @return the options
+     * @throws IllegalArgumentException if there is no such Pioneer; the message lists those there are
+     */
+    public LabOptions withPioneer(String newModel) {
+        return new LabOptions(room, exact, seed, ports, jitter, newModel);
     }
 }

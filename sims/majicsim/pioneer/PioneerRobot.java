@@ -62,6 +62,17 @@ public final class PioneerRobot implements Firmware {
     }
 
     /**
+     * The model of this name.
+     *
+     * @param subclass a name in upper or lower case
+     * @return the same as its handshake has it
+     * @throws IllegalArgumentException if there is no such model; the message lists those there are
+     */
+    public static String modelNamed(String subclass) {
+        return PioneerModel.of(subclass).subclass();
+    }
+
+    /**
      * Its body in the world.
      *
      * @return the body that was added

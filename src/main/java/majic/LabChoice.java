@@ -2,8 +2,11 @@ package majic;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.Map;
 import majicsim.LabOptions;
+import majicsim.LabPorts;
+import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Room;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
@@ -43,14 +46,14 @@ final class LabChoice {
             scope = ScopeType.INHERIT,
             paramLabel = "N",
             description = "TCP port of the Aibo (54000, or a free one).")
-    private int aiboPort = LabOptions.AIBO_PORT;
+    private int aiboPort = LabPorts.AIBO;
 
     @Option(
             names = "--pioneer-port",
             scope = ScopeType.INHERIT,
             paramLabel = "N",
             description = "TCP port of the Pioneer (8101, or a free one).")
-    private int pioneerPort = LabOptions.PIONEER_PORT;
+    private int pioneerPort = LabPorts.PIONEER;
 
     @Option(
             names = "--hemisson-port",
@@ -59,16 +62,26 @@ final class LabChoice {
             description = "TCP port of the Hemisson (a free one).")
     private int hemissonPort;
 
+    @Option(
+            names = "--pioneer-model",
+            scope = ScopeType.INHERIT,
+            paramLabel = "MODEL",
+            completionCandidates = PioneerModels.class,
+            description = "Which Pioneer stands in the lab (p3dx-sh): ${COMPLETION-CANDIDATES}.")
+    private String pioneerModel = PioneerRobot.STANDARD_MODEL;
+
     /** Whether any lab but the usual one is chosen. */
     boolean isGiven() {
-        boolean ports = aiboPort != LabOptions.AIBO_PORT || pioneerPort != LabOptions.PIONEER_PORT || hemissonPort != 0;
-        return exact || seed != 1 || world != null || speed != 1 || ports;
+        boolean ports = aiboPort != LabPorts.AIBO || pioneerPort != LabPorts.PIONEER || hemissonPort != 0;
+        boolean model = !pioneerModel.equalsIgnoreCase(PioneerRobot.STANDARD_MODEL);
+        return exact || seed != 1 || world != null || speed != 1 || ports || model;
     }
 
     /** What a lab of this choice is opened with. */
     LabOptions options() throws IOException {
         Room room = world == null ? Room.standard() : Room.load(world);
-        return new LabOptions(room, exact, seed, port(aiboPort), port(pioneerPort), port(hemissonPort), !exact);
+        LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort));
+        return new LabOptions(room, exact, seed, ports, !exact, model());
     }
 
     /** Its speed, checked. */
@@ -85,6 +98,14 @@ final class LabChoice {
         tellIfTaken("pioneer", pioneerPort, addresses);
     }
 
+    private String model() {
+        try {
+            return PioneerRobot.modelNamed(pioneerModel);
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--pioneer-model " + pioneerModel + ": " + e.getMessage());
+        }
+    }
+
     private static void tellIfTaken(String robot, int wanted, Map<String, String> addresses) {
         String address = addresses.getOrDefault(robot, "");
         if (wanted != 0 && !address.endsWith(":" + wanted)) {
@@ -97,5 +118,13 @@ final class LabChoice {
             throw new UsageException("port " + port + ": outside 0 … 65535");
         }
         return port;
+    }
+
+    /** For the help. */
+    private static final class PioneerModels implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return PioneerRobot.models().iterator();
+        }
     }
 }

@@ -22,7 +22,7 @@ import majic.gui.Surroundings;
 import majic.gui.Surroundings.SerialPortChoice;
 import majic.script.MajicParser;
 import majicsim.LabOptions;
-import majicsim.world.Room;
+import majicsim.LabPorts;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -31,7 +31,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** Makes the pictures of the documents from a running lab: {@code mvn -Pscreenshots test}, on a machine with a display. */
 class Screenshots {
     private static final Path IMAGES = Path.of("docs", "images");
-    private static final LabOptions OPTIONS = new LabOptions(Room.standard(), false, 7, 0, 0, 0, true);
+    private static final LabOptions OPTIONS =
+            LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7);
     private static final int PIONEERS_TAB = 1;
     private static final int PATIENCE_S = 60;
 

@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.util.Locale;
+import java.util.Set;
 import majicsim.net.Client;
 import majicsim.net.LineCount;
 import majicsim.world.Pose;
@@ -17,6 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -87,7 +90,29 @@ class LabTest {
     @Test
     void theRobotsComeInTheOrderOfTheirNumbers() {
         assertThat(lab.truePoses().keySet()).containsExactly("aibo", "pioneer", "hemisson");
-        assertThat(lab.addresses().keySet()).startsWith("aibo", "pioneer", "hemisson");
+        assertThat(lab.addresses().keySet()).containsSubsequence("aibo", "pioneer", "hemisson");
+    }
+
+    @Test
+    void theRobotsWithASerialPlugHaveAPseudoTerminalWhereThereAreAny() {
+        assertThat(lab.addresses().keySet())
+                .isIn(
+                        Set.of("aibo", "pioneer", "pioneer-pty", "hemisson", "hemisson-pty"),
+                        Set.of("aibo", "pioneer", "hemisson"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("majicsim.pioneer.PioneerRobot#models")
+    void everyPioneerFindsItsPlaceInTheStandardRoom(String model) throws IOException {
+        try (Lab other = Lab.open(LabOptions.exactOnFreePorts().withPioneer(model.toUpperCase(Locale.ROOT)))) {
+            assertThat(other.truePoses()).containsKey("pioneer");
+        }
+    }
+
+    @Test
+    void aPioneerThatDoesNotExistIsRefusedWithThoseThatDo() {
+        assertThatThrownBy(() -> LabOptions.exactOnFreePorts().withPioneer("p4"))
+                .hasMessageStartingWith("there is no Pioneer model 'p4'; known are p3dx, p3dx-sh, ");
     }
 
     @Test
@@ -101,7 +126,7 @@ class LabTest {
     void aTakenPortThatWasWishedForIsAnError() throws IOException {
         try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             int port = taken.getLocalPort();
-            LabOptions wish = new LabOptions(Room.standard(), true, 1, 0, 0, port, false);
+            LabOptions wish = LabOptions.exactOnFreePorts().withPorts(new LabPorts(0, 0, port));
             assertThatThrownBy(() -> Lab.open(wish))
                     .isInstanceOf(IOException.class)
                     .hasMessage("port " + port + " for the hemisson is taken; 0 takes a free one");
@@ -128,8 +153,7 @@ class LabTest {
 
     @Test
     void aPortNumberThatIsNoneIsRefused() {
-        assertThatThrownBy(() -> new LabOptions(Room.standard(), true, 1, 65536, 0, 0, false))
-                .hasMessage("a port must be 0 to 65535, not 65536");
+        assertThatThrownBy(() -> new LabPorts(65536, 0, 0)).hasMessage("a port must be 0 to 65535, not 65536");
     }
 
     @Test
@@ -145,7 +169,7 @@ class LabTest {
     }
 
     private Pose poseAfterDriving(long seed) throws IOException {
-        LabOptions noisy = new LabOptions(Room.standard(), false, seed, 0, 0, 0, false);
+        LabOptions noisy = LabOptions.exactOnFreePorts().withNoise(seed);
         try (Lab noisyLab = Lab.open(noisy);
                 Client client = new Client(noisyLab.addresses().get("hemisson"))) {
             client.send("D,9,7\r");

@@ -1,0 +1,35 @@
+package majicsim;
+
+/**
+ * The TCP ports at which the robots of a lab listen; 0 takes any free one, and a taken default port is replaced by a free one.
+ *
+ * @param aibo the Aibo's
+ * @param pioneer the Pioneer's
+ * @param hemisson the Hemisson's
+ */
+public record LabPorts(int aibo, int pioneer, int hemisson) {
+    /** Where an Aibo's URBI listens. */
+    public static final int AIBO = 54000;
+
+    /** Where a Pioneer listens. */
+    public static final int PIONEER = 8101;
+
+    /** Where robots of their kind usually listen; the Hemisson, a serial robot, has no such place and takes a free one. */
+    public static final LabPorts USUAL = new LabPorts(AIBO, PIONEER, 0);
+
+    /** Free ones for all, so that many labs run side by side. */
+    public static final LabPorts FREE = new LabPorts(0, 0, 0);
+
+    /**
+     * Checks the ports.
+     *
+     * @throws IllegalArgumentException if one is not a port number
+     */
+    public LabPorts {
+        for (int port : new int[] {aibo, pioneer, hemisson}) {
+            if (port < 0 || port > 65535) {
+                throw new IllegalArgumentException("a port must be 0 to 65535, not " + port);
+            }
+        }
+    }
+}
