@@ -1,0 +1,96 @@
+package majic.pioneer;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SocketChannel;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import majic.pioneer.arcos.Command;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Level;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * How long a {@code drive} takes from the call to its packets in the socket, in a running session, beside the bare
+ * writing of the same packets.
+ *
+ * <p>Read: p0.50 of {@link #drive} divided by p0.50 of {@link #bareWrites}, at most 2; and the same for p0.99. A drive
+ * is two packets, VEL and RVEL, each in a write of its own; so is the bare one. Without a pause between them the peer and
+ * all threads stay awake; with a pause of 1 ms each write has to wake the peer, as it has to when a person drives.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.SampleTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 3, time = 2)
+@Measurement(iterations = 5, time = 2)
+@Fork(2)
+public class DriveBenchmark {
+    /** Between two drives, µs. */
+    @Param({"0", "1000"})
+    public int pauseMicros;
+
+    private StandingPioneer robot;
+    private MajicPioneer driver;
+    private SocketChannel bare;
+    private ByteBuffer speed;
+    private ByteBuffer rate;
+    private int step;
+
+    /** Opens a session, and a bare connection to the same peer. */
+    @Setup
+    public void open() throws IOException {
+        robot = new StandingPioneer();
+        driver = new MajicPioneer("pioneer://127.0.0.1:" + robot.port());
+        driver.connect();
+        bare = SocketChannel.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), robot.port()));
+        bare.setOption(StandardSocketOptions.TCP_NODELAY, true);
+        speed = direct(Command.VEL.packet(250));
+        rate = direct(Command.RVEL.packet(-15));
+    }
+
+    private static ByteBuffer direct(byte[] packet) {
+        return ByteBuffer.allocateDirect(packet.length).put(packet);
+    }
+
+    /** Not part of what is measured. */
+    @Setup(Level.Invocation)
+    public void pause() {
+        if (pauseMicros > 0) {
+            LockSupport.parkNanos(TimeUnit.MICROSECONDS.toNanos(pauseMicros));
+        }
+    }
+
+    /** What a program calls. */
+    @Benchmark
+    public void drive() {
+        step = (step + 1) % 100;
+        driver.drive(200 + step, step - 50);
+    }
+
+    /** The least it can take. */
+    @Benchmark
+    public int bareWrites() throws IOException {
+        return bare.write(speed.flip()) + bare.write(rate.flip());
+    }
+
+    /** Says good-bye. */
+    @TearDown
+    public void close() throws IOException {
+        driver.close();
+        bare.close();
+        robot.close();
+    }
+}

@@ -1,0 +1,56 @@
+package majic.pioneer;
+
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import majic.bot.Pose;
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.FrameDecoder;
+import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.Sip;
+import org.jspecify.annotations.Nullable;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * How many SIPs of 16 sonar readings one core takes from the bytes of the link to fields, and on to the state that
+ * everybody sees.
+ *
+ * <p>Read: {@link #decode} at least 2 SIPs a microsecond; {@code gc.alloc.rate.norm} is the bytes allocated for each.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.Throughput)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 3, time = 2)
+@Measurement(iterations = 5, time = 2)
+@Fork(2)
+public class SipBenchmark {
+    private static final long CYCLE_NANOS = 100_000_000;
+
+    private final byte[] wire = Bytes.of(Bytes.TURNING_RIGHT);
+    private final FrameDecoder decoder = new FrameDecoder();
+    private final Tracker tracker = new Tracker(Models.of("p3dx"), Pose.START);
+    private final Consumer<Packet> keep = packet -> sip = Sip.decode(packet);
+    private @Nullable Sip sip;
+    private long nanos;
+
+    /** From bytes to fields. */
+    @Benchmark
+    public @Nullable Sip decode() {
+        decoder.feed(wire, wire.length, keep);
+        return sip;
+    }
+
+    /** From bytes to the published state. */
+    @Benchmark
+    public PioneerState track() {
+        nanos += CYCLE_NANOS;
+        return tracker.track(decode(), nanos);
+    }
+}
