@@ -53,6 +53,31 @@ class WriteDeadlineTest {
         over.countDown();
     }
 
+    @Test
+    void aWriteThatCameBackInTimeEndsNothing() throws InterruptedException {
+        CountDownLatch early = new CountDownLatch(1);
+        CountDownLatch late = new CountDownLatch(1);
+        WriteDeadline.start(new Ending(early::countDown)).close();
+
+        WriteDeadline.start(new Ending(late::countDown));
+
+        assertThat(late.await(5, TimeUnit.SECONDS)).isTrue();
+        assertThat(early.getCount()).isEqualTo(1);
+    }
+
+    @Test
+    void everyWriteOfManyHasItsOwnDeadline() throws InterruptedException {
+        for (int write = 0; write < 3; write++) {
+            CountDownLatch aborted = new CountDownLatch(1);
+            long begunNanos = System.nanoTime();
+            WriteDeadline.start(new Ending(aborted::countDown));
+
+            assertThat(aborted.await(5, TimeUnit.SECONDS)).isTrue();
+            assertThat(System.nanoTime() - begunNanos)
+                    .isGreaterThanOrEqualTo(TimeUnit.MILLISECONDS.toNanos(Link.WRITE_DEADLINE_MS));
+        }
+    }
+
     private static void hang(CountDownLatch over) {
         try {
             over.await();
