@@ -54,7 +54,18 @@ final class ModelTable {
                 Boolean.parseBoolean(row[12]),
                 Integer.parseInt(row[13]),
                 Integer.parseInt(row[14]),
-                fitted(row[15]));
+                fitted(row[15]),
+                equipment(row));
+    }
+
+    private static Equipment equipment(String[] row) {
+        return new Equipment(
+                Generation.valueOf(row[16]),
+                Boolean.parseBoolean(row[17]),
+                Boolean.parseBoolean(row[18]),
+                Integer.parseInt(row[19]),
+                Boolean.parseBoolean(row[20]),
+                Integer.parseInt(row[21]));
     }
 
     /** The discs of a layout; the table has numbers at 0, 0 where no disc is fitted. */

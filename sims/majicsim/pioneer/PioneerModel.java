@@ -17,6 +17,7 @@ import java.util.List;
  * @param frontBumpers bumper segments in front, 0 to 7
  * @param rearBumpers bumper segments behind, 0 to 7
  * @param sonars the discs that are fitted, by number
+ * @param equipment what else it carries
  */
 record PioneerModel(
         String subclass,
@@ -30,7 +31,8 @@ record PioneerModel(
         boolean hasMove,
         int frontBumpers,
         int rearBumpers,
-        List<SonarDisc> sonars) {
+        List<SonarDisc> sonars,
+        Equipment equipment) {
 
     /** Copies the list of discs. */
     PioneerModel {

@@ -1,0 +1,24 @@
+package majicsim.pioneer;
+
+/**
+ * What a model carries beside motors, sonar and bumpers. The vendor's parameter files do not tell; what stands in the table
+ * is our choice, documented there. Immutable.
+ *
+ * @param generation of its firmware
+ * @param hasGripper paddles and lift in front
+ * @param hasGyro a gyro that the controller can report
+ * @param charger docking mechanism as CONFIG names it: 0 none, 1 Pioneer 3, 2 PowerBot
+ * @param hasCompass a compass that the SIP shows
+ * @param smartBatteries batteries that report themselves, 0 for lead-acid ones
+ */
+record Equipment(
+        Generation generation,
+        boolean hasGripper,
+        boolean hasGyro,
+        int charger,
+        boolean hasCompass,
+        int smartBatteries) {
+    boolean hasCharger() {
+        return charger != 0;
+    }
+}
