@@ -11,7 +11,7 @@ sealed interface Goal {
     record Speed(double perSecond) implements Goal {
         @Override
         public Phase next(Travel from, Limits limits) {
-            double wanted = Math.copySign(Math.min(Math.abs(perSecond), limits.speed()), perSecond);
+            double wanted = Math.copySign(Math.min(Math.abs(perSecond), limits.speedTowards(perSecond)), perSecond);
             return Phase.toSpeed(from, wanted, limits);
         }
     }

@@ -31,17 +31,10 @@ record MotionLimits(Limits translation, Limits rotation) {
     }
 
     Limits capTranslation(Limits wanted) {
-        return cap(wanted, translation);
+        return wanted.cappedBy(translation);
     }
 
     Limits capRotation(Limits wanted) {
-        return cap(wanted, rotation);
-    }
-
-    private static Limits cap(Limits wanted, Limits top) {
-        return new Limits(
-                Math.min(wanted.speed(), top.speed()),
-                Math.min(wanted.acceleration(), top.acceleration()),
-                Math.min(wanted.deceleration(), top.deceleration()));
+        return wanted.cappedBy(rotation);
     }
 }

@@ -48,7 +48,7 @@ record Phase(double acceleration, double seconds, Travel end) {
     private static Phase approaching(Travel from, double way, Limits limits) {
         double distance = Math.abs(way);
         double approach = Math.abs(from.speed());
-        double peak = Math.min(limits.speed(), peak(approach, distance, limits));
+        double peak = Math.min(limits.speedTowards(way), peak(approach, distance, limits));
         if (approach > peak) {
             return ramp(from, Math.copySign(peak, way), limits.deceleration());
         }
