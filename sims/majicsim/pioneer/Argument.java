@@ -1,6 +1,7 @@
 package majicsim.pioneer;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * What stands behind a command's number (ARCOS sheet 3). Every command may come with or without an argument; bytes that
@@ -45,8 +46,13 @@ record Argument(byte[] data) {
 
     /** The string; its length byte is believed only as far as the packet goes. */
     String text() {
+        return new String(bytes(), StandardCharsets.US_ASCII);
+    }
+
+    /** The string's bytes. */
+    byte[] bytes() {
         int length = Math.min(at(1), Math.max(0, data.length - 2));
-        return length == 0 ? "" : new String(data, 2, length, StandardCharsets.US_ASCII);
+        return length == 0 ? new byte[0] : Arrays.copyOfRange(data, 2, 2 + length);
     }
 
     private int magnitude() {

@@ -5,27 +5,22 @@ import majicsim.world.Noise;
 import majicsim.world.Pose;
 import majicsim.world.World;
 
-/** The robot itself, without any client: motors, sonar, battery, outputs, and the packets that tell of them. */
+/** The robot itself, without any client: motors, sonar and devices, and how they depend on each other. */
 final class Board {
     private static final System.Logger LOG = System.getLogger(Board.class.getName());
-    private static final int FULL_BATTERY_TENTH_VOLTS = 130;
-    /** About what a P3-DX counts (ARCOS sheet 11.1). */
-    private static final int TICKS_PER_MM = 128;
-
-    private static final int ALL_OUTPUTS = 0xFF;
-    /** How the battery's voltage shows among the analog values: our own scale, 25.6 V full. */
-    private static final int ANALOG_PER_TENTH_VOLT = 4;
 
     private final PioneerModel model;
     private final String name;
     private final World world;
     private final Body body;
     private final Pose start;
+    private final Boot boot = new Boot();
     private final Drive drive;
     private final SonarFiring sonar;
-    private int batteryTenthVolts = FULL_BATTERY_TENTH_VOLTS;
-    private int digitalOut = ALL_OUTPUTS;
-    private int analogPort;
+    private final Bumpers bumpers;
+    private final Devices devices;
+    private final JoyDrive joyDrive;
+    private boolean hasClient;
     private long stepNanos;
 
     Board(World world, Body body, PioneerModel model, String name, Noise noise) {
@@ -36,6 +31,9 @@ final class Board {
         this.start = body.pose();
         this.drive = new Drive(body, model, noise.fork("wheels"));
         this.sonar = new SonarFiring(model, new SonarCone(world, body, noise.fork("sonar")));
+        this.bumpers = new Bumpers(model, body);
+        this.devices = new Devices(model.equipment(), noise);
+        this.joyDrive = new JoyDrive(devices.joystick(), devices.settings(), drive);
     }
 
     Drive drive() {
@@ -46,6 +44,14 @@ final class Board {
         return sonar;
     }
 
+    Bumpers bumpers() {
+        return bumpers;
+    }
+
+    Devices devices() {
+        return devices;
+    }
+
     PioneerModel model() {
         return model;
     }
@@ -54,41 +60,72 @@ final class Board {
         return name;
     }
 
+    Pose truePose() {
+        return body.pose();
+    }
+
+    int clockMicros() {
+        return boot.clockMicros();
+    }
+
+    /** Whether the controller hears its client: not while it restarts, nor in maintenance mode. */
+    boolean isListening() {
+        return boot.isListening();
+    }
+
     /** A client has shaken hands: motors off, odometry 0, stored parameters; sonar waits for OPEN (ARCOS sheet 5.1, 5.2). */
     void beginSession() {
         endSession();
+        hasClient = true;
         drive.setOdometry(new Pose(0, 0, 0));
     }
 
     /** Brakes with motors off; battery and place stay as they are. */
     void endSession() {
         MotionLimits stored = MotionLimits.stored(model);
+        hasClient = false;
         drive.enable(false);
         drive.hold(false);
         drive.limitTranslation(old -> stored.translation());
         drive.limitRotation(old -> stored.rotation());
         sonar.stop();
+        devices.restore();
+    }
+
+    /** RESET, or the button for it: all as after switching on, and deaf for a moment. */
+    void restart() {
+        endSession();
+        drive.setOdometry(new Pose(0, 0, 0));
+        devices.reset();
+        boot.restart();
+    }
+
+    /** MAINTENANCE: out of reach until the next restart. */
+    void maintain() {
+        endSession();
+        boot.maintain();
+    }
+
+    /** ENABLE: motors on or off; off they stay while the STOP button holds them. */
+    void enable(boolean on) {
+        drive.enable(on && !devices.stopButton().holdsMotors());
     }
 
     void step(double seconds) {
         stepNanos = Math.round(seconds * 1e9);
+        boot.step(stepNanos);
         drive.step(seconds);
+        joyDrive.step(hasClient);
+        heedStopButton();
+        heedBumpers();
         sonar.step(stepNanos);
+        devices.step(seconds, effort(), body.turnDegPerSec());
     }
 
-    /** BATTEST: pretends this voltage in 0.1 V; 0 is the real one again. */
-    void pretendBattery(int tenthVolts) {
-        batteryTenthVolts = tenthVolts > 0 ? tenthVolts : FULL_BATTERY_TENTH_VOLTS;
-    }
-
-    /** DIGOUT: changes the outputs that the mask chooses. */
-    void digitalOut(int states, int mask) {
-        digitalOut = (digitalOut & ~mask | states & mask) & ALL_OUTPUTS;
-    }
-
-    /** ADSEL: the analog port that the SIP shows. */
-    void analogPort(int port) {
-        analogPort = port;
+    /** Whether the SIP must show a stall; takes note that it was told. */
+    boolean reportStall() {
+        boolean stalled = drive.stall().report();
+        return stalled || devices.stopButton().holdsMotors();
     }
 
     /** SIM_SET_POSE: puts the robot elsewhere in the room; where it does not fit it stays. Odometry does not notice. */
@@ -112,19 +149,8 @@ final class Board {
     }
 
     /** The state now; takes the sonar readings along, which are new only once. */
-    Sip sip() {
-        return new Sip(motion(), status(), sonar.takeFresh());
-    }
-
-    byte[] config() {
-        return new ConfigReport(
-                        name,
-                        model,
-                        MotionLimits.tops(model),
-                        drive.limits(),
-                        Math.min(255, sonar.cycleMs()),
-                        TICKS_PER_MM)
-                .toBytes();
+    byte[] sip() {
+        return new Sip(SipMotion.of(this), SipStatus.of(this), sonar.takeFresh(), SipTail.of(this)).toBytes();
     }
 
     byte[] simStat() {
@@ -135,60 +161,22 @@ final class Board {
         return new SimStat((int) (stepNanos / 1_000_000), body.pose(), error).toBytes();
     }
 
-    /** ARCOS sheet 11.1. */
-    byte[] encoders() {
-        double middle = drive.countedMm();
-        double aside = model.scaling().wheelMmPerSec(drive.countedDeg());
-        return new PacketWriter(0x90)
-                .int32((int) Math.round((middle - aside) * TICKS_PER_MM))
-                .int32((int) Math.round((middle + aside) * TICKS_PER_MM))
-                .toBytes();
+    private void heedStopButton() {
+        if (drive.isEnabled() && devices.stopButton().holdsMotors()) {
+            drive.emergencyStop();
+            drive.enable(false);
+        }
     }
 
-    /** ARCOS sheet 11.2: digital inputs, bumpers front and rear, infra-red (all active low); outputs; analog, battery last. */
-    byte[] inputsAndOutputs() {
-        return new PacketWriter(0xF0)
-                .uint8(4)
-                .uint8(Sip.DIGITAL_INPUTS_IDLE)
-                .uint8(~(Bumpers.front(model, body.contact()) >> 1))
-                .uint8(~(Bumpers.rear(model, body.contact()) >> 1))
-                .uint8(Sip.DIGITAL_INPUTS_IDLE)
-                .uint8(1)
-                .uint8(digitalOut)
-                .uint8(2)
-                .uint16(0)
-                .uint16(Math.min(1023, batteryTenthVolts * ANALOG_PER_TENTH_VOLT))
-                .toBytes();
+    private void heedBumpers() {
+        int which = devices.settings().get(Setting.BUMPSTALL);
+        if (bumpers.stall(which, drive.plannedMmPerSec())) {
+            drive.bumped();
+        }
     }
 
-    /** ARCOS sheet 11.3: it has no batteries that report themselves. */
-    byte[] batteries() {
-        return new PacketWriter(0xFA).uint8(0).uint8(5).toBytes();
-    }
-
-    private SipMotion motion() {
-        Scaling scaling = model.scaling();
-        Pose at = drive.odometry();
-        double aside = scaling.wheelMmPerSec(drive.turnDegPerSec());
-        return new SipMotion(
-                scaling.position(at.xMm()),
-                scaling.position(at.yMm()),
-                scaling.heading(at.headingDeg()),
-                scaling.speed(drive.speedMmPerSec() - aside),
-                scaling.speed(drive.speedMmPerSec() + aside),
-                scaling.heading(drive.headingSetPointDeg()),
-                (int) Math.round(drive.turnDegPerSec() * 10));
-    }
-
-    private SipStatus status() {
-        int stall = drive.stall().report() ? 1 : 0;
-        int flags = (drive.isEnabled() ? 1 : 0) | sonar.arraysOn() << 1;
-        return new SipStatus(
-                batteryTenthVolts,
-                stall | Bumpers.rear(model, body.contact()),
-                stall | Bumpers.front(model, body.contact()),
-                flags,
-                analogPort,
-                digitalOut);
+    /** How much of its top speed it drives, 0 to 1. */
+    private double effort() {
+        return Math.min(1, Math.abs(drive.speedMmPerSec()) / model.topSpeedMmPerSec());
     }
 }

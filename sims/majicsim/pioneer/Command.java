@@ -13,7 +13,8 @@ enum Command {
     PULSE(0, (session, argument) -> {}),
     OPEN(1, (session, argument) -> session.open()),
     CLOSE(2, (session, argument) -> session.close()),
-    ENABLE(4, (session, argument) -> session.drive().enable(argument.isOn())),
+    POLLING(3, (session, argument) -> session.board().sonar().order(argument.bytes())),
+    ENABLE(4, (session, argument) -> session.board().enable(argument.isOn())),
     SETA(5, (session, argument) -> session.drive().limitTranslation(old -> old.withRamp(argument.integer()))),
     SETV(6, (session, argument) -> session.drive().limitTranslation(old -> old.withSpeed(argument.integer()))),
     SETO(7, (session, argument) -> session.drive().setOdometry(poseOf(argument))),
@@ -23,30 +24,67 @@ enum Command {
     VEL(11, (session, argument) -> session.drive().velocity(argument.integer())),
     HEAD(12, (session, argument) -> session.drive().heading(argument.integer())),
     DHEAD(13, (session, argument) -> session.drive().headingFromHere(argument.integer())),
-    CONFIG(18, (session, argument) -> session.send(session.board().config())),
-    ENCODER(19, (session, argument) -> session.reports().encoders().ask(argument.integer())),
+    SAY(15, (session, argument) -> session.devices().buzzer().say(argument.bytes())),
+    JOYINFO(17, asksFor(Report.JOYSTICK)),
+    CONFIG(18, (session, argument) -> session.send(ConfigReport.of(session.board()))),
+    ENCODER(19, asksFor(Report.ENCODER)),
+    SETRVDIR(20, (session, argument) -> session.drive().limitRotation(old -> old.withSpeedTowards(argument.integer()))),
     RVEL(21, (session, argument) -> session.drive().turnRate(argument.integer())),
     DCHEAD(22, (session, argument) -> session.drive().headingFromSetPoint(argument.integer())),
     SETRA(23, (session, argument) -> session.drive().limitRotation(old -> old.withRamp(argument.integer()))),
     SONAR(28, (session, argument) -> session.board().sonar().switchArrays(argument.integer())),
     STOP(29, (session, argument) -> session.drive().halt()),
-    DIGOUT(30, (session, argument) -> session.board().digitalOut(argument.lowByte(), argument.highByte())),
+    DIGOUT(30, (session, argument) -> session.devices().userPort().output(argument.lowByte(), argument.highByte())),
     VEL2(32, (session, argument) -> session.wheels(argument.highByte(), argument.lowByte())),
-    ADSEL(35, (session, argument) -> session.board().analogPort(argument.integer())),
-    IOREQUEST(40, (session, argument) -> session.reports().inputsAndOutputs().ask(argument.integer())),
+    GRIPPER(33, (session, argument) -> session.devices().gripper().order(argument.integer())),
+    ADSEL(35, (session, argument) -> session.devices().userPort().show(argument.integer())),
+    GRIPPERVAL(36, (session, argument) -> session.devices().gripper().value(argument.integer())),
+    GRIPREQUEST(37, asksFor(Report.GRIPPER)),
+    GYROCALCW(38, stores(Setting.GYRO_CLOCKWISE)),
+    GYROCALCCW(39, stores(Setting.GYRO_COUNTERCLOCKWISE)),
+    IOREQUEST(40, asksFor(Report.IO)),
+    TTY2(42, (session, argument) -> session.aux(1).transmit(argument.bytes())),
+    GETAUX(43, (session, argument) -> session.aux(1).request(argument.integer())),
+    BUMPSTALL(44, stores(Setting.BUMPSTALL)),
+    TCM2(45, (session, argument) -> session.devices().compass().enable(argument.isOn())),
+    JOYDRIVE(47, stores(Setting.JOYDRIVE)),
     SONARCYCLE(48, (session, argument) -> session.board().sonar().cycleMs(argument.integer())),
+    MOVINGBLINK(49, stores(Setting.MOVINGBLINK)),
+    HOSTBAUD(50, (session, argument) -> session.devices().hostBaud().change(argument.integer())),
+    AUX1BAUD(51, stores(Setting.AUX1_BAUD)),
+    AUX2BAUD(52, stores(Setting.AUX2_BAUD)),
+    AUX3BAUD(53, stores(Setting.AUX3_BAUD)),
     ESTOP(55, (session, argument) -> session.drive().emergencyStop()),
+    E_STALL(56, stores(Setting.E_STALL)),
     QSTOP(57, (session, argument) -> session.drive().emergencyStop()),
-    BATTERYINFO(62, (session, argument) -> session.reports().batteries().ask(argument.integer())),
+    GYRO(58, (session, argument) -> session.askForGyro(argument.isOn())),
+    TTY4(60, (session, argument) -> session.aux(3).transmit(argument.bytes())),
+    GETAUX3(61, (session, argument) -> session.aux(3).request(argument.integer())),
+    BATTERYINFO(62, asksFor(Report.BATTERY)),
+    CALCOMP(65, stores(Setting.CALCOMP)),
+    TTY3(66, (session, argument) -> session.aux(2).transmit(argument.bytes())),
+    GETAUX2(67, (session, argument) -> session.aux(2).request(argument.integer())),
+    CHARGE(68, (session, argument) -> session.devices().charger().deploy(argument.isOn())),
+    ROTKP(82, stores(Setting.ROTKP)),
+    ROTKV(83, stores(Setting.ROTKV)),
+    ROTKI(84, stores(Setting.ROTKI)),
+    TRANSKP(85, stores(Setting.TRANSKP)),
+    TRANSKV(86, stores(Setting.TRANSKV)),
+    TRANSKI(87, stores(Setting.TRANSKI)),
+    REVCOUNT(88, stores(Setting.REVCOUNT)),
+    DRIFTFACTOR(89, stores(Setting.DRIFTFACTOR)),
+    SOUNDTOG(92, (session, argument) -> session.devices().buzzer().mute(!argument.isOn())),
+    TICKSMM(93, stores(Setting.TICKSMM)),
     SIM_SET_POSE(
             224,
             (session, argument) ->
                     session.board().place(new Pose(argument.int32(0), argument.int32(1), argument.int32(2)))),
     SIM_RESET(225, (session, argument) -> session.board().backToStart()),
-    SIM_STAT(237, (session, argument) -> session.reports().simStat().ask(argument.integer())),
+    SIM_STAT(237, asksFor(Report.SIM_STAT)),
     SIM_MESSAGE(238, (session, argument) -> session.show(argument.text())),
-    BATTEST(250, (session, argument) -> session.board().pretendBattery(argument.integer())),
-    RESET(253, (session, argument) -> session.close());
+    BATTEST(250, (session, argument) -> session.devices().battery().pretend(argument.integer())),
+    RESET(253, (session, argument) -> session.restart()),
+    MAINTENANCE(255, (session, argument) -> session.maintain());
 
     private static final Map<Integer, Command> BY_NUMBER =
             Arrays.stream(values()).collect(Collectors.toMap(command -> command.number, Function.identity()));
@@ -66,6 +104,14 @@ enum Command {
 
     void run(Session session, Argument argument) {
         effect.accept(session, argument);
+    }
+
+    private static BiConsumer<Session, Argument> stores(Setting setting) {
+        return (session, argument) -> session.devices().settings().set(setting, argument.integer());
+    }
+
+    private static BiConsumer<Session, Argument> asksFor(Report report) {
+        return (session, argument) -> session.reports().ask(report, argument.integer());
     }
 
     /** SETO alone means zero; with three numbers behind the type byte, those. */

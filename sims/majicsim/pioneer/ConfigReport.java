@@ -1,31 +1,53 @@
 package majicsim.pioneer;
 
+import java.util.function.ToIntFunction;
+
 /**
- * The CONFIG packet (ARCOS sheet 10), fields 1 to 57. Serial number and version tell clients that this is a simulator.
+ * The CONFIG packet (ARCOS sheet 10), as far as the model's generation of firmware knows it. Serial number and version tell
+ * clients that this is a simulator.
  *
  * @param robotName the owner's name for the robot
- * @param model class, subclass, sonar and bumpers
+ * @param model class, subclass, sonar, bumpers and equipment
  * @param tops what the limits can be set to
  * @param limits what they are
+ * @param settings the working values of what is stored
  * @param sonarCycleMs the sonar's firing period, 0 to 255
- * @param ticksPerMm encoder ticks, 0 if not known
+ * @param hostBaud the code of this port's speed, 0 to 4
  */
 record ConfigReport(
         String robotName,
         PioneerModel model,
         MotionLimits tops,
         MotionLimits limits,
+        ToIntFunction<Setting> settings,
         int sonarCycleMs,
-        int ticksPerMm) {
+        int hostBaud) {
     static final int SIP_CYCLE_MS = 100;
     static final int WATCHDOG_MS = 2000;
 
     private static final int TYPE = 0x20;
     private static final String SERIAL_NUMBER = "SIM";
     private static final String VERSION = "S.0";
+    private static final String BOOT_LOADER = "S.0";
     private static final int PWM_MAX = 400;
     private static final int AUTOBAUD_AUTOMATIC = 2;
     private static final int NO_SIDEWAYS_TOP = 9999;
+    private static final int GYRO_LIMIT_DEG_PER_SEC = 300;
+    private static final int LOW_CHARGE_PERCENT = 20;
+    private static final int SHUTDOWN_CHARGE_PERCENT = 5;
+
+    static byte[] of(Board board) {
+        Settings settings = board.devices().settings();
+        return new ConfigReport(
+                        board.name(),
+                        board.model(),
+                        MotionLimits.tops(board.model()),
+                        board.drive().limits(),
+                        settings::get,
+                        Math.min(255, board.sonar().cycleMs()),
+                        board.devices().hostBaud().code())
+                .toBytes();
+    }
 
     byte[] toBytes() {
         PacketWriter packet = new PacketWriter(TYPE);
@@ -35,36 +57,65 @@ record ConfigReport(
         packet.text(robotName);
         writeEquipment(packet);
         writeMotion(packet);
-        writeRest(packet);
+        Generation generation = model.equipment().generation();
+        if (generation.isAtLeast(Generation.AROS)) {
+            writeAros(packet);
+        }
+        if (generation.isAtLeast(Generation.ARCOS)) {
+            writeArcos(packet);
+        }
         return packet.toBytes();
     }
 
     /** SIPCYCLE to JOYRVEL, fields 11 to 24. */
     private void writeEquipment(PacketWriter packet) {
-        packet.uint8(SIP_CYCLE_MS).uint8(0).uint8(0);
-        packet.uint16s(0, hasSonar(0)).uint8(hasSonar(1));
-        packet.uint16s(0, 0, WATCHDOG_MS).uint8(0);
-        packet.uint16s(0, 0, 0, 0);
+        packet.uint8(SIP_CYCLE_MS).uint8(hostBaud).uint8(get(Setting.AUX1_BAUD));
+        packet.uint16s(flag(model.equipment().hasGripper()), hasSonar(0)).uint8(hasSonar(1));
+        packet.uint16s(get(Setting.LOW_BATTERY), get(Setting.REVCOUNT), WATCHDOG_MS)
+                .uint8(0);
+        packet.uint16s(get(Setting.STALLVAL), get(Setting.STALLCOUNT), get(Setting.JOYVEL), get(Setting.JOYRVEL));
     }
 
     /** ROTVELMAX to TRANSKI, fields 25 to 36. */
     private void writeMotion(PacketWriter packet) {
         packet.uint16s(speed(limits.rotation()), speed(limits.translation()));
-        packet.uint16s(acceleration(limits.rotation()), deceleration(limits.rotation()), 0, 0, 0);
-        packet.uint16s(acceleration(limits.translation()), deceleration(limits.translation()), 0, 0, 0);
+        packet.uint16s(acceleration(limits.rotation()), deceleration(limits.rotation()));
+        packet.uint16s(get(Setting.ROTKP), get(Setting.ROTKV), get(Setting.ROTKI));
+        packet.uint16s(acceleration(limits.translation()), deceleration(limits.translation()));
+        packet.uint16s(get(Setting.TRANSKP), get(Setting.TRANSKV), get(Setting.TRANSKI));
     }
 
     /** FRONTBUMPS to the charge threshold, fields 37 to 57. */
-    private void writeRest(PacketWriter packet) {
-        packet.uint8(model.frontBumpers()).uint8(model.rearBumpers()).uint8(0).uint8(sonarCycleMs);
-        packet.uint8(AUTOBAUD_AUTOMATIC).uint8(0).uint16(0).uint8(0).uint8(0);
-        packet.uint16s(ticksPerMm, 0).text(VERSION);
-        packet.uint16s(0, 0).uint8(0);
+    private void writeAros(PacketWriter packet) {
+        Equipment equipment = model.equipment();
+        packet.uint8(model.frontBumpers()).uint8(model.rearBumpers());
+        packet.uint8(equipment.charger()).uint8(sonarCycleMs);
+        packet.uint8(AUTOBAUD_AUTOMATIC).uint8(flag(equipment.hasGyro())).uint16(get(Setting.DRIFTFACTOR));
+        packet.uint8(get(Setting.AUX2_BAUD)).uint8(get(Setting.AUX3_BAUD));
+        packet.uint16s(get(Setting.TICKSMM), get(Setting.SHUTDOWN)).text(VERSION);
+        packet.uint16s(get(Setting.GYRO_CLOCKWISE), get(Setting.GYRO_COUNTERCLOCKWISE))
+                .uint8(0);
         packet.uint16s(NO_SIDEWAYS_TOP, NO_SIDEWAYS_TOP, 0, 0, 0, 0);
     }
 
+    /** PDB port to the gyro's firmware version, fields 58 to 67. */
+    private void writeArcos(PacketWriter packet) {
+        packet.uint8(0).uint16(GYRO_LIMIT_DEG_PER_SEC).uint8(Thermometer.SHUTDOWN_CELSIUS);
+        packet.uint16(0).uint8(model.equipment().smartBatteries());
+        packet.uint16s(LOW_CHARGE_PERCENT, SHUTDOWN_CHARGE_PERCENT).text(BOOT_LOADER);
+        packet.int32(0).uint16(0);
+    }
+
+    private int get(Setting setting) {
+        return settings.applyAsInt(setting);
+    }
+
     private int hasSonar(int array) {
-        return model.hasSonarArray(array) ? 1 : 0;
+        return flag(model.hasSonarArray(array));
+    }
+
+    private static int flag(boolean set) {
+        return set ? 1 : 0;
     }
 
     private static int speed(Limits limits) {

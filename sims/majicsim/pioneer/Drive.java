@@ -15,6 +15,8 @@ final class Drive {
     /** Lab steps are this long; the true length comes with each step. */
     private static final double USUAL_STEP_SECONDS = 0.004;
 
+    private static final double STALL_PAUSE_SECONDS = Setting.STALLCOUNT.stored() / 1000.0;
+
     private final Body body;
     private final Scaling scaling;
     private final MotionLimits tops;
@@ -27,6 +29,7 @@ final class Drive {
     private double plannedMmPerSec;
     private double plannedDegPerSec;
     private boolean enabled;
+    private boolean held;
     private boolean wheelMode;
     private Pose odometry = new Pose(0, 0, 0);
     private Pose withoutError = new Pose(0, 0, 0);
@@ -121,8 +124,8 @@ final class Drive {
 
     /** Rests without forgetting the set-points while {@code on}; takes them up again with normal acceleration. */
     void hold(boolean on) {
-        translation.hold(on);
-        rotation.hold(on);
+        held = on;
+        holdChannels();
         replan();
     }
 
@@ -185,17 +188,43 @@ final class Drive {
         return stall;
     }
 
+    /** What the coming step is meant to cover. */
+    double plannedMmPerSec() {
+        return plannedMmPerSec;
+    }
+
+    /** A bumper touched something on the way: stands still, stalled. */
+    void bumped() {
+        translation.blockAfter(0);
+        stall.pushed(STALL_PAUSE_SECONDS);
+        holdChannels();
+        replan();
+    }
+
     /** Settles the step that the world has just made and plans the next. */
     void step(double seconds) {
         stepSeconds = seconds;
+        stall.step(seconds);
         double way = settle(translation, plannedMmPerSec, body.speedMmPerSec() / error.way());
         double turn = settle(rotation, plannedDegPerSec, body.turnDegPerSec() / error.turn());
         odometry = odometry.driven(way, turn);
         withoutError = withoutError.driven(way * error.way(), turn * error.turn());
+        holdChannels();
         replan();
-        if (plannedMmPerSec == 0 && plannedDegPerSec == 0) {
+        if (plannedMmPerSec == 0 && plannedDegPerSec == 0 && (!stall.isPausing() || isAskedToRest())) {
             stall.rests();
         }
+    }
+
+    private boolean isAskedToRest() {
+        return translation.goal().equals(Goal.STOP) && rotation.goal().equals(Goal.STOP);
+    }
+
+    /** Without power, for want of a client's packets or after a stall, the motors rest and keep their set-points. */
+    private void holdChannels() {
+        boolean hold = held || stall.isPausing();
+        translation.hold(hold);
+        rotation.hold(hold);
     }
 
     /** Returns how far the channel came in the step, in mm or degrees. */
@@ -207,7 +236,7 @@ final class Drive {
         double done = donePerSec * stepSeconds;
         if (body.blocked() && Math.abs(donePerSec) < Math.abs(plannedPerSec) * 0.999) {
             channel.blockAfter(done);
-            stall.pushed();
+            stall.pushed(STALL_PAUSE_SECONDS);
             return done;
         }
         double planned = plannedPerSec * stepSeconds;

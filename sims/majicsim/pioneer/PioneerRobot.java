@@ -22,6 +22,7 @@ public final class PioneerRobot implements Firmware {
 
     private final Body body;
     private final Board board;
+    private final Bystander bystander;
     private @Nullable Session session;
 
     /**
@@ -50,6 +51,7 @@ public final class PioneerRobot implements Firmware {
         body = Body.box("pioneer", model.frontMm(), model.rearMm(), model.halfWidthMm(), start);
         world.add(body);
         board = new Board(world, body, model, NAME, noise.fork("pioneer"));
+        bystander = new Bystander(board.devices(), this::restart);
     }
 
     /**
@@ -79,6 +81,24 @@ public final class PioneerRobot implements Firmware {
      */
     public Body body() {
         return body;
+    }
+
+    /**
+     * What can be done at the robot itself: buttons, plugs, inputs.
+     *
+     * @return the same for the life of the robot
+     */
+    public Bystander bystander() {
+        return bystander;
+    }
+
+    /**
+     * The speed that its serial port has now; 9600 until a client changes it with HOSTBAUD (ARCOS sheet 6.1).
+     *
+     * @return bits a second
+     */
+    public int hostBaud() {
+        return board.devices().hostBaud().bitsPerSecond();
     }
 
     /**
@@ -122,6 +142,14 @@ public final class PioneerRobot implements Firmware {
         if (session != null) {
             session.step(Math.round(seconds * 1e9));
             forgetEnded();
+        }
+    }
+
+    private void restart() {
+        if (session != null) {
+            session.restart();
+        } else {
+            board.restart();
         }
     }
 

@@ -1,51 +1,41 @@
 package majicsim.pioneer;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 
-/** The packets of one SIP cycle: the SIP, and what the client asked for beside it, in the sheet's order (5.4, 11). */
+/** What one client gets in each cycle: the SIP, what it asked for beside it, and what came in at the AUX ports. */
 final class Reports {
     private final Board board;
-    private final Subscription simStat = new Subscription();
-    private final Subscription inputsAndOutputs = new Subscription();
-    private final Subscription encoders = new Subscription();
-    private final Subscription batteries = new Subscription();
+    private final Map<Report, Subscription> subscriptions = new EnumMap<>(Report.class);
 
     Reports(Board board) {
         this.board = board;
+        for (Report report : Report.values()) {
+            subscriptions.put(report, new Subscription());
+        }
+        ask(Report.SIP, Subscription.EVERY_CYCLE);
     }
 
-    Subscription simStat() {
-        return simStat;
-    }
-
-    Subscription inputsAndOutputs() {
-        return inputsAndOutputs;
-    }
-
-    Subscription encoders() {
-        return encoders;
-    }
-
-    Subscription batteries() {
-        return batteries;
+    /** Asks for a packet: 0 none, 1 once, 2 or more every cycle. */
+    void ask(Report report, int argument) {
+        subscriptions.get(report).ask(argument);
     }
 
     /** The packets of this cycle, each for a write of its own. */
     List<byte[]> next() {
         List<byte[]> packets = new ArrayList<>();
-        if (simStat.isDue()) {
-            packets.add(board.simStat());
-        }
-        packets.add(board.sip().toBytes());
-        if (inputsAndOutputs.isDue()) {
-            packets.add(board.inputsAndOutputs());
-        }
-        if (encoders.isDue()) {
-            packets.add(board.encoders());
-        }
-        if (batteries.isDue()) {
-            packets.add(board.batteries());
+        subscriptions.forEach((report, subscription) -> {
+            if (subscription.isDue()) {
+                packets.add(report.of(board));
+            }
+        });
+        for (AuxPort port : board.devices().auxPorts()) {
+            byte[] packet = port.nextPacket();
+            if (packet != null) {
+                packets.add(packet);
+            }
         }
         return packets;
     }

@@ -14,6 +14,8 @@ final class Session {
     /** How long the rest of a packet may take (ARCOS sheet 14.1). */
     private static final long FRAGMENT_NANOS = 500_000_000L;
 
+    private static final int RESTARTED = 0xFE;
+
     private final Board board;
     private final boolean hangsUp;
     private final PacketReader reader = new PacketReader();
@@ -42,6 +44,15 @@ final class Session {
         return board.drive();
     }
 
+    Devices devices() {
+        return board.devices();
+    }
+
+    /** AUX1 to AUX3, by number. */
+    AuxPort aux(int number) {
+        return devices().auxPorts().get(number - 1);
+    }
+
     /** What the client gets without asking again. */
     Reports reports() {
         return reports;
@@ -67,8 +78,11 @@ final class Session {
     }
 
     void received(byte[] bytes) {
-        sinceBytesNanos = 0;
         trace("<", bytes);
+        if (!board.isListening()) {
+            return;
+        }
+        sinceBytesNanos = 0;
         handle(reader.feed(bytes));
     }
 
@@ -98,13 +112,31 @@ final class Session {
 
     /** CLOSE, or the client is gone: stop, motors off, no more packets. */
     void close() {
-        open = false;
+        forgetClient();
         board.endSession();
-        handshake.restart();
         if (hangsUp) {
             ended = true;
             line.close();
         }
+    }
+
+    /** RESET, or the button for it: tells the client, forgets it, and starts anew (ARCOS sheet 11.6). */
+    void restart() {
+        send(new PacketWriter(RESTARTED).toBytes());
+        forgetClient();
+        board.restart();
+    }
+
+    /** MAINTENANCE: out of reach until the reset button is pressed. */
+    void maintain() {
+        forgetClient();
+        board.maintain();
+    }
+
+    /** GYRO: its packets with every SIP or none, where there is a gyro. */
+    void askForGyro(boolean on) {
+        boolean wanted = on && board.model().equipment().hasGyro();
+        reports.ask(Report.GYRO, wanted ? Subscription.EVERY_CYCLE : Subscription.NEVER);
     }
 
     /** MOVE, where the controller has it. */
@@ -133,7 +165,7 @@ final class Session {
 
     private void handle(List<Packet> packets) {
         for (Packet packet : packets) {
-            if (ended) {
+            if (ended || !board.isListening()) {
                 return;
             }
             handle(packet);
@@ -141,6 +173,7 @@ final class Session {
     }
 
     private void handle(Packet packet) {
+        devices().hostBaud().confirm();
         byte[] greeting = handshake.answer(packet.id());
         if (greeting != null) {
             greet(greeting);
@@ -153,6 +186,11 @@ final class Session {
                 .ifPresentOrElse(
                         command -> command.run(this, new Argument(packet.data())),
                         () -> LOG.log(System.Logger.Level.DEBUG, "pioneer: ignored command {0}", packet.id()));
+    }
+
+    private void forgetClient() {
+        open = false;
+        handshake.restart();
     }
 
     private void greet(byte[] greeting) {

@@ -12,6 +12,20 @@ package majicsim.pioneer;
  * @param turnRate in 0.1 deg/s
  */
 record SipMotion(int x, int y, int heading, int leftSpeed, int rightSpeed, int control, int turnRate) {
+    static SipMotion of(Board board) {
+        Drive drive = board.drive();
+        Scaling scaling = board.model().scaling();
+        double aside = scaling.wheelMmPerSec(drive.turnDegPerSec());
+        return new SipMotion(
+                scaling.position(drive.odometry().xMm()),
+                scaling.position(drive.odometry().yMm()),
+                scaling.heading(drive.odometry().headingDeg()),
+                scaling.speed(drive.speedMmPerSec() - aside),
+                scaling.speed(drive.speedMmPerSec() + aside),
+                scaling.heading(drive.headingSetPointDeg()),
+                (int) Math.round(drive.turnDegPerSec() * 10));
+    }
+
     boolean isMoving() {
         return leftSpeed != 0 || rightSpeed != 0 || turnRate != 0;
     }

@@ -17,10 +17,11 @@ final class SonarFiring {
     private final PioneerModel model;
     private final SonarCone cone;
     private final Map<Integer, Integer> fresh = new LinkedHashMap<>();
+    private PollingOrder order = PollingOrder.USUAL;
     private int arraysOn;
     private long cycleNanos;
     private long untilFiringNanos;
-    private int slot;
+    private int turn;
 
     SonarFiring(PioneerModel model, SonarCone cone) {
         this.model = model;
@@ -36,7 +37,8 @@ final class SonarFiring {
 
     void stop() {
         arraysOn = 0;
-        slot = 0;
+        turn = 0;
+        order = PollingOrder.USUAL;
         fresh.clear();
         cycleMs(0);
         untilFiringNanos = cycleNanos;
@@ -51,6 +53,12 @@ final class SonarFiring {
         int mask = array == 0 ? (1 << ARRAYS) - 1 : 1 << (array - 1);
         arraysOn = (argument & 1) == 1 ? arraysOn | mask : arraysOn & ~mask;
         fresh.keySet().removeIf(disc -> !isOn(disc / SLOTS));
+    }
+
+    /** POLLING: another firing order. */
+    void order(byte[] discs) {
+        order = PollingOrder.of(discs);
+        turn = 0;
     }
 
     /** SONARCYCLE: the firing period in ms; 0 or less is the usual one. */
@@ -85,12 +93,19 @@ final class SonarFiring {
     }
 
     private void fire() {
-        for (SonarDisc disc : model.sonars()) {
-            if (disc.slot() == slot && isOn(disc.array())) {
-                fresh.put(disc.number(), model.scaling().range(cone.rangeMm(disc)));
+        for (int array = 0; array < ARRAYS; array++) {
+            List<Integer> discs = order.ofArray(array);
+            if (isOn(array) && !discs.isEmpty()) {
+                fire(discs.get(turn % discs.size()));
             }
         }
-        slot = (slot + 1) % SLOTS;
+        turn++;
+    }
+
+    private void fire(int number) {
+        model.sonars().stream()
+                .filter(disc -> disc.number() == number)
+                .forEach(disc -> fresh.put(number, model.scaling().range(cone.rangeMm(disc))));
     }
 
     private boolean isOn(int array) {

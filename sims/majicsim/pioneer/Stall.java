@@ -2,7 +2,8 @@ package majicsim.pioneer;
 
 /**
  * Whether the motors push without getting anywhere (ARCOS sheet 7.5): set when the robot meets something, kept while the
- * command that pushed is in force, cleared once it has come away or is asked to rest. Shown in at least one SIP.
+ * command that pushed is in force, cleared once it has come away or is asked to rest. Shown in at least one SIP. After each
+ * push the motors have no power for a pause, then they try again.
  */
 final class Stall {
     /** Less than this, in mm or degrees, is settling against the obstacle, not coming away. */
@@ -11,11 +12,14 @@ final class Stall {
     private boolean stalled;
     private boolean untold;
     private double cameAway;
+    private double pauseSeconds;
 
-    void pushed() {
+    /** Met something; the motors are to rest for so long. */
+    void pushed(double newPauseSeconds) {
         stalled = true;
         untold = true;
         cameAway = 0;
+        pauseSeconds = newPauseSeconds;
     }
 
     /** Covered this way, or this angle, freely. */
@@ -29,6 +33,15 @@ final class Stall {
     /** Neither moves nor wants to. */
     void rests() {
         stalled = false;
+    }
+
+    void step(double seconds) {
+        pauseSeconds = Math.max(0, pauseSeconds - seconds);
+    }
+
+    /** Whether the motors have no power because of a stall a moment ago. */
+    boolean isPausing() {
+        return pauseSeconds > 0;
     }
 
     /** For the SIP: whether it is stalled, or was since this was last asked. */

@@ -77,11 +77,12 @@ class CaptureLogTest {
         SipMotion motion = new SipMotion(
                 view.x(), view.y(), view.heading(), view.left(), view.right(), view.control(), view.turnRateTenths());
         int stall = view.isStalled() ? 1 : 0;
-        SipStatus status =
-                new SipStatus(view.battery(), stall, stall, view.flags(), view.analogPort(), view.digitalOut());
+        SipStatus status = new SipStatus(view.battery(), stall, stall, view.flags(), 0);
+        SipTail tail = new SipTail(
+                Generation.AROS, 0, view.analogPort(), 0, 0xFF, view.digitalOut(), 0, 0, SipTail.NO_TEMPERATURE, 0, 0);
         List<SonarReading> sonar = view.sonar().entrySet().stream()
                 .map(reading -> new SonarReading(reading.getKey(), reading.getValue()))
                 .toList();
-        return new Sip(motion, status, sonar).toBytes();
+        return new Sip(motion, status, sonar, tail).toBytes();
     }
 }

@@ -1,0 +1,36 @@
+package majicsim.pioneer;
+
+/** Whether the controller listens: not while it restarts, and not in maintenance mode, out of which only a reset leads. */
+final class Boot {
+    private static final long RESTART_NANOS = 1_000_000_000L;
+
+    private long deafNanos;
+    private boolean maintenance;
+    private long upNanos;
+
+    /** RESET, or the button for it. */
+    void restart() {
+        maintenance = false;
+        deafNanos = RESTART_NANOS;
+        upNanos = 0;
+    }
+
+    /** MAINTENANCE. */
+    void maintain() {
+        maintenance = true;
+    }
+
+    void step(long nanos) {
+        deafNanos = Math.max(0, deafNanos - nanos);
+        upNanos += nanos;
+    }
+
+    boolean isListening() {
+        return deafNanos == 0 && !maintenance;
+    }
+
+    /** The controller's clock: microseconds since it started, in 32 bits. */
+    int clockMicros() {
+        return (int) (upNanos / 1000);
+    }
+}

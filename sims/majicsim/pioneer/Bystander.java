@@ -1,0 +1,160 @@
+package majicsim.pioneer;
+
+import java.util.List;
+import java.util.function.UnaryOperator;
+
+/**
+ * What a person beside the robot can do to it, and hear from it. Works with or without a client connected; what a model does not
+ * carry (gripper, charger) shows no effect. All calls with the lab's lock held.
+ */
+public final class Bystander {
+    private final Devices devices;
+    private final Runnable reset;
+
+    Bystander(Devices devices, Runnable reset) {
+        this.devices = devices;
+        this.reset = reset;
+    }
+
+    /**
+     * Presses the red STOP button, or lets it go.
+     *
+     * @param down true while it is pressed
+     */
+    public void pressStop(boolean down) {
+        devices.stopButton().press(down);
+    }
+
+    /** Presses the reset button: the controller restarts, deaf for a second, and a client hears packet 0xFE. */
+    public void pressReset() {
+        reset.run();
+    }
+
+    /**
+     * Brings power to the charging contacts or plug, or takes it away.
+     *
+     * @param on true while there is power
+     */
+    public void plugCharger(boolean on) {
+        devices.charger().power(on);
+    }
+
+    /**
+     * Heats or cools the controller.
+     *
+     * @param celsius its temperature from now on; 65 and more raises the warning
+     */
+    public void heat(int celsius) {
+        devices.thermometer().set(celsius);
+    }
+
+    /**
+     * Pushes the joystick. The robot heeds it while the fire button is held.
+     *
+     * @param right -1 (left) to 1 (right)
+     * @param ahead -1 (back) to 1 (ahead)
+     */
+    public void pushJoystick(double right, double ahead) {
+        devices.joystick().push(right, ahead);
+    }
+
+    /**
+     * Presses the joystick's buttons, or lets them go.
+     *
+     * @param fire the one that makes the robot drive
+     * @param second the other
+     */
+    public void pressJoystick(boolean fire, boolean second) {
+        devices.joystick().buttons(fire, second);
+    }
+
+    /**
+     * Turns the joystick's throttle.
+     *
+     * @param share 0 (no speed) to 1 (full speed)
+     */
+    public void throttle(double share) {
+        devices.joystick().throttle(share);
+    }
+
+    /**
+     * Closes a contact at a digital input, or opens it; closed reads as a bit that is 0.
+     *
+     * @param bit 0 to 7
+     * @param closed true for closed
+     * @throws IndexOutOfBoundsException if there is no such bit; nothing changed
+     */
+    public void digitalInput(int bit, boolean closed) {
+        devices.userPort().input(bit, closed);
+    }
+
+    /**
+     * Puts a voltage on an analog input.
+     *
+     * @param port 0 to 7
+     * @param volts 0 to 5
+     * @throws IndexOutOfBoundsException if there is no such port; nothing changed
+     */
+    public void analogInput(int port, double volts) {
+        devices.userPort().analog(port, volts);
+    }
+
+    /**
+     * Holds something before an infra-red eye, or takes it away.
+     *
+     * @param eye 0 to 7
+     * @param near true while something is near
+     * @throws IndexOutOfBoundsException if there is no such eye; nothing changed
+     */
+    public void infrared(int eye, boolean near) {
+        devices.infrared().see(eye, near);
+    }
+
+    /**
+     * Lets the floor end before the robot, as its down-looking eyes see it.
+     *
+     * @param far some way off
+     * @param near close by
+     */
+    public void ledge(boolean far, boolean near) {
+        devices.infrared().ledge(far, near);
+    }
+
+    /**
+     * Puts something between the gripper's paddles, or takes it away.
+     *
+     * @param object true while it is there
+     */
+    public void putBetweenPaddles(boolean object) {
+        devices.gripper().put(object);
+    }
+
+    /**
+     * Plugs a device into one of the serial ports for accessories, in place of the plug that sends back what it gets.
+     *
+     * @param port 1 to 3
+     * @param device gets the bytes that arrived and returns those it answers, none if it has no answer
+     * @throws IndexOutOfBoundsException if there is no such port; nothing changed
+     */
+    public void plugAux(int port, UnaryOperator<byte[]> device) {
+        devices.auxPorts().get(port - 1).plug(device);
+    }
+
+    /**
+     * What the buzzer played, with its rests and warning beeps, as far as it was not muted.
+     *
+     * @return the last 200 tones that began, oldest first
+     */
+    public List<Tone> played() {
+        return devices.buzzer().heard();
+    }
+
+    /**
+     * What sounds just now.
+     *
+     * @return hertz, 0 for silence
+     */
+    public double soundingHertz() {
+        return devices.buzzer().soundingHertz();
+    }
+}

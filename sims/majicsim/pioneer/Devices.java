@@ -1,0 +1,131 @@
+package majicsim.pioneer;
+
+import java.util.List;
+import majicsim.world.Noise;
+
+/** Everything on the robot that does not move it and hears no echoes. What a model does not carry is there and idle. */
+final class Devices {
+    /** What controller, sonar and radio draw, and the motors at full speed on top. */
+    private static final double IDLE_AMPERES = 0.9;
+
+    private static final double DRIVING_AMPERES = 3;
+
+    private final Settings settings = new Settings();
+    private final UserPort userPort = new UserPort();
+    private final Infrared infrared = new Infrared();
+    private final StopButton stopButton = new StopButton(settings);
+    private final Joystick joystick = new Joystick();
+    private final Thermometer thermometer = new Thermometer();
+    private final Buzzer buzzer = new Buzzer();
+    private final Battery battery = new Battery();
+    private final LowBatteryAlarm alarm = new LowBatteryAlarm(settings, battery, buzzer);
+    private final Compass compass = new Compass();
+    private final HostBaud hostBaud = new HostBaud();
+    private final List<AuxPort> auxPorts = List.of(
+            new AuxPort(0xB0, Setting.AUX1_BAUD, settings),
+            new AuxPort(0xB8, Setting.AUX2_BAUD, settings),
+            new AuxPort(0xC8, Setting.AUX3_BAUD, settings));
+    private final Charger charger;
+    private final Gripper gripper;
+    private final Gyro gyro;
+
+    Devices(Equipment equipment, Noise noise) {
+        charger = new Charger(equipment.hasCharger(), battery);
+        gripper = new Gripper(equipment.hasGripper());
+        gyro = new Gyro(noise.fork("gyro"));
+    }
+
+    Settings settings() {
+        return settings;
+    }
+
+    UserPort userPort() {
+        return userPort;
+    }
+
+    Infrared infrared() {
+        return infrared;
+    }
+
+    StopButton stopButton() {
+        return stopButton;
+    }
+
+    Joystick joystick() {
+        return joystick;
+    }
+
+    Thermometer thermometer() {
+        return thermometer;
+    }
+
+    Buzzer buzzer() {
+        return buzzer;
+    }
+
+    Battery battery() {
+        return battery;
+    }
+
+    Charger charger() {
+        return charger;
+    }
+
+    Compass compass() {
+        return compass;
+    }
+
+    HostBaud hostBaud() {
+        return hostBaud;
+    }
+
+    Gripper gripper() {
+        return gripper;
+    }
+
+    Gyro gyro() {
+        return gyro;
+    }
+
+    /** AUX1 to AUX3. */
+    List<AuxPort> auxPorts() {
+        return auxPorts;
+    }
+
+    /** A session begins or ends: stored values again, and silence (ARCOS sheet 5.1). */
+    void restore() {
+        settings.restore();
+        buzzer.silence();
+        buzzer.mute(false);
+        compass.enable(true);
+        hostBaud.restore();
+    }
+
+    /** The controller starts anew: what no session's end undoes goes too. */
+    void reset() {
+        restore();
+        userPort.output(0xFF, 0xFF);
+        userPort.show(0);
+        battery.pretend(0);
+        charger.deploy(true);
+        gripper.halt();
+        auxPorts.forEach(port -> port.request(0));
+    }
+
+    /**
+     * Lets time pass.
+     *
+     * @param effort how much of its top speed the robot drives, 0 to 1
+     * @param trueDegPerSec how it really turns
+     */
+    void step(double seconds, double effort, double trueDegPerSec) {
+        long nanos = Math.round(seconds * 1e9);
+        battery.step(seconds, IDLE_AMPERES + DRIVING_AMPERES * effort - charger.amperes());
+        gripper.step(seconds);
+        gyro.step(nanos, trueDegPerSec);
+        buzzer.step(nanos);
+        alarm.step(nanos);
+        hostBaud.step(nanos);
+        auxPorts.forEach(port -> port.step(seconds));
+    }
+}

@@ -1,0 +1,26 @@
+package majicsim.pioneer;
+
+/**
+ * The encoder packet (ARCOS sheet 11.1): counters of 32 bits that roll over.
+ *
+ * @param leftMm what the left wheel ever covered
+ * @param rightMm what the right wheel ever covered
+ */
+record EncoderReport(double leftMm, double rightMm) {
+    /** About what a P3-DX counts. */
+    static final int TICKS_PER_MM = 128;
+
+    static EncoderReport of(Board board) {
+        double middle = board.drive().countedMm();
+        double aside = board.model().scaling().wheelMmPerSec(board.drive().countedDeg());
+        return new EncoderReport(middle - aside, middle + aside);
+    }
+
+    byte[] toBytes() {
+        return new PacketWriter(0x90).int32(ticks(leftMm)).int32(ticks(rightMm)).toBytes();
+    }
+
+    private static int ticks(double mm) {
+        return (int) Math.round(mm * TICKS_PER_MM);
+    }
+}

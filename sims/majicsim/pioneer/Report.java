@@ -1,0 +1,25 @@
+package majicsim.pioneer;
+
+import java.util.function.Function;
+
+/** The packets of a cycle in the order in which they go out: some before the SIP, some after it (ARCOS sheet 5.4, 11). */
+enum Report {
+    SIM_STAT(Board::simStat),
+    JOYSTICK(board -> board.devices().joystick().toBytes()),
+    GYRO(board -> board.devices().gyro().toBytes(board.devices().thermometer().celsius())),
+    SIP(Board::sip),
+    IO(InputOutputReport::of),
+    ENCODER(board -> EncoderReport.of(board).toBytes()),
+    GRIPPER(board -> board.devices().gripper().toBytes()),
+    BATTERY(BatteryReport::of);
+
+    private final Function<Board, byte[]> writer;
+
+    Report(Function<Board, byte[]> writer) {
+        this.writer = writer;
+    }
+
+    byte[] of(Board board) {
+        return writer.apply(board);
+    }
+}
