@@ -11,6 +11,7 @@ import majic.bot.TimeSource;
 import majic.link.Link;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.Reception;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -128,6 +129,11 @@ final class ArcosLine {
 
     boolean hasEnded() {
         return end != null;
+    }
+
+    /** How well the robot's bytes have come through. */
+    Reception reception() {
+        return decoder.reception();
     }
 
     /** How a person would write where it leads. */

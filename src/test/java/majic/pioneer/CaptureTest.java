@@ -13,6 +13,7 @@ import majic.bot.Pose;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.Reception;
 import majic.pioneer.arcos.Sip;
 import org.junit.jupiter.api.Test;
 
@@ -25,8 +26,7 @@ class CaptureTest {
         FrameDecoder decoder = new FrameDecoder();
         List<Packet> packets = decode(decoder, "R<");
 
-        assertThat(decoder.noiseBytes()).isZero();
-        assertThat(decoder.badChecksums()).isZero();
+        assertThat(decoder.reception()).isEqualTo(new Reception(packets.size(), 0, 0));
         assertThat(packets).filteredOn(Packet::isSip).hasSizeGreaterThan(60).allMatch(sip -> Sip.decode(sip) != null);
     }
 
@@ -35,7 +35,7 @@ class CaptureTest {
         FrameDecoder decoder = new FrameDecoder();
 
         assertThat(decode(decoder, "C>")).hasSizeGreaterThan(30);
-        assertThat(decoder.noiseBytes()).isZero();
+        assertThat(decoder.reception().skippedBytes()).isZero();
     }
 
     @Test

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 /**
  * Finds packets in a stream of bytes that may come in any pieces and with anything between them (ARCOS sheet 2, 14.1).
  * After a wrong checksum the search goes on right behind the header, so a packet inside the damaged one is not lost. Has
- * no socket, thread or clock.
+ * no socket, thread or clock. For one thread, but for {@link #reception()}.
  */
 public final class FrameDecoder {
     static final int HEADER_1 = 0xFA;
@@ -17,8 +17,10 @@ public final class FrameDecoder {
 
     private byte[] bytes = new byte[2048];
     private int filled;
-    private long noiseBytes;
-    private long badChecksums;
+    private long packets;
+    private long damagedPackets;
+    private long skippedBytes;
+    private volatile Reception reception = Reception.NONE;
 
     /** A decoder that has seen nothing yet; one for each link. */
     public FrameDecoder() {}
@@ -33,10 +35,13 @@ public final class FrameDecoder {
         scan(0, sink);
     }
 
-    /** Gives up waiting for the rest of a packet; what has come of it is searched for others. */
+    /**
+     * Gives up waiting for the rest of a packet. What has come of it is searched for others, and none of it waits for
+     * more: the beginning of a second packet in it would swallow the good ones that come next.
+     */
     public void dropFragment(Consumer<Packet> sink) {
-        if (filled > 0) {
-            noiseBytes++;
+        while (filled > 0) {
+            skippedBytes++;
             scan(1, sink);
         }
     }
@@ -45,19 +50,19 @@ public final class FrameDecoder {
         int at = header(from);
         while (isWhole(at)) {
             int count = count(at);
-            if (count < SMALLEST_COUNT) {
-                noiseBytes++;
-                at = header(at + 1);
-            } else if (isIntact(at, count)) {
+            if (isIntact(at, count)) {
+                packets++;
                 sink.accept(new Packet(bytes[at + 3] & 0xFF, bytes, at + 4, at + count + 1));
                 at = header(at + count + 3);
             } else {
-                badChecksums++;
+                damagedPackets += count < SMALLEST_COUNT ? 0 : 1;
+                skippedBytes += 2;
                 at = header(at + 2);
             }
         }
         System.arraycopy(bytes, at, bytes, 0, filled - at);
         filled -= at;
+        reception = new Reception(packets, damagedPackets, skippedBytes);
     }
 
     /** The next place where a packet may begin; a last FA may be the first half of a header. */
@@ -65,7 +70,7 @@ public final class FrameDecoder {
         int at = from;
         while (at < filled && !mayBegin(at)) {
             at++;
-            noiseBytes++;
+            skippedBytes++;
         }
         return at;
     }
@@ -83,18 +88,16 @@ public final class FrameDecoder {
     }
 
     private boolean isIntact(int at, int count) {
+        if (count < SMALLEST_COUNT) {
+            return false;
+        }
         int sumAt = at + count + 1;
         int sum = (bytes[sumAt] & 0xFF) << 8 | bytes[sumAt + 1] & 0xFF;
         return Checksum.of(bytes, at + 3, sumAt) == sum;
     }
 
-    /** Bytes skipped because no packet begins with them. */
-    public long noiseBytes() {
-        return noiseBytes;
-    }
-
-    /** Headers whose packet did not fit its checksum. */
-    public long badChecksums() {
-        return badChecksums;
+    /** What has come so far; safe from any thread. */
+    public Reception reception() {
+        return reception;
     }
 }

@@ -29,7 +29,7 @@ class FrameDecoderTest {
                         Bytes.packet(Bytes.CONFIG),
                         Bytes.packet(Bytes.NAMES),
                         Bytes.packet(Bytes.STALLED));
-        assertThat(decoder.badChecksums()).isEqualTo(1);
+        assertThat(decoder.reception().damagedPackets()).isEqualTo(1);
     }
 
     @ParameterizedTest
@@ -68,13 +68,45 @@ class FrameDecoderTest {
     }
 
     @Test
+    void nothingOfADroppedFragmentSwallowsWhatComesNext() {
+        feed(1000, Bytes.of("FA FB FF 32 FA FB FE 32 FA"));
+        decoder.dropFragment(found::add);
+
+        feed(1000, Bytes.of(Bytes.AT_REST));
+
+        assertThat(found).containsExactly(Bytes.packet(Bytes.AT_REST));
+    }
+
+    @Test
+    void aHeaderMayFollowALoneFirstHalf() {
+        feed(1000, Bytes.of("FA FA FB 03 01 00 01"));
+
+        assertThat(found).extracting(Packet::type).containsExactly(1);
+    }
+
+    @Test
+    void theLongestPacketThatACountCanTellIsTaken() {
+        byte[] longest = Bytes.of("FA FB FF 32" + " 00".repeat(252) + " 32 00");
+        feed(100, longest);
+
+        assertThat(found).extracting(packet -> packet.data().length).containsExactly(252);
+    }
+
+    @Test
+    void receptionTellsWhatCameWholeAndWhatDidNot() {
+        feed(10, Bytes.joined(Bytes.AT_REST, WRONG_CHECKSUM, "00 01", Bytes.STALLED));
+
+        assertThat(decoder.reception()).isEqualTo(new Reception(2, 1, 11));
+    }
+
+    @Test
     void longStretchesOfNoiseAreSkippedAndCounted() {
         byte[] zeros = new byte[5000];
         feed(700, zeros);
         feed(700, Bytes.of("FA FB 03 02 00 02"));
 
         assertThat(found).hasSize(1);
-        assertThat(decoder.noiseBytes()).isEqualTo(5000);
+        assertThat(decoder.reception().skippedBytes()).isEqualTo(5000);
     }
 
     private void feed(int chunkSize, byte[] wire) {
