@@ -55,6 +55,13 @@ record Argument(byte[] data) {
         return length == 0 ? new byte[0] : Arrays.copyOfRange(data, 2, 2 + length);
     }
 
+    /** The string behind a first 16-bit number, its length in 16 bits too; believed only as far as the packet goes. */
+    String textBehindNumber() {
+        int start = Math.min(data.length, 5);
+        int length = Math.min(at(3) | at(4) << 8, data.length - start);
+        return new String(data, start, length, StandardCharsets.US_ASCII);
+    }
+
     private int magnitude() {
         return at(1) | at(2) << 8;
     }

@@ -17,11 +17,13 @@ final class Board {
     private final Boot boot = new Boot();
     private final Drive drive;
     private final SonarFiring sonar;
+    private final Laser laser;
     private final Bumpers bumpers;
     private final Devices devices;
     private final JoyDrive joyDrive;
     private boolean hasClient;
     private long stepNanos;
+    private boolean lifted;
 
     Board(World world, Body body, PioneerModel model, String name, Noise noise) {
         this.model = model;
@@ -30,6 +32,7 @@ final class Board {
         this.body = body;
         this.start = body.pose();
         this.drive = new Drive(body, model, noise.fork("wheels"));
+        this.laser = new Laser(world, body, model, noise.fork("laser"));
         this.sonar = new SonarFiring(model, new SonarCone(world, body, noise.fork("sonar")));
         this.bumpers = new Bumpers(model, body);
         this.devices = new Devices(model.equipment(), noise);
@@ -50,6 +53,10 @@ final class Board {
 
     Devices devices() {
         return devices;
+    }
+
+    Laser laser() {
+        return laser;
     }
 
     PioneerModel model() {
@@ -136,9 +143,17 @@ final class Board {
         }
         try {
             body.place(pose);
+            lifted = true;
         } catch (IllegalArgumentException e) {
             LOG.log(System.Logger.Level.DEBUG, "pioneer stays where it is: {0}", e.getMessage());
         }
+    }
+
+    /** Whether a client has lifted it and put it down elsewhere since this was last asked. */
+    boolean wasLifted() {
+        boolean was = lifted;
+        lifted = false;
+        return was;
     }
 
     /** SIM_RESET: back to the start, odometry 0. */

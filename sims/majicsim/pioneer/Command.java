@@ -80,8 +80,14 @@ enum Command {
             (session, argument) ->
                     session.board().place(new Pose(argument.int32(0), argument.int32(1), argument.int32(2)))),
     SIM_RESET(225, (session, argument) -> session.board().backToStart()),
-    SIM_STAT(237, asksFor(Report.SIM_STAT)),
+    SIM_LRF_ENABLE(230, (session, argument) -> session.laser().enable(argument.integer())),
+    SIM_LRF_SET_FOV_START(231, (session, argument) -> session.laser().from(argument.integer())),
+    SIM_LRF_SET_FOV_END(232, (session, argument) -> session.laser().to(argument.integer())),
+    SIM_LRF_SET_RES(233, (session, argument) -> session.laser().every(argument.integer())),
+    SIM_CTRL(236, (session, argument) -> session.control(argument)),
+    SIM_STAT(237, (session, argument) -> session.simStat(argument.integer())),
     SIM_MESSAGE(238, (session, argument) -> session.show(argument.text())),
+    SIM_EXIT(239, (session, argument) -> SimControl.refuseToEnd()),
     BATTEST(250, (session, argument) -> session.devices().battery().pretend(argument.integer())),
     RESET(253, (session, argument) -> session.restart()),
     MAINTENANCE(255, (session, argument) -> session.maintain());

@@ -27,7 +27,7 @@ record ConfigReport(
 
     private static final int TYPE = 0x20;
     private static final String SERIAL_NUMBER = "SIM";
-    private static final String VERSION = "S.0";
+    static final String VERSION = "S.0";
     private static final String BOOT_LOADER = "S.0";
     private static final int PWM_MAX = 400;
     private static final int AUTOBAUD_AUTOMATIC = 2;

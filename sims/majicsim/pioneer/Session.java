@@ -23,6 +23,7 @@ final class Session {
     private Line line;
     private Watchdog watchdog = new Watchdog();
     private Reports reports;
+    private Simulation simulation;
     private boolean open;
     private boolean ended;
     private long sinceSipNanos;
@@ -34,6 +35,7 @@ final class Session {
         this.hangsUp = hangsUp;
         this.handshake = new Handshake(board.name(), board.model());
         this.reports = new Reports(board);
+        this.simulation = new Simulation(board);
     }
 
     Board board() {
@@ -152,6 +154,28 @@ final class Session {
         drive().wheels(left * unit, right * unit);
     }
 
+    /** The simulated laser of this client. */
+    SimLaser laser() {
+        return simulation.laser();
+    }
+
+    /** SIM_STAT: once and now, with every SIP, or no more. */
+    void simStat(int wish) {
+        if (wish == 1) {
+            send(board.simStat());
+        } else {
+            reports.ask(Report.SIM_STAT, wish);
+        }
+    }
+
+    /** SIM_CTRL. */
+    void control(Argument order) {
+        byte[] answer = simulation.control(order);
+        if (answer != null) {
+            send(answer);
+        }
+    }
+
     /** SIM_MESSAGE: into the log, without what would upset a terminal. */
     void show(String text) {
         String printable = text.replaceAll("[^\\x20-\\x7E]", "?");
@@ -182,9 +206,13 @@ final class Session {
         if (watchdog.pat()) {
             drive().hold(false);
         }
+        Argument argument = new Argument(packet.data());
+        if (simulation.take(packet.id(), argument)) {
+            return;
+        }
         Command.of(packet.id())
                 .ifPresentOrElse(
-                        command -> command.run(this, new Argument(packet.data())),
+                        command -> command.run(this, argument),
                         () -> LOG.log(System.Logger.Level.DEBUG, "pioneer: ignored command {0}", packet.id()));
     }
 
@@ -198,6 +226,7 @@ final class Session {
         if (isUnderWay()) {
             watchdog = new Watchdog();
             reports = new Reports(board);
+            simulation = new Simulation(board);
             board.beginSession();
         }
     }
@@ -207,6 +236,7 @@ final class Session {
         if (sinceSipNanos >= SIP_CYCLE_NANOS) {
             sinceSipNanos -= SIP_CYCLE_NANOS;
             reports.next().forEach(this::send);
+            simulation.packets().forEach(this::send);
         }
     }
 

@@ -1,0 +1,50 @@
+package majicsim.pioneer;
+
+import majicsim.world.Body;
+import majicsim.world.Noise;
+import majicsim.world.Point;
+import majicsim.world.Pose;
+import majicsim.world.World;
+
+/**
+ * The laser scanner that simulated Pioneers have on their deck, where the vendor's parameter files place it. It sees walls
+ * and other robots in one plane.
+ */
+final class Laser {
+    /** Nothing hit; the most that its two bytes are used for. */
+    static final int FARTHEST_MM = 32_000;
+
+    private static final double SIGMA_MM = 5;
+    private static final double AHEAD_MM = 21;
+    private static final double AHEAD_ON_LONG_DECKS_MM = 125;
+
+    private final World world;
+    private final Body body;
+    private final Noise noise;
+    private final double aheadMm;
+
+    Laser(World world, Body body, PioneerModel model, Noise noise) {
+        this.world = world;
+        this.body = body;
+        this.noise = noise;
+        this.aheadMm = model.subclass().startsWith("p3at") ? AHEAD_ON_LONG_DECKS_MM : AHEAD_MM;
+    }
+
+    /** All ranges in mm, in the order of the scan, as the robot stands now. */
+    int[] ranges(LaserScan scan) {
+        Pose pose = body.pose();
+        Point at = pose.toWorld(aheadMm, 0);
+        int[] ranges = new int[scan.readings()];
+        for (int i = 0; i < ranges.length; i++) {
+            ranges[i] = range(at, pose.toWorldDeg(scan.directionDeg(i)));
+        }
+        return ranges;
+    }
+
+    private int range(Point from, double directionDeg) {
+        double mm = world.ray(body, from.xMm(), from.yMm(), directionDeg, FARTHEST_MM)
+                .distanceMm();
+        double seen = mm >= FARTHEST_MM ? mm : mm + noise.gaussian(SIGMA_MM);
+        return (int) Math.round(Math.max(0, Math.min(FARTHEST_MM, seen)));
+    }
+}
