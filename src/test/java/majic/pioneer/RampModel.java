@@ -6,9 +6,9 @@ import majic.pioneer.arcos.SipBytes;
 
 /** A robot that follows its set-points along straight ramps, for tests of what steers it. */
 final class RampModel {
-    private final double acceleration;
-    private final double deceleration;
-    private final double turnAcceleration;
+    private double acceleration;
+    private double deceleration;
+    private double turnAcceleration;
     private double wantedSpeed;
     private double wantedRate;
     private double speed;
@@ -21,6 +21,30 @@ final class RampModel {
         this.acceleration = acceleration;
         this.deceleration = deceleration;
         this.turnAcceleration = turnAcceleration;
+    }
+
+    /** Its translation from now on. */
+    void ramps(double up, double down) {
+        acceleration = up;
+        deceleration = down;
+    }
+
+    void turnRamp(double upAndDown) {
+        turnAcceleration = upAndDown;
+    }
+
+    void pose(double xMm, double yMm, double headingDeg) {
+        x = xMm;
+        y = yMm;
+        heading = headingDeg;
+    }
+
+    /** Stands at once, and has no set-points. */
+    void freeze() {
+        speed = 0;
+        rate = 0;
+        wantedSpeed = 0;
+        wantedRate = 0;
     }
 
     void speed(int mmPerSec) {
@@ -46,6 +70,18 @@ final class RampModel {
 
     double x() {
         return x;
+    }
+
+    double y() {
+        return y;
+    }
+
+    double speed() {
+        return speed;
+    }
+
+    double rate() {
+        return rate;
     }
 
     double heading() {

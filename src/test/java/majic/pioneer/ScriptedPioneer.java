@@ -1,0 +1,238 @@
+package majic.pioneer;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a test wants a Pioneer to be, for a {@link SteppedPeer}: it answers the handshake and sends SIPs from a model with
+ * ramps; worse than a robot wherever a test says so.
+ */
+final class ScriptedPioneer implements SteppedPeer.Robot {
+    private static final int LOST_STEP = 0xFF;
+
+    /** What it heard since it was made, as {@code "VEL 250"}; the handshake not counted. */
+    final List<String> heard = new CopyOnWriteArrayList<>();
+
+    /** When it heard that, ms. */
+    final List<Long> heardAt = new CopyOnWriteArrayList<>();
+
+    final RampModel robot = new RampModel(300, 300, 100);
+    final List<Double> speeds = new ArrayList<>();
+
+    String subclass = "p3dx-sh";
+    double mmPerCount = 1;
+    int cycleMs = 100;
+    int losesOneSipIn;
+    int deadZone;
+    boolean wholeDegrees;
+    boolean ignoresRamps;
+    boolean answersConfig = true;
+    boolean hangsUpAtClose = true;
+    boolean miscountsAfterSonar;
+    boolean held;
+    boolean silent;
+    volatile boolean motors;
+    int stallBits;
+    int extraFlags;
+    int rejectsSyncs;
+    int ignoresSyncs;
+    boolean hangsUpAtSync;
+    boolean inOpenSession;
+    int connections;
+
+    private boolean shaken;
+    private boolean sendsSips;
+    private boolean lieNext;
+    private long sips;
+
+    /** One that does all as the sheet says a robot does. */
+    static ScriptedPioneer robot() {
+        return new ScriptedPioneer();
+    }
+
+    /** One that behaves as the vendor's simulator does (ARCOS sheet 5.2, 9.1, 14.2). */
+    static ScriptedPioneer vendorSimulator() {
+        ScriptedPioneer simulator = new ScriptedPioneer();
+        simulator.subclass = "p3dx";
+        simulator.mmPerCount = 0.485;
+        simulator.wholeDegrees = true;
+        simulator.miscountsAfterSonar = true;
+        simulator.motors = true;
+        return simulator;
+    }
+
+    /** Sends SIPs in a session that somebody left open. */
+    static ScriptedPioneer inOpenSession() {
+        ScriptedPioneer left = new ScriptedPioneer();
+        left.inOpenSession = true;
+        left.motors = true;
+        left.hangsUpAtClose = false;
+        return left;
+    }
+
+    @Override
+    public void connected(SteppedPeer line) {
+        connections++;
+        shaken = inOpenSession;
+        sendsSips = inOpenSession;
+        silent = false;
+        inOpenSession = false;
+    }
+
+    @Override
+    public void left() {
+        sendsSips = false;
+        motors = false;
+        robot.freeze();
+    }
+
+    @Override
+    public void received(SteppedPeer line, Packet packet) {
+        if (!shaken) {
+            sync(line, packet.type());
+            return;
+        }
+        Fields fields = packet.fields();
+        int value = (fields.ubyte() == 0x1B ? -1 : 1) * fields.uint();
+        heardAt.add(line.millis());
+        heard.add(name(packet.type()) + " " + value);
+        obey(line, packet.type(), value);
+    }
+
+    private void sync(SteppedPeer line, int step) {
+        if (hangsUpAtSync) {
+            line.hangUp();
+        } else if (ignoresSyncs > 0) {
+            ignoresSyncs--;
+        } else if (step == 1 && rejectsSyncs > 0) {
+            rejectsSyncs--;
+            line.send(Peer.packet(LOST_STEP, new byte[0]));
+        } else if (step < 2) {
+            line.send(Peer.packet(step, new byte[0]));
+        } else {
+            shaken = true;
+            line.send(Peer.packet(2, ("Peer\0Pioneer\0" + subclass + "\0").getBytes(StandardCharsets.US_ASCII)));
+        }
+    }
+
+    private void obey(SteppedPeer line, int number, int value) {
+        switch (number) {
+            case 1 -> sendsSips = true;
+            case 2 -> endSession(line);
+            case 4 -> enable(value != 0);
+            case 5 -> accelerate(value);
+            case 11 -> robot.speed(moves(value) ? value : 0);
+            case 18 -> config(line);
+            case 21 -> robot.rate(moves(Integer.MAX_VALUE) ? value : 0);
+            case 23 -> turnRamp(value);
+            case 28 -> lieNext = miscountsAfterSonar && value == 1;
+            case 29, 55 -> halt();
+            default -> {}
+        }
+    }
+
+    private boolean moves(int speed) {
+        return motors && !held && Math.abs(speed) >= deadZone;
+    }
+
+    private void halt() {
+        robot.speed(0);
+        robot.rate(0);
+    }
+
+    private void enable(boolean on) {
+        motors = on;
+        if (!on) {
+            halt();
+        }
+    }
+
+    private void accelerate(int value) {
+        if (!ignoresRamps) {
+            up = value > 0 ? value : up;
+            down = value < 0 ? -value : down;
+            robot.ramps(up, down);
+        }
+    }
+
+    private double up = 300;
+    private double down = 300;
+
+    private void turnRamp(int value) {
+        if (!ignoresRamps) {
+            robot.turnRamp(Math.abs(value));
+        }
+    }
+
+    private void endSession(SteppedPeer line) {
+        sendsSips = false;
+        shaken = false;
+        enable(false);
+        if (hangsUpAtClose) {
+            line.hangUp();
+        }
+    }
+
+    private void config(SteppedPeer line) {
+        if (answersConfig) {
+            byte[] whole = Bytes.of(Bytes.CONFIG);
+            line.send(Peer.packet(0x20, Arrays.copyOfRange(whole, 4, whole.length - 2)));
+        }
+    }
+
+    @Override
+    public void step(SteppedPeer line) {
+        robot.step(0.001);
+        if (sendsSips && line.millis() % cycleMs == 0) {
+            sips++;
+            speeds.add(robot.speed());
+            if (!silent && (losesOneSipIn == 0 || sips % losesOneSipIn != 0)) {
+                line.send(sip());
+            }
+        }
+    }
+
+    /** Its state now, in one packet. */
+    byte[] sip() {
+        int units = (int) Math.round(
+                (wholeDegrees ? Math.round(robot.heading()) : robot.heading()) / Scaling.DEG_PER_UNIT);
+        double difference = Math.toRadians(robot.rate()) / 0.0056;
+        SipBytes data = new SipBytes();
+        for (int disc = 0; disc < 16 && !lieNext; disc++) {
+            data.sonar(disc, 5000);
+        }
+        byte[] bytes = data.pose(
+                        (int) Math.round(robot.x() / mmPerCount), (int) Math.round(robot.y() / mmPerCount), units)
+                .wheels((int) Math.round(robot.speed() - difference), (int) Math.round(robot.speed() + difference))
+                .state(stallBits, (motors ? 0x1F : 0x1E) | extraFlags)
+                .bytes();
+        if (lieNext) {
+            lieNext = false;
+            bytes[18] = 16;
+        }
+        return Peer.packet(0x32, bytes);
+    }
+
+    /** What it heard but pulses. */
+    List<String> orders() {
+        return heard.stream().filter(command -> !command.equals("PULSE 0")).toList();
+    }
+
+    boolean heardLast(String... commands) {
+        List<String> orders = orders();
+        int from = Math.max(0, orders.size() - commands.length);
+        return orders.subList(from, orders.size()).equals(List.of(commands));
+    }
+
+    private static String name(int number) {
+        @Nullable String known = null;
+        for (Command command : Command.values()) {
+            known = command.number() == number ? command.name() : known;
+        }
+        return known == null ? "number " + number : known;
+    }
+}

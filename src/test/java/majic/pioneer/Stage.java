@@ -1,0 +1,106 @@
+package majic.pioneer;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import majic.bot.BotEnvironment;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.MajicBot;
+import majic.bot.MotionReport;
+import majic.bot.Settings;
+import org.jspecify.annotations.Nullable;
+
+/** The driver and a scripted robot on one stepped clock, for one test. */
+final class Stage implements AutoCloseable {
+    final ScriptedPioneer robot;
+    final SteppedPeer line;
+    final MajicPioneer bot;
+    final List<String> notices = new CopyOnWriteArrayList<>();
+
+    Stage(ScriptedPioneer robot) {
+        this(robot, robot, 0);
+    }
+
+    Stage(ScriptedPioneer robot, int latencyMs) {
+        this(robot, robot, latencyMs);
+    }
+
+    /** With something else at the other end than the robot itself. */
+    Stage(ScriptedPioneer robot, SteppedPeer.Robot peer, int latencyMs) {
+        this.robot = robot;
+        this.line = new SteppedPeer(peer, latencyMs);
+        this.bot = new MajicPioneer(line.address(), new BotEnvironment(line.time(), Settings.inMemory()));
+        bot.addListener(new BotListener() {
+            @Override
+            public void notice(MajicBot from, String message) {
+                notices.add(message);
+            }
+        });
+    }
+
+    static Stage connected(ScriptedPioneer robot) {
+        Stage stage = new Stage(robot);
+        stage.bot.connect();
+        return stage;
+    }
+
+    static Stage connected(ScriptedPioneer robot, int latencyMs) {
+        Stage stage = new Stage(robot, latencyMs);
+        stage.bot.connect();
+        return stage;
+    }
+
+    /** Does something once, at the first state that has the robot beyond a point. */
+    void whenBeyond(double mm, Runnable event) {
+        bot.addListener(new BotListener() {
+            @Override
+            public void stateChanged(MajicBot moving, BotState state) {
+                if (Math.abs(state.pose().xMm()) > mm) {
+                    moving.removeListener(this);
+                    event.run();
+                }
+            }
+        });
+    }
+
+    /** Lets another thread do something to the end; what it throws, or null. */
+    @Nullable
+    Throwable meanwhile(Consumer<MajicPioneer> deed, Runnable here) {
+        AtomicReference<Throwable> thrown = new AtomicReference<>();
+        AtomicReference<Boolean> over = new AtomicReference<>(false);
+        line.time()
+                .thread("deed", () -> {
+                    try {
+                        deed.accept(bot);
+                    } catch (RuntimeException e) {
+                        thrown.set(e);
+                    } finally {
+                        over.set(true);
+                    }
+                })
+                .start();
+        here.run();
+        if (!line.await(over::get, 600)) {
+            throw new AssertionError("the deed does not end");
+        }
+        return thrown.get();
+    }
+
+    double secondsOf(Runnable deed) {
+        long before = line.time().nanos();
+        deed.run();
+        return line.time().secondsSince(before);
+    }
+
+    static double amount(MotionReport report) {
+        return report.amount() == null ? Double.NaN : report.amount().number();
+    }
+
+    @Override
+    public void close() {
+        bot.close();
+        line.close();
+    }
+}
