@@ -49,7 +49,10 @@ final class Helm {
         return driving || motionUnderWay.get();
     }
 
-    /** Does a whole motion; whatever ends it before its time, the robot is told to stand. */
+    /**
+     * Does a whole motion; whatever ends it before its time, the robot is told to stand. Who hears that the link is lost
+     * may connect again at once, though the reader may not have seen the end of it yet.
+     */
     MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
         bot.requireConnected();
         begin(permit);
@@ -61,6 +64,9 @@ final class Helm {
             motion.check();
             Value amount = maneuver.run(motion);
             return new MotionReport(amount, motion.seconds());
+        } catch (LinkLost e) {
+            bot.lost(e);
+            throw e;
         } catch (RuntimeException | Error e) {
             haltAfter(permit);
             throw e;
