@@ -5,47 +5,54 @@ package majic.pioneer;
  * the robot stands there. Distances and rates in any one unit, mm or degrees. Immutable.
  *
  * @param cruise the highest rate, positive
- * @param deceleration what to brake with; less than the robot can
+ * @param acceleration of the robot
+ * @param deceleration of the robot; half of it is planned with, which leaves it room to follow
  * @param creep the lowest rate at which the robot still moves
  * @param tolerance how near is there
+ * @param acceptable how near is near enough once it was tried
  */
-record Approach(double cruise, double deceleration, double creep, double tolerance) {
-    /** From a reading to its effect: half a SIP cycle for its age, half for the ramp behind each command (seconds). */
-    private static final double LATENCY_S = 0.1;
-
-    /** Near the end the rate is this times what is left (1/s); slow enough for readings ten times a second. */
-    private static final double GAIN = 3;
-
-    /** Half of what the robot is set to leaves it room to follow. */
+record Approach(
+        double cruise, double acceleration, double deceleration, double creep, double tolerance, double acceptable) {
     private static final double SHARE = 0.5;
 
+    /** Near the end the rate is at most this times what is left (1/s). */
+    private static final double GAIN = 3;
+
+    /** With rare readings this much of what is left is covered from one to the next. */
+    private static final double STEP = 0.4;
+
     static Approach straight(double cruiseMmPerSec, Ramps ramps) {
-        return new Approach(cruiseMmPerSec, SHARE * ramps.deceleration(), 15, 2);
+        return new Approach(cruiseMmPerSec, ramps.acceleration(), ramps.deceleration(), 15, 2, 8);
     }
 
     static Approach turning(double cruiseDegPerSec, Ramps ramps) {
-        return new Approach(cruiseDegPerSec, SHARE * ramps.turnDeceleration(), 3, 0.55);
+        return new Approach(cruiseDegPerSec, ramps.turnAcceleration(), ramps.turnDeceleration(), 3, 0.3, 0.9);
     }
 
     /**
-     * The rate to tell the robot now.
+     * The rate to go at.
      *
-     * @param left of the way, negative when it lies behind
-     * @param rate at which the robot moves now
-     * @return with the sign of what is left; zero when it is there
+     * @param left of the way, positive
+     * @param cycleS from one reading to the next, seconds
+     * @return positive
      */
-    double rate(double left, double rate) {
-        if (Math.abs(left) <= tolerance) {
-            return 0;
-        }
-        double ahead = Math.max(0, Math.abs(left) - Math.max(0, rate * Math.signum(left)) * LATENCY_S);
-        double wanted = Math.max(Math.min(creep, cruise), Math.min(cruise, braking(ahead)));
-        return Math.copySign(wanted, left);
+    double rate(double left, double cycleS) {
+        return Math.max(Math.min(creep, cruise), Math.min(cruise, braking(left, Math.min(GAIN, STEP / cycleS))));
     }
 
     /** Even braking, joined to the proportional end where both have the same slope. */
-    private double braking(double ahead) {
-        double end = deceleration / (GAIN * GAIN);
-        return ahead <= end ? GAIN * ahead : Math.sqrt(2 * deceleration * (ahead - end / 2));
+    private double braking(double left, double gain) {
+        double planned = SHARE * deceleration;
+        double end = planned / (gain * gain);
+        return left <= end ? gain * left : Math.sqrt(2 * planned * (left - end / 2));
+    }
+
+    /**
+     * How long a way may take at most, seconds: generous, and far from for ever.
+     *
+     * @param way its length, positive
+     */
+    double limitS(double way) {
+        return 2 * (way / cruise + cruise / acceleration + cruise / (SHARE * deceleration)) + 5;
     }
 }

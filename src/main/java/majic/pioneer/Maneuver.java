@@ -14,21 +14,26 @@ final class Maneuver {
 
     private static final double STAND_S = 4;
 
-    /** So many SIPs without motion mean that the robot will not come any nearer. */
-    private static final int SETTLED_SIPS = 5;
+    /** After so long a robot that was told to go and does not stir will not, seconds. */
+    private static final double HELD_S = 3;
+
+    /** Before the robot's own rhythm is known, seconds. */
+    private static final double USUAL_CYCLE_S = 0.1;
 
     private final Session session;
     private final Way way;
     private final Troubles troubles;
     private final double limitS;
     private final int holdsBefore;
-    private int standingSips;
+    private final Steering steering;
+    private double movedS;
 
     Maneuver(Session session, Way way, Troubles troubles) {
         this.session = session;
         this.way = way;
         this.troubles = troubles;
-        this.limitS = Math.abs(way.target()) / way.approach().cruise() * 2 + 5;
+        this.limitS = way.approach().limitS(Math.abs(way.target()));
+        this.steering = new Steering(way.approach(), way.target());
         this.holdsBefore = session.wheels().holds();
     }
 
@@ -40,37 +45,35 @@ final class Maneuver {
      */
     Value run(Motion motion) {
         double startedS = motion.seconds();
-        boolean there = false;
-        while (!there) {
+        while (!steering.isThere(motion.seconds() - startedS)) {
             PioneerState now = session.state();
-            double rate = way.approach().rate(way.target() - way.covered(now), way.rate(now));
+            double rate = steering.next(way.covered(now), way.rate(now), motion.seconds() - startedS, cycleS(now));
             motion.send(() -> way.go(session.wheels(), rate, now));
             if (!motion.nextReading(READING_S)) {
                 return endEarly(motion);
             }
-            check(motion.seconds() - startedS);
-            there = isThere(rate);
+            look(session.state(), motion.seconds() - startedS);
         }
         motion.send(session.wheels()::stand);
         return way.value(session.state());
     }
 
-    private boolean isThere(double rate) {
-        PioneerState now = session.state();
-        standingSips = now.isMoving() ? 0 : standingSips + 1;
-        double off = Math.abs(way.target() - way.covered(now));
-        int enough = rate == 0 ? 1 : SETTLED_SIPS;
-        return standingSips >= enough && off <= way.acceptable();
+    private static double cycleS(PioneerState now) {
+        return now.sipsPerSec() > 0 ? 1 / now.sipsPerSec() : USUAL_CYCLE_S;
     }
 
-    private void check(double seconds) {
-        PioneerState now = session.state();
+    private void look(PioneerState now, double seconds) {
+        steering.heard(way.covered(now), way.rate(now), now.isMoving(), seconds);
+        movedS = now.isMoving() ? seconds : movedS;
         String trouble = troubles.look(now, seconds);
         if (trouble != null) {
             throw failed(trouble, now);
         }
         if (session.wheels().holds() != holdsBefore) {
             throw failed("the robot fell silent", now);
+        }
+        if (seconds - movedS > HELD_S && !steering.isThere(seconds)) {
+            throw failed("told to go on, it has not moved for " + (int) HELD_S + " s", now);
         }
         if (seconds > limitS) {
             throw failed("not there within " + Value.plain(limitS) + " s: came to a stand", now);

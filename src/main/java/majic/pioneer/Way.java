@@ -27,9 +27,6 @@ sealed interface Way {
     /** What it is measured in. */
     Unit unit();
 
-    /** How far off the robot may come to stand without another try. */
-    double acceptable();
-
     /** The part covered, as answers show it. */
     default Value value(PioneerState now) {
         return Value.of(covered(now), unit());
@@ -44,7 +41,7 @@ sealed interface Way {
      */
     record Straight(PioneerState start, double target, Approach approach) implements Way {
         /** deg/s for each degree off the heading. */
-        private static final double HEADING_GAIN = 1.5;
+        private static final double HEADING_GAIN = 1;
 
         private static final double MOST_DEG_PER_SEC = 8;
 
@@ -75,11 +72,6 @@ sealed interface Way {
         @Override
         public Unit unit() {
             return Unit.MM;
-        }
-
-        @Override
-        public double acceptable() {
-            return 8;
         }
     }
 
@@ -114,11 +106,6 @@ sealed interface Way {
         @Override
         public Unit unit() {
             return Unit.DEG;
-        }
-
-        @Override
-        public double acceptable() {
-            return 0.9;
         }
     }
 }

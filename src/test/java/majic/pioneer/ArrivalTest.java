@@ -1,8 +1,14 @@
 package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import java.util.function.Supplier;
+import majic.bot.MotionFailed;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -11,6 +17,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Whether motions end where they should, by the robot's own odometry, with servers unlike in many ways. */
 @Timeout(60)
 class ArrivalTest {
+    private static final List<Supplier<ScriptedPioneer>> MAKES =
+            List.of(ScriptedPioneer::robot, ScriptedPioneer::vendorSimulator);
+
     @ParameterizedTest(name = "{0} mm at {1} mm/s, a SIP every {2} ms, {3} ms late, one in {4} lost")
     @CsvSource({
         "1000, 300, 100, 0, 0",
@@ -26,20 +35,16 @@ class ArrivalTest {
         "2000, 1000, 100, 20, 5"
     })
     void aMoveEndsWithinTenMillimetres(double mm, double cruise, int cycleMs, int latencyMs, int lost) {
-        for (ScriptedPioneer robot : new ScriptedPioneer[] {ScriptedPioneer.robot(), ScriptedPioneer.vendorSimulator()}) {
-            robot.cycleMs = cycleMs;
-            robot.losesOneSipIn = lost;
+        for (Supplier<ScriptedPioneer> make : MAKES) {
+            ScriptedPioneer robot = make.get().every(cycleMs).losingOneIn(lost);
             try (Stage stage = Stage.connected(robot, latencyMs)) {
                 stage.bot.set("cruise", cruise);
 
-                double[] covered = {0};
-                double seconds = stage.secondsOf(() -> covered[0] = Stage.amount(stage.bot.move(mm)));
+                assertThat(Stage.amount(stage.bot.move(mm))).isCloseTo(mm, within(10.0));
 
-                System.err.printf("%s %.0f at %.0f cyc %d lat %d lost %d: %.1f in %.1f s, back %.0f%n", robot.subclass, mm, cruise, cycleMs, latencyMs, lost, robot.robot.x(), seconds,
-                    robot.speeds.stream().mapToDouble(v -> -v * Math.signum(mm)).max().orElse(0));
-                assertThat(covered[0]).isCloseTo(mm, within(10.0));
                 assertThat(robot.robot.x()).isCloseTo(mm, within(10.0));
                 assertThat(robot.robot.stands()).isTrue();
+                assertThat(robot.turnsBack()).isLessThanOrEqualTo(1);
             }
         }
     }
@@ -56,18 +61,103 @@ class ArrivalTest {
         "45, 5, 200, 100, 3"
     })
     void aTurnEndsWithinADegree(double degrees, double cruise, int cycleMs, int latencyMs, int lost) {
-        for (ScriptedPioneer robot : new ScriptedPioneer[] {ScriptedPioneer.robot(), ScriptedPioneer.vendorSimulator()}) {
-            robot.cycleMs = cycleMs;
-            robot.losesOneSipIn = lost;
+        for (Supplier<ScriptedPioneer> make : MAKES) {
+            ScriptedPioneer robot = make.get().every(cycleMs).losingOneIn(lost);
             try (Stage stage = Stage.connected(robot, latencyMs)) {
                 stage.bot.set("cruiseTurn", cruise);
-                double[] covered = {0};
-                double seconds = stage.secondsOf(() -> covered[0] = Stage.amount(stage.bot.turn(degrees)));
 
-                System.err.printf("%s %.1f deg at %.0f cyc %d lat %d lost %d: %.2f in %.1f s%n", robot.subclass, degrees, cruise, cycleMs, latencyMs, lost, robot.robot.heading(), seconds);
-                assertThat(covered[0]).isCloseTo(degrees, within(1.0));
-                assertThat(robot.robot.heading()).isCloseTo(degrees, within(1.5));
+                assertThat(Stage.amount(stage.bot.turn(degrees))).isCloseTo(degrees, within(1.0));
+
+                assertThat(robot.robot.heading()).isCloseTo(degrees, within(1.0));
+                assertThat(robot.robot.stands()).isTrue();
             }
+        }
+    }
+
+    @ParameterizedTest(name = "ramps of {0} mm/s² whatever it is told")
+    @ValueSource(doubles = {150, 300, 2000})
+    void rampsOfTheRobotsOwnAreCopedWith(double ramp) {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.ignoresRamps = true;
+        robot.robot.ramps(ramp, ramp);
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(Stage.amount(stage.bot.move(1000))).isCloseTo(1000, within(10.0));
+        }
+    }
+
+    @Test
+    void aRobotThatSticksWhenSlowIsToldToGoALittleFaster() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.deadZone = 40;
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(Stage.amount(stage.bot.move(12))).isCloseTo(12, within(10.0));
+            stage.line.pass(0.1);
+            assertThat(robot.heard.stream().filter(order -> order.startsWith("VEL")))
+                    .last()
+                    .isEqualTo("VEL 0");
+        }
+    }
+
+    @ParameterizedTest(name = "from counts {0}, {1}")
+    @CsvSource({"32700, 0", "-32700, 32760", "16300, -16380", "-16380, -32768"})
+    void countersThatWrapOnTheWayAreNoJump(int x, int y) {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.robot.pose(x, y, 0);
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(Stage.amount(stage.bot.move(300))).isCloseTo(300, within(10.0));
+            assertThat(Stage.amount(stage.bot.move(-600))).isCloseTo(-600, within(10.0));
+        }
+    }
+
+    @ParameterizedTest(name = "from {0} deg")
+    @ValueSource(doubles = {170, 350, -179.5})
+    void headingsThatWrapOnTheWayAreNoJump(double heading) {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.robot.pose(0, 0, heading);
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(Stage.amount(stage.bot.turn(400))).isCloseTo(400, within(1.0));
+            assertThat(Stage.amount(stage.bot.turn(-45))).isCloseTo(-45, within(1.0));
+        }
+    }
+
+    @Test
+    void aRobotThatIsHeldGivesUpWithTheReason() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.held = true;
+        try (Stage stage = Stage.connected(robot)) {
+            assertThatThrownBy(() -> stage.bot.move(1000))
+                    .isInstanceOf(MotionFailed.class)
+                    .hasMessage("told to go on, it has not moved for 3 s after 0 mm");
+        }
+    }
+
+    @Test
+    void aRobotThatCreepsGivesUpInTime() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        DoubleUnaryOperator slowly = speed -> Math.signum(speed) * Math.min(20, Math.abs(speed));
+        robot.governor = slowly;
+        try (Stage stage = Stage.connected(robot)) {
+            double seconds = stage.secondsOf(() -> assertThatThrownBy(() -> stage.bot.move(3000))
+                    .isInstanceOf(MotionFailed.class)
+                    .hasMessageContaining("not there within"));
+            assertThat(seconds).isBetween(20.0, 40.0);
+        }
+    }
+
+    @Test
+    void aGuardActsOnTheReadingThatShowsIt() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        try (Stage stage = Stage.connected(robot)) {
+            double[] atMs = {0};
+            stage.bot.move(1000, () -> {
+                boolean beyond = stage.bot.state().pose().xMm() > 60;
+                atMs[0] = beyond ? stage.line.millis() : 0;
+                return beyond;
+            });
+
+            long stopMs = robot.heardAt.get(robot.heard.lastIndexOf("STOP 0"));
+            assertThat(stopMs - atMs[0]).isLessThanOrEqualTo(2);
+            assertThat(robot.robot.stands()).isTrue();
         }
     }
 }

@@ -5,6 +5,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.SipBytes;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,6 +34,7 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     int cycleMs = 100;
     int losesOneSipIn;
     int deadZone;
+    DoubleUnaryOperator governor = speed -> speed;
     boolean wholeDegrees;
     boolean ignoresRamps;
     boolean answersConfig = true;
@@ -44,6 +51,8 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     boolean inOpenSession;
     int connections;
 
+    private double up = 300;
+    private double down = 300;
     private boolean shaken;
     private boolean sendsSips;
     private boolean lieNext;
@@ -74,6 +83,17 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
         return left;
     }
 
+    ScriptedPioneer every(int milliseconds) {
+        cycleMs = milliseconds;
+        return this;
+    }
+
+    /** Zero for none. */
+    ScriptedPioneer losingOneIn(int many) {
+        losesOneSipIn = many;
+        return this;
+    }
+
     @Override
     public void connected(SteppedPeer line) {
         connections++;
@@ -96,11 +116,18 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
             sync(line, packet.type());
             return;
         }
-        Fields fields = packet.fields();
-        int value = (fields.ubyte() == 0x1B ? -1 : 1) * fields.uint();
+        int value = argument(packet.data());
         heardAt.add(line.millis());
         heard.add(name(packet.type()) + " " + value);
         obey(line, packet.type(), value);
+    }
+
+    private static int argument(byte[] data) {
+        if (data.length < 3) {
+            return 0;
+        }
+        int magnitude = data[1] & 0xFF | (data[2] & 0xFF) << 8;
+        return data[0] == 0x1B ? -magnitude : magnitude;
     }
 
     private void sync(SteppedPeer line, int step) {
@@ -110,12 +137,12 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
             ignoresSyncs--;
         } else if (step == 1 && rejectsSyncs > 0) {
             rejectsSyncs--;
-            line.send(Peer.packet(LOST_STEP, new byte[0]));
+            line.send(Bytes.wire(LOST_STEP, new byte[0]));
         } else if (step < 2) {
-            line.send(Peer.packet(step, new byte[0]));
+            line.send(Bytes.wire(step, new byte[0]));
         } else {
             shaken = true;
-            line.send(Peer.packet(2, ("Peer\0Pioneer\0" + subclass + "\0").getBytes(StandardCharsets.US_ASCII)));
+            line.send(Bytes.wire(2, ("Peer\0Pioneer\0" + subclass + "\0").getBytes(StandardCharsets.US_ASCII)));
         }
     }
 
@@ -125,7 +152,7 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
             case 2 -> endSession(line);
             case 4 -> enable(value != 0);
             case 5 -> accelerate(value);
-            case 11 -> robot.speed(moves(value) ? value : 0);
+            case 11 -> robot.speed((int) governor.applyAsDouble(moves(value) ? value : 0));
             case 18 -> config(line);
             case 21 -> robot.rate(moves(Integer.MAX_VALUE) ? value : 0);
             case 23 -> turnRamp(value);
@@ -159,9 +186,6 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
         }
     }
 
-    private double up = 300;
-    private double down = 300;
-
     private void turnRamp(int value) {
         if (!ignoresRamps) {
             robot.turnRamp(Math.abs(value));
@@ -180,7 +204,7 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     private void config(SteppedPeer line) {
         if (answersConfig) {
             byte[] whole = Bytes.of(Bytes.CONFIG);
-            line.send(Peer.packet(0x20, Arrays.copyOfRange(whole, 4, whole.length - 2)));
+            line.send(Bytes.wire(0x20, Arrays.copyOfRange(whole, 4, whole.length - 2)));
         }
     }
 
@@ -198,8 +222,8 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
 
     /** Its state now, in one packet. */
     byte[] sip() {
-        int units = (int) Math.round(
-                (wholeDegrees ? Math.round(robot.heading()) : robot.heading()) / Scaling.DEG_PER_UNIT);
+        int units =
+                (int) Math.round((wholeDegrees ? Math.round(robot.heading()) : robot.heading()) / Scaling.DEG_PER_UNIT);
         double difference = Math.toRadians(robot.rate()) / 0.0056;
         SipBytes data = new SipBytes();
         for (int disc = 0; disc < 16 && !lieNext; disc++) {
@@ -214,7 +238,7 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
             lieNext = false;
             bytes[18] = 16;
         }
-        return Peer.packet(0x32, bytes);
+        return Bytes.wire(0x32, bytes);
     }
 
     /** What it heard but pulses. */
@@ -226,6 +250,15 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
         List<String> orders = orders();
         int from = Math.max(0, orders.size() - commands.length);
         return orders.subList(from, orders.size()).equals(List.of(commands));
+    }
+
+    /** How often it went the other way than just before. */
+    int turnsBack() {
+        List<Double> moving =
+                speeds.stream().filter(speed -> Math.abs(speed) > 1).toList();
+        return (int) IntStream.range(1, moving.size())
+                .filter(index -> moving.get(index) * moving.get(index - 1) < 0)
+                .count();
     }
 
     private static String name(int number) {

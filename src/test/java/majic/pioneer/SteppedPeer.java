@@ -16,6 +16,8 @@ import majic.bot.Signal;
 import majic.bot.TimeSource;
 import majic.link.Links;
 import majic.link.Traffic;
+import majic.pioneer.arcos.FrameDecoder;
+import majic.pioneer.arcos.Packet;
 import org.jspecify.annotations.Nullable;
 
 /**
