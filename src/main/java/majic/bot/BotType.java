@@ -70,13 +70,12 @@ public interface BotType {
     String advice();
 
     /**
-     * The advice behind what went wrong, as whole sentences.
+     * The advice behind what went wrong, as whole sentences; none behind a question, which asks what to look at.
      *
      * @param problem what went wrong, with or without a full stop
      * @return both in one line
      */
     default String adviceAfter(String problem) {
-        boolean ended = problem.endsWith(".") || problem.endsWith("?");
-        return problem + (ended ? " " : ". ") + advice();
+        return Advice.after(problem, advice());
     }
 }

@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextArea;
 import javax.swing.Timer;
+import majic.bot.Advice;
 import majic.bot.BotException;
 import majic.bot.Member;
 import majic.script.Session;

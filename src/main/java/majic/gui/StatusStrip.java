@@ -55,8 +55,8 @@ final class StatusStrip extends JPanel {
             try {
                 member.bot().connect();
             } catch (BotException e) {
-                String advice = member.bot().type().advice();
-                complain.accept(member.number() + ": " + Advice.after(e.getMessage(), advice));
+                String problem = String.valueOf(e.getMessage());
+                complain.accept(member.number() + ": " + member.bot().type().adviceAfter(problem));
             } finally {
                 Edt.later(() -> reconnect.setEnabled(true));
             }

@@ -66,7 +66,8 @@ final class TcpLink implements Link {
         try {
             return Bounded.call("looking up " + host, timeoutMs, () -> names.find(host));
         } catch (UnknownHostException e) {
-            throw new IOException("there is no computer named " + host + "; check the name or use its IP address", e);
+            throw new IOException(
+                    "there is no computer named " + host + "; is the name right, or does its IP address do?", e);
         } catch (TimeoutException e) {
             throw new IOException(
                     "the name " + host + " was not found within " + timeoutMs / 1000.0 + " s; use its IP address", e);

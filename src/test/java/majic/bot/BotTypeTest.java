@@ -12,9 +12,9 @@ class BotTypeTest {
             value = {
                 "nobody answers | nobody answers. Imagine it harder.",
                 "nobody answers. | nobody answers. Imagine it harder.",
-                "is it switched on? | is it switched on? Imagine it harder."
+                "no port; is it plugged in? | no port; is it plugged in?"
             })
-    void adviceStandsBehindAWholeSentence(String problem, String both) {
+    void adviceStandsBehindAWholeSentenceButNotBehindAQuestion(String problem, String both) {
         assertThat(new FakeType().adviceAfter(problem)).isEqualTo(both);
     }
 }

@@ -35,7 +35,8 @@ class TcpLinkTest {
     @Test
     void anUnknownNameIsSaidToBeUnknown() {
         assertThatThrownBy(() -> new TcpLink("no-such-robot.invalid", 8101).open(5000))
-                .hasMessage("there is no computer named no-such-robot.invalid; check the name or use its IP address");
+                .hasMessage(
+                        "there is no computer named no-such-robot.invalid; is the name right, or does its IP address do?");
     }
 
     @Test

@@ -1,0 +1,52 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import majic.bot.BotException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(10)
+class ReconnectTest {
+    private final Desk desk = new Desk();
+
+    @BeforeEach
+    void loseARobot() throws InterruptedException {
+        desk.runPipe("add sim:aibo");
+        desk.bot(1).cut();
+    }
+
+    @AfterEach
+    void close() {
+        desk.close();
+    }
+
+    @Test
+    void addingALostRobotAgainConnectsItUnderItsNumber() throws InterruptedException {
+        assertThat(desk.runPipe("add sim:aibo", "1 move 30")).contains("1: Aibo at sim:aibo connected again");
+        assertThat(desk.team.members()).hasSize(1);
+        assertThat(desk.bot(1).isConnected()).isTrue();
+    }
+
+    @Test
+    void itsNumberMayBeNamed() throws InterruptedException {
+        desk.runPipe("add sim:aibo as 1");
+        assertThat(desk.bot(1).isConnected()).isTrue();
+    }
+
+    @Test
+    void anotherNumberIsAnotherRobot() throws InterruptedException {
+        desk.runPipe("add sim:aibo as 2");
+        assertThat(desk.bot(1).isConnected()).isFalse();
+        assertThat(desk.bot(2).isConnected()).isTrue();
+    }
+
+    @Test
+    void aRobotThatIsStillAwayKeepsItsPlaceForTheNextTry() throws InterruptedException {
+        desk.bot(1).refuse(new BotException("nobody answers"));
+        assertThat(desk.runPipe("add sim:aibo")).contains("sim:aibo: nobody answers. Imagine it harder.");
+        assertThat(desk.team.members()).hasSize(1);
+    }
+}
