@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
@@ -573,9 +574,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         helm.permits().unlatch();
     }
 
-    final String lostReason() {
-        LinkLost cause = lostBecause;
-        return cause == null ? "not connected" : cause.getMessage();
+    /** How the connection was lost; empty also after an attempt to connect that came to nothing. */
+    final Optional<String> lostReason() {
+        return Optional.ofNullable(lostBecause).map(LinkLost::getMessage);
     }
 
     final long readings() {

@@ -340,7 +340,7 @@ public final class Team implements AutoCloseable {
         @Override
         public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
             if (connection == MajicBot.Connection.LOST) {
-                notice(bot, bot.lostReason());
+                bot.lostReason().ifPresent(reason -> tell(listener -> listener.lost(member, reason)));
             }
             changes.raise();
         }

@@ -18,6 +18,14 @@ public interface TeamListener {
     default void noticed(int robot, String message) {}
 
     /**
+     * A robot's connection was lost.
+     *
+     * @param member who
+     * @param reason how, as half a sentence
+     */
+    default void lost(Member member, String reason) {}
+
+    /**
      * A robot joined.
      *
      * @param member who

@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Member;
@@ -18,10 +19,11 @@ final class Comings {
     }
 
     /**
-     * Connects to a robot and takes it in; says so. One that is here under just this number and address stays as it is,
-     * so that a saved session can be done again by the team that did it.
+     * Connects to a robot and takes it in; says so. One whose link is lost is connected again under the number it has.
+     * One that is here under just this number and address stays as it is, so that a saved session can be done again by
+     * the team that did it.
      *
-     * @throws BotException if it cannot be reached or taken in; nothing is left open
+     * @throws BotException if it cannot be reached or taken in; nothing new is left open
      */
     Member add(String address, OptionalInt number) {
         Optional<Member> there = alreadyThere(address, number);
@@ -29,21 +31,50 @@ final class Comings {
             session.say(Line.Kind.ANSWER, there.get().number() + ": at " + address + ", connected already");
             return there.get();
         }
+        Optional<Member> lost = lost(address, number);
+        if (lost.isPresent()) {
+            return reconnect(lost.get(), address);
+        }
         session.team().checkRoom(number);
         MajicBot bot = session.factory().create(address);
-        connect(bot, address);
+        connectOrClose(bot, address);
         Member member = join(bot, number);
         joined(member, address);
         return member;
     }
 
+    /** Whether adding takes no new number: that robot is here already, connected or not. */
+    boolean isHere(String address, OptionalInt number) {
+        return alreadyThere(address, number).isPresent()
+                || lost(address, number).isPresent();
+    }
+
     /** The robot that is connected under just this number and address. */
-    Optional<Member> alreadyThere(String address, OptionalInt number) {
-        return session.team().members().stream()
+    private Optional<Member> alreadyThere(String address, OptionalInt number) {
+        return at(address)
                 .filter(member -> number.isPresent() && number.getAsInt() == member.number())
-                .filter(member -> address.equalsIgnoreCase(addresses.get(member.number())))
                 .filter(member -> member.bot().isConnected())
                 .findFirst();
+    }
+
+    /** The robot at this address that has lost its link; under this number, if one is given. */
+    private Optional<Member> lost(String address, OptionalInt number) {
+        return at(address)
+                .filter(member -> number.isEmpty() || number.getAsInt() == member.number())
+                .filter(member -> member.bot().connection() == MajicBot.Connection.LOST)
+                .findFirst();
+    }
+
+    private Stream<Member> at(String address) {
+        return session.team().members().stream()
+                .filter(member -> address.equalsIgnoreCase(addresses.get(member.number())));
+    }
+
+    private Member reconnect(Member member, String address) {
+        connect(member.bot(), address);
+        String label = member.bot().type().label();
+        session.say(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected again");
+        return member;
     }
 
     /** Says and keeps that a robot was taken in. */
@@ -54,11 +85,19 @@ final class Comings {
         session.record().added(address, member.number());
     }
 
+    private static void connectOrClose(MajicBot bot, String address) {
+        try {
+            connect(bot, address);
+        } catch (BotException e) {
+            bot.close();
+            throw e;
+        }
+    }
+
     private static void connect(MajicBot bot, String address) {
         try {
             bot.connect();
         } catch (BotException e) {
-            bot.close();
             throw new BotException(address + ": " + bot.type().adviceAfter(String.valueOf(e.getMessage())), e);
         }
     }

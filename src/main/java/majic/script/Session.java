@@ -179,6 +179,14 @@ public final class Session {
         }
 
         @Override
+        public void lost(Member member, String reason) {
+            String hint = comings.address(member)
+                    .map(address -> "; \"add " + address + "\" connects it again")
+                    .orElse("");
+            say(Line.Kind.NOTICE, member.number() + ": " + reason + hint);
+        }
+
+        @Override
         public void removed(Member member) {
             say(Line.Kind.ANSWER, "Bot " + member.number() + " is dead");
         }

@@ -14,7 +14,7 @@ record SessionCheck(Session session, Selection selection) implements SessionComm
     @Override
     public @Nullable Void add(SessionCommand.Add add) {
         address(add.address());
-        if (session.comings().alreadyThere(text(add.address()), add.number()).isPresent()) {
+        if (session.comings().isHere(text(add.address()), add.number())) {
             return null;
         }
         try {

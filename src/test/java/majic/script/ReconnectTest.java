@@ -24,6 +24,11 @@ class ReconnectTest {
     }
 
     @Test
+    void theLossSaysHowToConnectAgain() {
+        assertThat(desk.said()).contains("1: connection lost; \"add sim:aibo\" connects it again");
+    }
+
+    @Test
     void addingALostRobotAgainConnectsItUnderItsNumber() throws InterruptedException {
         assertThat(desk.runPipe("add sim:aibo", "1 move 30")).contains("1: Aibo at sim:aibo connected again");
         assertThat(desk.team.members()).hasSize(1);
@@ -46,7 +51,9 @@ class ReconnectTest {
     @Test
     void aRobotThatIsStillAwayKeepsItsPlaceForTheNextTry() throws InterruptedException {
         desk.bot(1).refuse(new BotException("nobody answers"));
-        assertThat(desk.runPipe("add sim:aibo")).contains("sim:aibo: nobody answers. Imagine it harder.");
+        assertThat(desk.runPipe("add sim:aibo"))
+                .contains("sim:aibo: nobody answers. Imagine it harder.")
+                .doesNotContain("1: not connected");
         assertThat(desk.team.members()).hasSize(1);
     }
 }
