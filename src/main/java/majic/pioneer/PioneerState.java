@@ -1,14 +1,21 @@
 package majic.pioneer;
 
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import majic.bot.Pose;
+import majic.pioneer.arcos.Gyro;
+import majic.pioneer.arcos.Joystick;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.arcos.SipTail;
 
 /**
- * All that a Pioneer last said of itself. Immutable.
+ * All that a Pioneer last said of itself: the meaning of its latest SIP, and the latest of each packet that it sends beside
+ * them. Immutable.
  *
  * @param sip as sent
+ * @param reports the latest of each other packet
  * @param pose by odometry, from where it was connected
  * @param turnedDeg all turning so far, counterclockwise positive, not brought to one turn
  * @param speedMmPerSec from the wheels, ahead positive
@@ -20,6 +27,7 @@ import majic.pioneer.arcos.SipTail;
  */
 record PioneerState(
         Sip sip,
+        Reports reports,
         Pose pose,
         double turnedDeg,
         double speedMmPerSec,
@@ -34,10 +42,24 @@ record PioneerState(
     private static final int MOTORS = 1;
     private static final int SONAR_ARRAYS = 0b11110;
     private static final int STOP_BUTTON = 1 << 5;
+    private static final int STOP_ENGAGED = 1 << 6;
+    private static final int FAR_LEDGE = 1 << 7;
+    private static final int NEAR_LEDGE = 1 << 8;
+    private static final int JOYSTICK_BUTTON = 1 << 9;
+    private static final int DEG_PER_COMPASS_STEP = 2;
+
+    /** At or below this the byte means that there is no thermometer (ARCOS sheet 17). */
+    private static final int NO_TEMPERATURE = -127;
 
     /** Keeps a copy of the gaps. */
     PioneerState {
         gaps = Map.copyOf(gaps);
+    }
+
+    /** The same SIP with news beside it. */
+    PioneerState with(Reports newReports) {
+        return new PioneerState(
+                sip, newReports, pose, turnedDeg, speedMmPerSec, turnRateDegPerSec, sonar, gaps, sipsPerSec, atNanos);
     }
 
     boolean isMoving() {
@@ -46,17 +68,36 @@ record PioneerState(
 
     /** FLAGS bit 0 (ARCOS sheet 8.1). */
     boolean motorsOn() {
-        return (sip.flags() & MOTORS) != 0;
+        return hasFlag(MOTORS);
     }
 
     /** FLAGS bits 1 to 4, one for each array. */
     boolean sonarOn() {
-        return (sip.flags() & SONAR_ARRAYS) != 0;
+        return hasFlag(SONAR_ARRAYS);
     }
 
     /** FLAGS bit 5. */
     boolean stopButton() {
-        return (sip.flags() & STOP_BUTTON) != 0;
+        return hasFlag(STOP_BUTTON);
+    }
+
+    /** FLAGS bit 6: the STOP button, or what the robot takes for it, holds the motors off. */
+    boolean stopEngaged() {
+        return hasFlag(STOP_ENGAGED);
+    }
+
+    /** FLAGS bits 7 and 8: an infra-red sensor looks down a step, farther ahead or right in front. */
+    boolean ledge() {
+        return hasFlag(FAR_LEDGE | NEAR_LEDGE);
+    }
+
+    /** FLAGS bit 9. */
+    boolean joystickButton() {
+        return hasFlag(JOYSTICK_BUTTON);
+    }
+
+    private boolean hasFlag(int bits) {
+        return (sip.flags() & bits) != 0;
     }
 
     boolean stallLeft() {
@@ -85,5 +126,53 @@ record PioneerState(
     double volts() {
         int exact = sip.tail().batteryTenths();
         return (exact == SipTail.ABSENT ? sip.battery() : exact) / 10.0;
+    }
+
+    /** Battery and charger. */
+    Power power() {
+        return Power.of(this);
+    }
+
+    /** Digital and analog inputs and outputs. */
+    Ports ports() {
+        return Ports.of(this);
+    }
+
+    /** Gripper and lift; to be believed only where CONFIG says that there is one. */
+    Optional<Gripper> gripper() {
+        int bits = sip.tail().gripState();
+        return bits == SipTail.ABSENT ? Optional.empty() : Optional.of(Gripper.of(bits));
+    }
+
+    /** The compass's heading as it shows it, 0 to 358 in steps of 2; empty without a compass. */
+    OptionalInt compassDeg() {
+        return sip.compass() == 0 ? OptionalInt.empty() : OptionalInt.of(sip.compass() * DEG_PER_COMPASS_STEP);
+    }
+
+    /** What the gyro measures, deg/s, counterclockwise positive; empty until heard. */
+    OptionalDouble gyroDegPerSec() {
+        return reports.latest(Gyro.class).map(GyroRate::degPerSec).orElse(OptionalDouble.empty());
+    }
+
+    /** Of the controller, °C; empty without a thermometer. */
+    OptionalInt temperatureC() {
+        int told = sip.tail().temperature();
+        return told <= NO_TEMPERATURE ? OptionalInt.empty() : OptionalInt.of(told);
+    }
+
+    /** FAULT_FLAGS, 0 when all is well; empty on older firmware (ARCOS sheet 8). */
+    OptionalInt faults() {
+        int told = sip.tail().faultFlags();
+        return told == SipTail.ABSENT ? OptionalInt.empty() : OptionalInt.of(told);
+    }
+
+    /** The robot's plugged-in joystick; empty until heard. */
+    Optional<Joystick> joystick() {
+        return reports.latest(Joystick.class);
+    }
+
+    /** What the wheels' encoders have counted; empty until heard. */
+    Optional<EncoderTicks> encoders() {
+        return reports.ticks();
     }
 }

@@ -12,6 +12,7 @@ import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Identity;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 import org.jspecify.annotations.Nullable;
 
@@ -21,9 +22,6 @@ import org.jspecify.annotations.Nullable;
  */
 final class Session implements ArcosLine.Listener {
     private static final double GOODBYE_S = 0.1;
-
-    /** The controller was reset (ARCOS sheet 11.6). */
-    private static final int RESET_FROM = 0xFE;
 
     private final ArcosLine line;
     private final Wheels wheels;
@@ -109,8 +107,20 @@ final class Session implements ArcosLine.Listener {
         } else if (packet.type() == Config.TYPE) {
             config = Config.decode(packet);
             changes.raise();
-        } else if (packet.type() >= RESET_FROM) {
+        } else if (packet.type() >= Report.RESET_FROM) {
             end(new LinkLost("connection lost: the robot's controller was reset"));
+        } else {
+            heard(Report.decode(packet));
+        }
+    }
+
+    private void heard(@Nullable Report report) {
+        Tracker tracking = tracker;
+        if (report != null && tracking != null) {
+            Reports reports = tracking.keep(report);
+            PioneerState now = state;
+            state = now == null ? null : now.with(reports);
+            changes.raise();
         }
     }
 
@@ -191,7 +201,8 @@ final class Session implements ArcosLine.Listener {
      */
     boolean awaitStanding(double seconds) {
         PioneerState before = state;
-        return awaitState(now -> now != before && !now.isMoving(), seconds);
+        Sip old = before == null ? null : before.sip();
+        return awaitState(now -> now.sip() != old && !now.isMoving(), seconds);
     }
 
     /**

@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import majic.bot.Pose;
+import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 
 /** Makes a state of each SIP of one session: adds up odometry, keeps sonar readings, counts packets. For one thread. */
@@ -12,6 +13,7 @@ final class Tracker {
     private final Odometry odometry;
     private final Surroundings surroundings;
     private SonarScan scan = SonarScan.EMPTY;
+    private Reports reports = Reports.NONE;
     private double periodS;
     private long lastNanos;
 
@@ -29,6 +31,7 @@ final class Tracker {
         time(nanos);
         return new PioneerState(
                 sip,
+                reports,
                 pose,
                 odometry.turnedDeg(),
                 model.scaling().speedMmPerSec(sip),
@@ -37,6 +40,12 @@ final class Tracker {
                 surroundings.gaps(scan, pose, nanos),
                 periodS > 0 ? 1 / periodS : 0,
                 nanos);
+    }
+
+    /** Keeps what came beside the SIPs, for this state and all later ones. */
+    Reports keep(Report report) {
+        reports = reports.with(report);
+        return reports;
     }
 
     private void time(long nanos) {

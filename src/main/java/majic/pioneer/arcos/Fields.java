@@ -1,6 +1,9 @@
 package majic.pioneer.arcos;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 
 /**
  * Reads a packet's data field by field, low byte first (ARCOS sheet 3). Fields beyond the end read as zero or as what the
@@ -56,6 +59,34 @@ final class Fields {
             return missing;
         }
         return uint() | (long) uint() << 16;
+    }
+
+    int sint32() {
+        return (int) uint32Or(0);
+    }
+
+    /** As many bytes as that, or as there are. */
+    List<Integer> ubytes(int count) {
+        List<Integer> values = new ArrayList<>();
+        while (values.size() < count && remaining() >= 1) {
+            values.add(ubyte());
+        }
+        return values;
+    }
+
+    /** As many numbers of 16 bits as that, or as there are. */
+    List<Integer> uints(int count) {
+        List<Integer> values = new ArrayList<>();
+        while (values.size() < count && remaining() >= 2) {
+            values.add(uint());
+        }
+        return values;
+    }
+
+    /** A cursor of its own for the next bytes, which are skipped here; they must be there. */
+    Fields part(int bytes) {
+        at += bytes;
+        return new Fields(Arrays.copyOfRange(data, at - bytes, at));
     }
 
     /** Text up to a NUL, which is swallowed, or to the end. */

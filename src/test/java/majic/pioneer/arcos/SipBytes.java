@@ -35,6 +35,17 @@ public final class SipBytes {
         return this;
     }
 
+    public SipBytes compass(int twoDegrees) {
+        data.put(17, (byte) twoDegrees);
+        return this;
+    }
+
+    /** What follows the sonar readings, from the gripper's state on. */
+    public SipBytes tail(String hex) {
+        data.put(Bytes.of(hex));
+        return this;
+    }
+
     public byte[] bytes() {
         return Arrays.copyOf(data.array(), data.position());
     }

@@ -1,0 +1,40 @@
+package majic.pioneer.arcos;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What each battery with electronics of its own says (ARCOS sheet 11.3); a plain Pioneer 3 has none. Immutable.
+ *
+ * @param cells in the robot's order
+ */
+public record Batteries(List<Cell> cells) implements Report {
+    static final int TYPE = 0xFA;
+
+    /**
+     * One battery. What did not come is zero. Immutable.
+     *
+     * @param flags1 bits of the battery's own
+     * @param flags2 bits of the battery's own
+     * @param flags3 bits of the battery's own
+     * @param relativePercent charge, of what it holds at its age
+     * @param absolutePercent charge, of what it held when new
+     */
+    public record Cell(int flags1, int flags2, int flags3, int relativePercent, int absolutePercent) {}
+
+    /** Keeps a copy. */
+    public Batteries {
+        cells = List.copyOf(cells);
+    }
+
+    static Batteries read(Fields fields) {
+        int count = fields.ubyte();
+        int bytesEach = fields.ubyte();
+        List<Cell> cells = new ArrayList<>();
+        while (cells.size() < count && bytesEach > 0 && fields.remaining() >= bytesEach) {
+            Fields cell = fields.part(bytesEach);
+            cells.add(new Cell(cell.ubyte(), cell.ubyte(), cell.ubyte(), cell.ubyte(), cell.ubyte()));
+        }
+        return new Batteries(cells);
+    }
+}
