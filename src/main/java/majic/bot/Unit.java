@@ -3,28 +3,36 @@ package majic.bot;
 /** The units numbers are shown in, one for each dimension (MAJIC Script, "A line"), and plain counts. */
 public enum Unit {
     /** A plain number: a count, a raw reading. */
-    NONE(""),
+    NONE("", 3),
     /** Millimetres. */
-    MM("mm"),
+    MM("mm", 1),
     /** Degrees, counterclockwise positive. */
-    DEG("deg"),
+    DEG("deg", 1),
     /** Millimetres a second. */
-    MM_PER_S("mm/s"),
+    MM_PER_S("mm/s", 1),
     /** Degrees a second, counterclockwise positive. */
-    DEG_PER_S("deg/s"),
+    DEG_PER_S("deg/s", 1),
+    /** Millimetres a second, gained or lost each second. */
+    MM_PER_S2("mm/s²", 0),
+    /** Degrees a second, gained or lost each second. */
+    DEG_PER_S2("deg/s²", 0),
     /** Seconds. */
-    S("s"),
+    S("s", 2),
     /** Milliseconds; only what is short by nature is shown in them, such as the age of a reading. */
-    MS("ms"),
+    MS("ms", 0),
     /** Volts. */
-    V("V"),
+    V("V", 2),
     /** Hundredths. */
-    PERCENT("%");
+    PERCENT("%", 1),
+    /** Degrees of Celsius' scale. */
+    CELSIUS("°C", 1);
 
     private final String symbol;
+    private final int digits;
 
-    Unit(String symbol) {
+    Unit(String symbol, int digits) {
         this.symbol = symbol;
+        this.digits = digits;
     }
 
     /**
@@ -34,5 +42,14 @@ public enum Unit {
      */
     public String symbol() {
         return symbol;
+    }
+
+    /**
+     * How finely an answer shows it: what lies behind says nothing about a robot.
+     *
+     * @return the most digits behind the point
+     */
+    public int digits() {
+        return digits;
     }
 }

@@ -31,8 +31,9 @@ public sealed interface Value {
 
         @Override
         public String toString() {
-            String number = unit == Unit.NONE ? plain(amount) : plain(amount) + " " + unit.symbol();
-            return about ? "about " + number : number;
+            String number = plain(amount, unit.digits());
+            String shown = unit == Unit.NONE ? number : number + " " + unit.symbol();
+            return about ? "about " + shown : shown;
         }
     }
 
@@ -216,9 +217,13 @@ public sealed interface Value {
      * @return for instance {@code 498}, {@code 12.5}, {@code 0.031}
      */
     static String plain(double number) {
+        return plain(number, 3);
+    }
+
+    private static String plain(double number, int mostDigits) {
         int digits = Math.abs(number) >= 100 ? 0 : Math.abs(number) >= 10 ? 1 : 3;
         BigDecimal rounded = BigDecimal.valueOf(number)
-                .setScale(digits, RoundingMode.HALF_UP)
+                .setScale(Math.min(digits, mostDigits), RoundingMode.HALF_UP)
                 .stripTrailingZeros();
         return rounded.signum() == 0 ? "0" : rounded.toPlainString();
     }

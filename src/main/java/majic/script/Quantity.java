@@ -13,9 +13,16 @@ enum Quantity {
     ANGLE("an angle", Unit.DEG, Map.of("deg", 1.0, "rad", 180 / Math.PI), "deg, rad"),
     SPEED("a speed", Unit.MM_PER_S, Map.of("mm/s", 1.0, "m/s", 1000.0), "mm/s, m/s"),
     TURN_RATE("a turn rate", Unit.DEG_PER_S, Map.of("deg/s", 1.0, "rad/s", 180 / Math.PI), "deg/s, rad/s"),
+    ACCELERATION(
+            "an acceleration",
+            Unit.MM_PER_S2,
+            Map.of("mm/s²", 1.0, "mm/s2", 1.0, "m/s²", 1000.0, "m/s2", 1000.0),
+            "mm/s², m/s²"),
+    TURN_ACCELERATION("a turn's acceleration", Unit.DEG_PER_S2, Map.of("deg/s²", 1.0, "deg/s2", 1.0), "deg/s²"),
     TIME("a time", Unit.S, Map.of("s", 1.0, "ms", 0.001), "s, ms"),
     VOLTAGE("a voltage", Unit.V, Map.of("v", 1.0), "V"),
-    SHARE("a percentage", Unit.PERCENT, Map.of("%", 1.0), "%");
+    SHARE("a percentage", Unit.PERCENT, Map.of("%", 1.0), "%"),
+    TEMPERATURE("a temperature", Unit.CELSIUS, Map.of("°c", 1.0), "°C");
 
     private static final Pattern PARTS = Pattern.compile("(-?[\\d.]+)(.*)");
 
@@ -72,7 +79,9 @@ enum Quantity {
         }
         throw new ScriptException(
                 token,
-                token.text() + ": no such unit (there are mm, cm, m, deg, rad, mm/s, m/s, deg/s, rad/s, s, ms, V, %)");
+                token.text()
+                        + ": no such unit (there are mm, cm, m, deg, rad, mm/s, m/s, deg/s, rad/s, mm/s², m/s², deg/s², s, ms, V, %,"
+                        + " °C)");
     }
 
     private static Value.Number bare(double amount, Token token) {

@@ -28,7 +28,7 @@ class WrongLinesTest {
                 "1 move | behind \"move\" a distance (mm, cm, m) is missing",
                 "1 move fast | fast: a distance (mm, cm, m) is expected here",
                 "1 move 90deg | 90deg: a distance is expected here (mm, cm, m)",
-                "1 move 5km | 5km: no such unit (there are mm, cm, m, deg, rad, mm/s, m/s, deg/s, rad/s, s, ms, V, %)",
+                "1 move 5km | 5km: no such unit (there are mm, cm, m, deg, rad, mm/s, m/s, deg/s, rad/s, mm/s², m/s², deg/s², s, ms, V, %, °C)",
                 "1 move 500 600 | 600: nothing more is expected behind \"1 move 500\"",
                 "1 move 9000 | move 9000: longer than maxMove, 5000 mm; set maxMove higher to allow it",
                 "1 turn 99999 | turn 99999: not an angle of at most 36000 deg",
