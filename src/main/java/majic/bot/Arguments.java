@@ -2,9 +2,10 @@ package majic.bot;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
 /** Checks what is handed to {@code set} and to a robot's own commands, before anything is sent. */
@@ -33,7 +34,7 @@ final class Arguments {
             throw new ParameterException(
                     parameter.name(), parameter.name() + ": takes " + wanted.size() + " value(s), not " + given.size());
         }
-        return fit(wanted, given);
+        return fit(wanted::get, given);
     }
 
     static BotCommand command(MajicBot bot, String name) {
@@ -47,19 +48,17 @@ final class Arguments {
     }
 
     static List<Value> forCommand(BotCommand command, List<Value> given) {
-        if (given.size() != command.arguments().size()) {
-            String names = String.join(
-                    " ", command.arguments().stream().map(Parameter::name).toList());
-            throw new BotException(command.name() + ": takes "
-                    + (names.isEmpty() ? "nothing behind it" : names.toUpperCase(Locale.ROOT)));
+        if (!command.takes(given.size())) {
+            String names = command.argumentNames();
+            throw new BotException(command.name() + ": takes " + (names.isEmpty() ? "nothing behind it" : names));
         }
-        return fit(command.arguments(), given);
+        return fit(command::argument, given);
     }
 
-    private static List<Value> fit(List<Parameter> wanted, List<Value> given) {
+    private static List<Value> fit(IntFunction<@Nullable Parameter> wanted, List<Value> given) {
         List<Value> fitted = new ArrayList<>();
         for (int index = 0; index < given.size(); index++) {
-            fitted.add(wanted.get(index).fit(given.get(index)));
+            fitted.add(Objects.requireNonNull(wanted.apply(index)).fit(given.get(index)));
         }
         return List.copyOf(fitted);
     }

@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
 import majic.bot.Member;
@@ -136,8 +137,17 @@ final class Completion {
             case "move", "turn" ->
                 tokens.size() > command + 1 ? with(afterCondition(last, members), "until") : List.of();
             case "drive" -> with(with(afterCondition(last, members), "until"), "for");
-            default -> List.of();
+            default -> arguments(tokens.get(command), tokens.size() - command - 1, members);
         };
+    }
+
+    private static Collection<String> arguments(Token name, int index, List<Member> members) {
+        return members.stream()
+                .flatMap(member -> member.bot().commands().stream())
+                .filter(command -> name.is(command.name()))
+                .map(command -> command.argument(index))
+                .flatMap(argument -> argument == null ? Stream.empty() : words(argument).stream())
+                .toList();
     }
 
     private Collection<String> afterCondition(Token last, List<Member> members) {

@@ -59,6 +59,14 @@ public final class FakeBot extends MajicBot {
                 true,
                 "wags the tail",
                 (arguments, motion) -> "wagged " + arguments.get(0)));
+        Parameter time = Parameter.number("time", Unit.MS, "how long").within(0, 1000);
+        add(new BotCommand(
+                "bark",
+                List.of(Parameter.choice("mood", List.of("gladly", "sadly"), "how"), time),
+                List.of(time),
+                false,
+                "barks with pauses",
+                (arguments, motion) -> "barked " + arguments));
     }
 
     private void settable(Parameter parameter, Value first) {

@@ -24,6 +24,7 @@ class CompletionTest {
                 "a | add aibo all",
                 "1 mo | move",
                 "1,2 w | wag wait",
+                "1 bark s | sadly",
                 "1.tu | turn",
                 "1 get dist | distanceFront",
                 "1 get x,volt | voltage",

@@ -117,7 +117,9 @@ class RobotCommandsTest {
 
     @Test
     void aTypesOwnCommandRunsAndAnswers() throws InterruptedException {
-        assertThat(desk.runPipe("1 wag 3")).containsExactly("1 wag 3: wagged 3");
+        assertThat(desk.runPipe("1 wag 3", "1 bark gladly 100ms 0.3s 200"))
+                .containsExactly(
+                        "1 wag 3: wagged 3", "1 bark gladly 100ms 0.3s 200: barked [gladly, 100 ms, 300 ms, 200 ms]");
     }
 
     @Test
