@@ -74,7 +74,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         this.helm = new Helm(this, keeper);
         this.name = "the " + type.label();
         SharedParameters.describe(parameters, this);
-        pace.describe(parameters, profile);
+        pace.describe(parameters);
     }
 
     /**
@@ -429,23 +429,33 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     /**
-     * Adds a command that only this type has.
+     * Adds a command that only this type has, in place of one of the same name.
      *
      * @param command its description and what it does
      */
     protected final void add(BotCommand command) {
+        removeCommand(command.name());
         commands.add(command);
+    }
+
+    /**
+     * Takes a command away again, such as one for equipment that the robot turns out not to have.
+     *
+     * @param command its name; nothing happens if there is none
+     */
+    protected final void removeCommand(String command) {
+        commands.removeIf(known -> known.name().equalsIgnoreCase(command));
     }
 
     /**
      * Takes over a size and pace learned from the robot itself.
      *
-     * @param better the new profile; cruise and near start from it
+     * @param better the new profile; cruise and near start from it, where nobody has set them
      */
     protected final void profile(BotProfile better) {
         profile = better;
-        pace = new Pace(better);
-        pace.describe(parameters, better);
+        pace = pace.fittedTo(better);
+        pace.describe(parameters);
     }
 
     /**

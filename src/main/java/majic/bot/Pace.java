@@ -1,40 +1,62 @@
 package majic.bot;
 
+import org.jspecify.annotations.Nullable;
+
 /** The settable limits of one robot's motions. Thread-safe. */
 final class Pace {
     private static final double MAX_MOVE_MM = 5000;
     private static final double MAX_DRIVE_SECONDS = 60;
 
-    private volatile double cruiseMmPerSec;
-    private volatile double cruiseTurnDegPerSec;
-    private volatile double nearMm;
+    private final BotProfile profile;
     private volatile double maxMoveMm = MAX_MOVE_MM;
 
+    /** What somebody has set; null for what the profile says. */
+    private volatile @Nullable Double wantedCruise;
+
+    private volatile @Nullable Double wantedCruiseTurn;
+    private volatile @Nullable Double wantedNear;
+
     Pace(BotProfile profile) {
-        cruiseMmPerSec = profile.cruiseMmPerSec();
-        cruiseTurnDegPerSec = profile.cruiseTurnDegPerSec();
-        nearMm = profile.nearMm();
+        this.profile = profile;
+    }
+
+    /** The same with another profile; what was set stays, as far as the robot can do it. */
+    Pace fittedTo(BotProfile better) {
+        Pace fitted = new Pace(better);
+        fitted.maxMoveMm = maxMoveMm;
+        fitted.wantedCruise = wantedCruise;
+        fitted.wantedCruiseTurn = wantedCruiseTurn;
+        fitted.wantedNear = wantedNear;
+        return fitted;
     }
 
     double cruiseMmPerSec() {
-        return cruiseMmPerSec;
+        return profile.speed().clamp(or(wantedCruise, profile.cruiseMmPerSec()));
     }
 
     double cruiseTurnDegPerSec() {
-        return cruiseTurnDegPerSec;
+        return profile.turn().clamp(or(wantedCruiseTurn, profile.cruiseTurnDegPerSec()));
     }
 
-    void describe(ParameterTable table, BotProfile profile) {
+    private double nearMm() {
+        return or(wantedNear, profile.nearMm());
+    }
+
+    private static double or(@Nullable Double wanted, double usual) {
+        return wanted == null ? usual : wanted;
+    }
+
+    void describe(ParameterTable table) {
         table.add(
                         Parameter.number("cruise", Unit.MM_PER_S, "how fast move goes")
                                 .within(1, profile.speed().max()),
-                        () -> Value.of(cruiseMmPerSec, Unit.MM_PER_S))
-                .writes(values -> cruiseMmPerSec = values.get(0).number());
+                        () -> Value.of(cruiseMmPerSec(), Unit.MM_PER_S))
+                .writes(values -> wantedCruise = values.get(0).number());
         table.add(
                         Parameter.number("cruiseTurn", Unit.DEG_PER_S, "how fast turn goes")
                                 .within(1, profile.turn().max()),
-                        () -> Value.of(cruiseTurnDegPerSec, Unit.DEG_PER_S))
-                .writes(values -> cruiseTurnDegPerSec = values.get(0).number());
+                        () -> Value.of(cruiseTurnDegPerSec(), Unit.DEG_PER_S))
+                .writes(values -> wantedCruiseTurn = values.get(0).number());
         table.add(
                         Parameter.number("maxMove", Unit.MM, "the longest single move that is accepted")
                                 .within(1, 1_000_000),
@@ -43,8 +65,8 @@ final class Pace {
         table.add(
                         Parameter.number("near", Unit.MM, "what counts as close for this robot")
                                 .within(0, 10_000),
-                        () -> Value.of(nearMm, Unit.MM))
-                .writes(values -> nearMm = values.get(0).number());
+                        () -> Value.of(nearMm(), Unit.MM))
+                .writes(values -> wantedNear = values.get(0).number());
     }
 
     void checkMove(double mm) {

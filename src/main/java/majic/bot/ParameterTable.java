@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -17,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ParameterTable {
     private final Map<String, Entry> entries = Collections.synchronizedMap(new LinkedHashMap<>());
+    private Set<String> renewed = Set.of();
 
     /** Made by {@link MajicBot}, one for each robot. */
     ParameterTable() {}
@@ -90,6 +92,22 @@ public final class ParameterTable {
      */
     public Entry addWriteOnly(Parameter parameter) {
         return put(new Entry(parameter, null));
+    }
+
+    /**
+     * Describes what depends on the robot that was found: what the call before described and this one does not is gone
+     * afterwards. Whoever looks meanwhile finds all of the old or all of the new.
+     *
+     * @param description adds the parameters in their order to the table handed to it
+     */
+    public void renew(Consumer<ParameterTable> description) {
+        ParameterTable fresh = new ParameterTable();
+        description.accept(fresh);
+        synchronized (entries) {
+            entries.keySet().removeAll(renewed);
+            entries.putAll(fresh.entries);
+            renewed = Set.copyOf(fresh.entries.keySet());
+        }
     }
 
     private Entry put(Entry entry) {

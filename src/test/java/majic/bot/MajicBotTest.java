@@ -219,4 +219,32 @@ class MajicBotTest {
         assertThat(other.isConnected()).isTrue();
         other.close();
     }
+
+    @Test
+    void keepsWhatWasSetWhenItsProfileChanges() {
+        bot.set("cruise", 400);
+
+        bot.profile(new BotProfile(150, new Range(-350, 350), new Range(-90, 90), 200, 45, 300, false));
+
+        assertThat(bot.get("cruise").number()).isEqualTo(350);
+        assertThat(bot.get("cruiseTurn").number()).isEqualTo(45);
+        assertThat(bot.get("near").number()).isEqualTo(300);
+        assertThatThrownBy(() -> bot.set("cruise", 400)).hasMessage("cruise 400: outside 1 … 350 mm/s");
+    }
+
+    @Test
+    void describesAnewWhatDependsOnTheRobotFound() {
+        bot.table().renew(table -> {
+            describe(table, "arm");
+            describe(table, "leg");
+        });
+        bot.table().renew(table -> describe(table, "leg"));
+
+        assertThat(bot.get("leg")).hasToString("bent");
+        assertThatThrownBy(() -> bot.get("arm")).hasMessageStartingWith("arm: the Fake has no such parameter");
+    }
+
+    private static void describe(ParameterTable table, String name) {
+        table.add(Parameter.text(name, "a limb"), () -> Value.text("bent"));
+    }
 }
