@@ -43,7 +43,7 @@ public record Parameter(
         CHOICE,
         /** Any text. */
         TEXT,
-        /** Several values that are read together. */
+        /** Several values that are read together; where they can be set, this is the first and the others are extras. */
         LIST
     }
 
@@ -149,6 +149,10 @@ public record Parameter(
         return new Parameter(name, kind, unit, range, choices, readable, writable, moves, more, help);
     }
 
+    Parameter named(String other) {
+        return new Parameter(other, kind, unit, range, choices, readable, writable, moves, extras, help);
+    }
+
     Parameter access(boolean read, boolean write, boolean moving) {
         return new Parameter(name, kind, unit, range, choices, read, write, moving, extras, help);
     }
@@ -164,12 +168,11 @@ public record Parameter(
      */
     public Value fit(Value given) {
         return switch (kind) {
-            case NUMBER -> fitNumber(given);
+            case NUMBER, LIST -> fitNumber(given);
             case YES_NO -> Value.yesNo(fitFlag(given));
             case ON_OFF -> Value.onOff(fitFlag(given));
             case CHOICE -> Value.text(fitChoice(given));
             case TEXT -> Value.text(given.toString());
-            case LIST -> throw wrong(given, "it cannot be set");
         };
     }
 

@@ -12,6 +12,7 @@ import javax.swing.table.DefaultTableModel;
 import javax.swing.table.TableModel;
 import majic.bot.Member;
 import majic.bot.Parameter;
+import majic.bot.ParameterGroup;
 
 /** What the help shows, as tables. */
 final class HelpTables {
@@ -33,19 +34,13 @@ final class HelpTables {
     /** What can be read and set on a robot, and the commands that only it has. */
     static TableModel of(Member member) {
         Table table = new Table("Name", "Values", "Access", "Meaning");
-        for (Parameter parameter : member.bot().parameters()) {
-            table.addRow(new Object[] {parameter.name(), values(parameter), access(parameter), parameter.help()});
+        for (ParameterGroup group : ParameterGroup.of(member.bot().parameters())) {
+            Parameter parameter = group.first();
+            table.addRow(new Object[] {group.name(), values(parameter), access(parameter), parameter.help()});
         }
         member.bot()
                 .commands()
-                .forEach(command -> table.addRow(new Object[] {
-                    command.name(),
-                    String.join(
-                            " ",
-                            command.arguments().stream().map(Parameter::name).toList()),
-                    "command",
-                    command.help()
-                }));
+                .forEach(command -> table.addRow(new Object[] {command.usage(), "", "command", command.help()}));
         return table;
     }
 

@@ -11,6 +11,7 @@ import majic.bot.BotCommand;
 import majic.bot.MajicBot;
 import majic.bot.Member;
 import majic.bot.Parameter;
+import majic.bot.ParameterGroup;
 import majic.bot.Range;
 import majic.bot.Suggestion;
 import majic.bot.Unit;
@@ -104,7 +105,10 @@ final class Help {
             lines.add(String.join(", ", ROBOT_COMMANDS.keySet()));
         }
         bot.commands().stream().filter(own -> isAsked(own.name(), topic)).forEach(own -> lines.add(describe(own)));
-        bot.parameters().stream().filter(own -> isAsked(own.name(), topic)).forEach(own -> lines.add(describe(own)));
+        List<Parameter> asked = bot.parameters().stream()
+                .filter(own -> isAsked(own.name(), topic))
+                .toList();
+        ParameterGroup.of(asked).forEach(group -> lines.add(describe(group)));
         if (lines.isEmpty() && topic != null) {
             lines.add(ROBOT_COMMANDS
                     .getOrDefault(topic.text().toLowerCase(Locale.ROOT), "nothing known")
@@ -118,13 +122,11 @@ final class Help {
     }
 
     private static String describe(BotCommand command) {
-        String arguments = command.arguments().stream()
-                .map(argument -> " " + argument.name().toUpperCase(Locale.ROOT))
-                .collect(Collectors.joining());
-        return command.name() + arguments + ": " + command.help() + (command.moves() ? " (may move the robot)" : "");
+        return command.usage() + ": " + command.help() + (command.moves() ? " (may move the robot)" : "");
     }
 
-    private static String describe(Parameter parameter) {
+    private static String describe(ParameterGroup group) {
+        Parameter parameter = group.first();
         List<String> facts = new ArrayList<>();
         facts.add(values(parameter));
         facts.add((parameter.readable() ? "get" : "") + (parameter.writable() ? " set" : ""));
@@ -134,7 +136,7 @@ final class Help {
                 .map(String::strip)
                 .filter(fact -> !fact.isEmpty())
                 .collect(Collectors.joining("; "));
-        return parameter.name() + " (" + known + "): " + parameter.help();
+        return group.name() + " (" + known + "): " + parameter.help();
     }
 
     private static String values(Parameter parameter) {
