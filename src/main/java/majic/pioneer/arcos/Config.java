@@ -1,97 +1,113 @@
 package majic.pioneer.arcos;
 
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.Map;
+
 /**
- * The answer to CONFIG, as far as the driver has a use for it (ARCOS sheet 10). Fields that did not come are zero or
- * empty. Immutable.
- *
- * @param robotClass {@code Pioneer} for nearly all
- * @param subclass the model
- * @param serialNumber {@code SIM} for the vendor's simulator
- * @param turnTopDegPerSec what the robot can never exceed
- * @param speedTopMmPerSec what the robot can never exceed
- * @param name the owner's name for it
- * @param cycleMs time from one SIP to the next
- * @param hasFrontSonar whether it has the front array
- * @param hasRearSonar whether it has the rear array
- * @param watchdogMs after how long without a packet it stops; 0 for never
- * @param turnMaxDegPerSec set now
- * @param speedMaxMmPerSec set now
- * @param frontBumpers segments
- * @param rearBumpers segments
- * @param autobaud 1 can change, 2 automatic
- * @param version of the firmware
+ * The answer to CONFIG: how the robot is built and set (ARCOS sheet 10). Older firmware sends fewer fields; those that did
+ * not come are zero or empty. Immutable.
  */
-public record Config(
-        String robotClass,
-        String subclass,
-        String serialNumber,
-        int turnTopDegPerSec,
-        int speedTopMmPerSec,
-        String name,
-        int cycleMs,
-        boolean hasFrontSonar,
-        boolean hasRearSonar,
-        int watchdogMs,
-        int turnMaxDegPerSec,
-        int speedMaxMmPerSec,
-        int frontBumpers,
-        int rearBumpers,
-        int autobaud,
-        String version) {
+public final class Config {
     /** The type of the packet. */
     public static final int TYPE = 0x20;
 
-    /** Decodes a packet; the numbers in the comments are the sheet's. */
-    public static Config decode(Packet packet) {
-        Fields fields = packet.fields();
-        String robotClass = fields.string();
-        String subclass = fields.string();
-        String serialNumber = fields.string();
-        fields.ubyte(); // 4
-        int turnTop = fields.uint();
-        int speedTop = fields.uint();
-        skip(fields, 3); // 7–9
-        String name = fields.string();
-        int cycleMs = fields.ubyte();
-        fields.uint(); // 12, 13: two bytes
-        fields.uint(); // 14
-        boolean front = fields.uint() != 0;
-        boolean rear = fields.ubyte() != 0;
-        skip(fields, 2); // 17, 18
-        int watchdogMs = fields.uint();
-        fields.ubyte(); // 20
-        skip(fields, 4); // 21–24
-        int turnMax = fields.uint();
-        int speedMax = fields.uint();
-        skip(fields, 10); // 27–36
-        int frontBumpers = fields.ubyte();
-        int rearBumpers = fields.ubyte();
-        fields.uint(); // 39, 40: two bytes
-        int autobaud = fields.ubyte();
-        fields.ubyte(); // 42
-        skip(fields, 4); // 43; 44 and 45: two bytes; 46, 47
-        return new Config(
-                robotClass,
-                subclass,
-                serialNumber,
-                turnTop,
-                speedTop,
-                name,
-                cycleMs,
-                front,
-                rear,
-                watchdogMs,
-                turnMax,
-                speedMax,
-                frontBumpers,
-                rearBumpers,
-                autobaud,
-                fields.string());
+    private final Map<ConfigField, Object> fields;
+
+    private Config(Map<ConfigField, Object> fields) {
+        this.fields = Collections.unmodifiableMap(fields);
     }
 
-    private static void skip(Fields fields, int uints) {
-        for (int index = 0; index < uints; index++) {
-            fields.uint();
+    /** Decodes a packet, whatever its length. */
+    public static Config decode(Packet packet) {
+        Fields data = packet.fields();
+        Map<ConfigField, Object> fields = new EnumMap<>(ConfigField.class);
+        for (ConfigField field : ConfigField.values()) {
+            fields.put(field, field.read(data));
         }
+        return new Config(fields);
+    }
+
+    /**
+     * One field that is a number, in the unit of {@link ConfigField}; the last but one has 32 bits without a sign.
+     *
+     * @throws IllegalArgumentException if it is text
+     */
+    public long number(ConfigField field) {
+        if (fields.get(field) instanceof Long number) {
+            return number;
+        }
+        throw new IllegalArgumentException(field + " is text");
+    }
+
+    /**
+     * One field that is text.
+     *
+     * @throws IllegalArgumentException if it is a number
+     */
+    public String text(ConfigField field) {
+        if (fields.get(field) instanceof String text) {
+            return text;
+        }
+        throw new IllegalArgumentException(field + " is a number");
+    }
+
+    /** One field that says whether something is there. */
+    public boolean has(ConfigField field) {
+        return number(field) != 0;
+    }
+
+    private int small(ConfigField field) {
+        return (int) number(field);
+    }
+
+    /** The model. */
+    public String subclass() {
+        return text(ConfigField.SUBCLASS);
+    }
+
+    /** The firmware's. */
+    public String version() {
+        return text(ConfigField.FIRMWARE);
+    }
+
+    /** What the robot can never exceed; 0 when it does not say. */
+    public int turnTopDegPerSec() {
+        return small(ConfigField.ROTVELTOP);
+    }
+
+    /** What the robot can never exceed; 0 when it does not say. */
+    public int speedTopMmPerSec() {
+        return small(ConfigField.TRANSVELTOP);
+    }
+
+    /** As set now; 0 when it does not say. */
+    public int turnMaxDegPerSec() {
+        return small(ConfigField.ROTVELMAX);
+    }
+
+    /** As set now; 0 when it does not say. */
+    public int speedMaxMmPerSec() {
+        return small(ConfigField.TRANSVELMAX);
+    }
+
+    /** How many segments the front bumper has; 0 without one. */
+    public int frontBumpers() {
+        return small(ConfigField.FRONTBUMPS);
+    }
+
+    /** How many segments the rear bumper has; 0 without one. */
+    public int rearBumpers() {
+        return small(ConfigField.REARBUMPS);
+    }
+
+    /** 1 when the serial port's speed can change, 2 when it changes by itself. */
+    public int autobaud() {
+        return small(ConfigField.AUTOBAUD);
+    }
+
+    @Override
+    public String toString() {
+        return "CONFIG " + fields;
     }
 }
