@@ -7,10 +7,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import majic.bot.Pose;
 import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.Reception;
@@ -36,6 +41,20 @@ class CaptureTest {
 
         assertThat(decode(decoder, "C>")).hasSizeGreaterThan(30);
         assertThat(decoder.reception().skippedBytes()).isZero();
+    }
+
+    @Test
+    void ourCommandsAreByteForByteTheMakersClients() throws IOException {
+        Map<Integer, Command> commands =
+                Arrays.stream(Command.values()).collect(Collectors.toMap(Command::number, Function.identity()));
+        for (Packet packet : decode(new FrameDecoder(), "C>")) {
+            byte[] data = packet.data();
+            if (data.length == 3) {
+                int magnitude = data[1] & 0xFF | (data[2] & 0xFF) << 8;
+                byte[] ours = commands.get(packet.type()).packet(data[0] == 0x1B ? -magnitude : magnitude);
+                assertThat(Bytes.hex(ours)).isEqualTo(Bytes.hex(Bytes.wire(packet.type(), data)));
+            }
+        }
     }
 
     @Test

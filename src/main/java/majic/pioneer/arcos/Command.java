@@ -1,114 +1,183 @@
 package majic.pioneer.arcos;
 
-/** The commands of a Pioneer with their numbers, arguments and units, under the manual's names (ARCOS sheet 6.1). */
+/**
+ * The commands of a Pioneer with their numbers, arguments, units and ranges, under the manual's names (ARCOS sheet 6.1).
+ * Those of arms (70 to 81) and of simulators (6.2) are left out.
+ */
 public enum Command {
     /** Does nothing but restart the watchdog. */
-    PULSE(0, Argument.NONE, ""),
-    /** Starts the servers and the SIPs. */
-    OPEN(1, Argument.INT, ""),
-    /** Ends the session. */
-    CLOSE(2, Argument.INT, ""),
+    PULSE(0, Argument.none()),
+    /** Starts the servers and the SIPs; 1 as the makers send it. */
+    OPEN(1, Argument.number(0, 1, "")),
+    /** Ends the session; 1 as the makers send it. */
+    CLOSE(2, Argument.number(0, 1, "")),
+    /** The order in which sonar discs fire. */
+    POLLING(3, Argument.text(192, "sonar discs")),
     /** Motors on or off. */
-    ENABLE(4, Argument.INT, "0 off, 1 on"),
+    ENABLE(4, Argument.onOff()),
     /** Acceleration when positive, deceleration when negative. */
-    SETA(5, Argument.INT, "mm/s²"),
+    SETA(5, Argument.signed("mm/s²")),
     /** Highest speed. */
-    SETV(6, Argument.INT, "mm/s"),
+    SETV(6, Argument.size("mm/s")),
     /** Odometry to zero. */
-    SETO(7, Argument.NONE, ""),
-    /** Drive a distance. */
-    MOVE(8, Argument.INT, "mm"),
+    SETO(7, Argument.none()),
+    /** Drive a distance; the makers advise no more than 5000 mm at once. */
+    MOVE(8, Argument.signed("mm")),
     /** Turn rate, the older twin of RVEL. */
-    ROTATE(9, Argument.INT, "deg/s"),
+    ROTATE(9, Argument.signed("deg/s")),
     /** Highest turn rate. */
-    SETRV(10, Argument.INT, "deg/s"),
+    SETRV(10, Argument.size("deg/s")),
     /** Speed. */
-    VEL(11, Argument.INT, "mm/s"),
-    /** Turn to a heading. */
-    HEAD(12, Argument.INT, "deg"),
+    VEL(11, Argument.signed("mm/s")),
+    /** Turn to a heading, the shorter way round. */
+    HEAD(12, Argument.number(-360, 360, "deg")),
     /** Turn by an angle. */
-    DHEAD(13, Argument.INT, "deg"),
-    /** Tones: pairs of duration and tone. */
-    SAY(15, Argument.STRING, "20 ms, MIDI note"),
+    DHEAD(13, Argument.signed("deg")),
+    /** Up to 20 tones, each a duration and a tone; 0 is silence. */
+    SAY(15, Argument.text(40, "pairs of 20 ms and MIDI note")),
     /** Joystick packets. */
-    JOYINFO(17, Argument.INT, "0, 1, 2"),
-    /** Asks for a CONFIG packet. */
-    CONFIG(18, Argument.INT, ""),
+    JOYINFO(17, Argument.request()),
+    /** Asks for a CONFIG packet; 1 as the makers send it. */
+    CONFIG(18, Argument.number(0, 1, "")),
     /** Encoder packets. */
-    ENCODER(19, Argument.INT, "0, 1, 2"),
+    ENCODER(19, Argument.request()),
+    /** Highest turn rate in one direction, by the sign. */
+    SETRVDIR(20, Argument.signed("deg/s")),
     /** Turn rate. */
-    RVEL(21, Argument.INT, "deg/s"),
+    RVEL(21, Argument.signed("deg/s")),
     /** Turn relative to the last heading set-point. */
-    DCHEAD(22, Argument.INT, "deg"),
+    DCHEAD(22, Argument.signed("deg")),
     /** Turning acceleration when positive, deceleration when negative. */
-    SETRA(23, Argument.INT, "deg/s²"),
+    SETRA(23, Argument.signed("deg/s²")),
     /** Sonars on or off. */
-    SONAR(28, Argument.INT, "0 off, 1 on"),
+    SONAR(28, Argument.size("0 off, 1 on, higher bits: which array")),
     /** Both channels to zero with the set deceleration. */
-    STOP(29, Argument.NONE, ""),
+    STOP(29, Argument.none()),
     /** Digital outputs: states, mask. */
-    DIGOUT(30, Argument.TWO_BYTES, "bits"),
+    DIGOUT(30, Argument.twoBytes(0, 255, "states, mask")),
     /** Wheel speeds: right, left. */
-    VEL2(32, Argument.TWO_BYTES, "20 mm/s"),
+    VEL2(32, Argument.twoBytes(-128, 127, "20 mm/s")),
     /** Gripper and lift. */
-    GRIPPER(33, Argument.INT, ""),
+    GRIPPER(33, Argument.number(0, 17, "ARCOS sheet 11.5")),
     /** Which analog port the SIP shows. */
-    ADSEL(35, Argument.INT, "port"),
+    ADSEL(35, Argument.number(0, 255, "port")),
     /** Value for GRIPPER 16 and 17. */
-    GRIPPERVAL(36, Argument.INT, "20 ms"),
+    GRIPPERVAL(36, Argument.signed("20 ms")),
     /** Gripper packets. */
-    GRIPREQUEST(37, Argument.INT, "0, 1, 2"),
+    GRIPREQUEST(37, Argument.request()),
+    /** Correction of the gyro clockwise. */
+    GYROCALCW(38, Argument.size("")),
+    /** Correction of the gyro counterclockwise. */
+    GYROCALCCW(39, Argument.size("")),
     /** IO packets. */
-    IOREQUEST(40, Argument.INT, "0, 1, 2"),
-    /** Bytes to the AUX1 port. */
-    TTY2(42, Argument.STRING, "bytes"),
-    /** Reads the AUX1 port. */
-    GETAUX(43, Argument.INT, "bytes"),
+    IOREQUEST(40, Argument.request()),
+    /** Bytes to serial port AUX1. */
+    TTY2(42, Argument.text(192, "bytes")),
+    /** Reads serial port AUX1. */
+    GETAUX(43, Argument.number(0, 200, "bytes, 0 flush")),
     /** Which bumpers stall the robot. */
-    BUMPSTALL(44, Argument.INT, "0 none, 1 front, 2 rear, 3 both"),
-    /** Whether the joystick drives during a session. */
-    JOYDRIVE(47, Argument.INT, "0, 1"),
+    BUMPSTALL(44, Argument.number(0, 3, "0 none, 1 front, 2 rear, 3 both")),
+    /** Orders to the tilting compass. */
+    TCM2(45, Argument.size("")),
+    /** Whether the plugged-in joystick drives during a session. */
+    JOYDRIVE(47, Argument.onOff()),
     /** Sonar firing period. */
-    SONARCYCLE(48, Argument.INT, "ms"),
+    SONARCYCLE(48, Argument.size("ms")),
+    /** Whether a lamp blinks as the robot moves. */
+    MOVINGBLINK(49, Argument.onOff()),
     /** Speed of the port to the client. */
-    HOSTBAUD(50, Argument.INT, "code"),
+    HOSTBAUD(50, Argument.number(0, 4, "0 9600, 1 19200, 2 38400, 3 57600, 4 115200 baud")),
+    /** Speed of serial port AUX1. */
+    AUX1BAUD(51, Argument.number(0, 4, "as HOSTBAUD")),
+    /** Speed of serial port AUX2. */
+    AUX2BAUD(52, Argument.number(0, 4, "as HOSTBAUD")),
+    /** Speed of serial port AUX3. */
+    AUX3BAUD(53, Argument.number(0, 4, "as HOSTBAUD")),
     /** Stops as hard as possible. */
-    ESTOP(55, Argument.NONE, ""),
-    /** Whether the STOP button stalls. */
-    E_STALL(56, Argument.INT, "0, 1"),
+    ESTOP(55, Argument.none()),
+    /** Whether the STOP button stalls and disables the motors. */
+    E_STALL(56, Argument.onOff()),
     /** Quick stop. */
-    QSTOP(57, Argument.NONE, ""),
+    QSTOP(57, Argument.none()),
     /** Gyro packets. */
-    GYRO(58, Argument.INT, "0, 1"),
+    GYRO(58, Argument.onOff()),
+    /** Bytes to serial port AUX3. */
+    TTY4(60, Argument.text(192, "bytes")),
+    /** Reads serial port AUX3. */
+    GETAUX3(61, Argument.number(0, 200, "bytes, 0 flush")),
     /** Battery packets. */
-    BATTERYINFO(62, Argument.INT, "0, 1, 2"),
+    BATTERYINFO(62, Argument.request()),
+    /** Calibrates the compass. */
+    CALCOMP(65, Argument.size("")),
+    /** Bytes to serial port AUX2. */
+    TTY3(66, Argument.text(192, "bytes")),
+    /** Reads serial port AUX2. */
+    GETAUX2(67, Argument.number(0, 200, "bytes, 0 flush")),
     /** Docking mechanism. */
-    CHARGE(68, Argument.INT, "0, 1"),
+    CHARGE(68, Argument.number(0, 1, "0 release, 1 deploy")),
+    /** Proportional gain of turning. */
+    ROTKP(82, Argument.size("")),
+    /** Derivative gain of turning. */
+    ROTKV(83, Argument.size("")),
+    /** Integral gain of turning. */
+    ROTKI(84, Argument.size("")),
+    /** Proportional gain of driving. */
+    TRANSKP(85, Argument.size("")),
+    /** Derivative gain of driving. */
+    TRANSKV(86, Argument.size("")),
+    /** Integral gain of driving. */
+    TRANSKI(87, Argument.size("")),
+    /** Difference of the encoders over a full turn. */
+    REVCOUNT(88, Argument.size("ticks")),
+    /** By how much one wheel is larger. */
+    DRIFTFACTOR(89, Argument.signed("")),
     /** Mutes the buzzer. */
-    SOUNDTOG(92, Argument.INT, "0, 1"),
+    SOUNDTOG(92, Argument.number(0, 1, "0 mute, 1 sound")),
+    /** Encoder ticks per mm. */
+    TICKSMM(93, Argument.size("ticks")),
+    /** A power switch; what hangs on it depends on the model. */
+    POWER95(95, Argument.onOff()),
+    /** A power switch. */
+    POWER96(96, Argument.onOff()),
+    /** A power switch. */
+    POWER97(97, Argument.onOff()),
+    /** A power switch. */
+    POWER98(98, Argument.onOff()),
+    /** Speed sideways, for robots that can. */
+    LATVEL(110, Argument.signed("mm/s")),
+    /** Acceleration sideways when positive, deceleration when negative. */
+    LATACCEL(113, Argument.signed("mm/s²")),
+    /** Packets of the accelerometer. */
+    ACCELINFO(123, Argument.request()),
+    /** Packets of the motors' torque. */
+    TORQUEINFO(124, Argument.request()),
+    /** A power switch. */
+    POWER125(125, Argument.onOff()),
+    /** A power switch. */
+    POWER126(126, Argument.onOff()),
+    /** A power switch. */
+    POWER127(127, Argument.onOff()),
+    /** A power switch. */
+    POWER128(128, Argument.onOff()),
+    /** A power switch. */
+    POWER129(129, Argument.onOff()),
+    /** Packets of the heading. */
+    HEADINGINFO(149, Argument.request()),
+    /** Whether the turn rate is controlled by the gyro. */
+    ROTVEL_CLOSEDLOOP_ENABLE(150, Argument.onOff()),
     /** Pretends a battery voltage. */
-    BATTEST(250, Argument.INT, "0.1 V");
-
-    /** What follows a command's number. */
-    public enum Argument {
-        /** Nothing. */
-        NONE,
-        /** A whole number of 16 bits and a sign. */
-        INT,
-        /** Two bytes in place of a number. */
-        TWO_BYTES,
-        /** A length and bytes. */
-        STRING
-    }
+    BATTEST(250, Argument.number(0, 255, "0.1 V, 0 the real one")),
+    /** Restarts the controller. Ends the vendor's simulator. */
+    RESET(253, Argument.none()),
+    /** Puts the controller into its maintenance mode. Ends the vendor's simulator. */
+    MAINTENANCE(255, Argument.none());
 
     private final int number;
     private final Argument argument;
-    private final String unit;
 
-    Command(int number, Argument argument, String unit) {
+    Command(int number, Argument argument) {
         this.number = number;
         this.argument = argument;
-        this.unit = unit;
     }
 
     /** Its number, the type of its packet. */
@@ -116,9 +185,9 @@ public enum Command {
         return number;
     }
 
-    /** What the argument counts; empty where it counts nothing. */
-    public String unit() {
-        return unit;
+    /** What it takes. */
+    public Argument argument() {
+        return argument;
     }
 
     /**
@@ -127,43 +196,40 @@ public enum Command {
      * @throws IllegalArgumentException if the command takes one
      */
     public byte[] packet() {
-        require(Argument.NONE);
+        argument.check(this, Argument.Kind.NONE);
         return Frame.bare(number);
     }
 
     /**
-     * The packet with a whole number, of the unit and range the sheet gives.
+     * The packet with a whole number; its sign travels in the type byte.
      *
-     * @throws IllegalArgumentException if the command takes none, or the magnitude does not fit 16 bits
+     * @param value in the unit and range of {@link #argument()}
+     * @throws IllegalArgumentException if the command takes none, or none so large
      */
     public byte[] packet(int value) {
-        require(Argument.INT);
+        argument.check(this, Argument.Kind.INT, value);
         return Frame.number(number, value);
     }
 
     /**
      * The packet with two bytes.
      *
-     * @throws IllegalArgumentException if the command takes none
+     * @param low the first on the wire
+     * @param high the second
+     * @throws IllegalArgumentException if the command takes none, or none so large
      */
     public byte[] packet(int low, int high) {
-        require(Argument.TWO_BYTES);
+        argument.check(this, Argument.Kind.TWO_BYTES, low, high);
         return Frame.pair(number, low, high);
     }
 
     /**
      * The packet with a length and that many bytes.
      *
-     * @throws IllegalArgumentException if the command takes none, or the packet would be longer than 200 bytes
+     * @throws IllegalArgumentException if the command takes none, or not so many
      */
     public byte[] packet(byte[] text) {
-        require(Argument.STRING);
+        argument.check(this, Argument.Kind.STRING, text.length);
         return Frame.string(number, text);
-    }
-
-    private void require(Argument given) {
-        if (given != argument) {
-            throw new IllegalArgumentException(this + " takes " + argument + ", not " + given);
-        }
     }
 }

@@ -22,10 +22,10 @@ public final class Frame {
      * @throws IllegalArgumentException if the magnitude does not fit 16 bits
      */
     static byte[] number(int id, int value) {
-        int magnitude = Math.abs(value);
-        if (magnitude > 0xFFFF) {
+        if (value < -0xFFFF || value > 0xFFFF) {
             throw new IllegalArgumentException("does not fit 16 bits: " + value);
         }
+        int magnitude = Math.abs(value);
         int kind = value < 0 ? NEGATIVE : POSITIVE;
         return frame(id, new byte[] {(byte) kind, (byte) magnitude, (byte) (magnitude >> 8)});
     }

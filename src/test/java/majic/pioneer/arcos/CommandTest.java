@@ -4,10 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class CommandTest {
@@ -22,6 +27,10 @@ class CommandTest {
                 Arguments.of("FA FB 06 02 3B 01 00 03 3B", Command.CLOSE.packet(1)),
                 Arguments.of("FA FB 06 20 3B 0A 05 2A 40", Command.VEL2.packet(10, 5)),
                 Arguments.of("FA FB 06 20 3B 0A FB 2B 36", Command.VEL2.packet(10, -5)),
+                Arguments.of("FA FB 06 20 3B F6 04 16 3F", Command.VEL2.packet(-10, 4)),
+                Arguments.of("FA FB 06 1E 3B 05 0F 23 4A", Command.DIGOUT.packet(0x05, 0x0F)),
+                Arguments.of("FA FB 03 07 00 07", Command.SETO.packet()),
+                Arguments.of("FA FB 07 0F 2B 02 0A 48 11 7D", Command.SAY.packet(new byte[] {10, 72})),
                 Arguments.of("FA FB 03 00 00 00", Command.PULSE.packet()),
                 Arguments.of("FA FB 03 01 00 01", Frame.bare(1)),
                 Arguments.of(
@@ -50,11 +59,52 @@ class CommandTest {
     void aCommandRefusesAnArgumentOfAnotherKind() {
         assertThatIllegalArgumentException().isThrownBy(Command.VEL::packet);
         assertThatIllegalArgumentException().isThrownBy(() -> Command.PULSE.packet(1));
+        assertThatIllegalArgumentException().isThrownBy(() -> Command.VEL.packet(1, 2));
+        assertThatIllegalArgumentException().isThrownBy(() -> Command.VEL.packet(new byte[2]));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "VEL, 32768, 'VEL takes -32767 to 32767 (mm/s), not 32768'",
+        "VEL, -2147483648, 'VEL takes -32767 to 32767 (mm/s), not -2147483648'",
+        "SETV, -1, 'SETV takes 0 to 32767 (mm/s), not -1'",
+        "ENABLE, 2, 'ENABLE takes 0 to 1 (0 off, 1 on), not 2'",
+        "HEAD, 361, 'HEAD takes -360 to 360 (deg), not 361'"
+    })
+    void aNumberOutOfRangeIsRefusedAndNotCutOff(Command command, int value, String complaint) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> command.packet(value))
+                .withMessage(complaint);
     }
 
     @Test
-    void numbersThatDoNotFitAreRefused() {
-        assertThatIllegalArgumentException().isThrownBy(() -> Command.VEL.packet(70_000));
-        assertThatIllegalArgumentException().isThrownBy(() -> Command.TTY2.packet(new byte[200]));
+    void bytesOutOfRangeAreRefused() {
+        assertThatIllegalArgumentException().isThrownBy(() -> Command.VEL2.packet(128, 0));
+        assertThatIllegalArgumentException().isThrownBy(() -> Command.DIGOUT.packet(0, 256));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Command.SAY.packet(new byte[41]))
+                .withMessage("SAY takes at most 40 bytes, not 41");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void theLargestArgumentOfEveryCommandFitsAPacket(Command command) {
+        Argument argument = command.argument();
+        byte[] packet = switch (argument.kind()) {
+            case NONE -> command.packet();
+            case INT -> command.packet(argument.most());
+            case TWO_BYTES -> command.packet(argument.most(), argument.least());
+            case STRING -> command.packet(new byte[argument.most()]);
+        };
+
+        List<Packet> found = new ArrayList<>();
+        new FrameDecoder().feed(packet, packet.length, found::add);
+        assertThat(packet).hasSizeLessThanOrEqualTo(200);
+        assertThat(found).extracting(Packet::type).containsExactly(command.number());
+    }
+
+    @Test
+    void noTwoCommandsShareANumber() {
+        assertThat(Arrays.stream(Command.values()).map(Command::number)).doesNotHaveDuplicates();
     }
 }
