@@ -26,6 +26,8 @@ interface CLibrary extends Library {
 
     void cfmakeraw(Memory termios);
 
+    int cfgetospeed(Memory termios);
+
     int poll(Memory descriptors, int count, int timeoutMs) throws LastErrorException;
 
     int read(int descriptor, byte[] into, int count) throws LastErrorException;

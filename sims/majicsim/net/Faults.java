@@ -81,7 +81,8 @@ public final class Faults {
     }
 
     /**
-     * Makes an exchange take a varying time; each direction draws half of it. Not a fault: {@link #none()} leaves it.
+     * Makes an exchange over the network take a varying time; each direction draws half of it. Not a fault: {@link #none()}
+     * leaves it. A pseudo-terminal, like the wire it stands for, has none.
      *
      * @param fromMs the shortest an exchange takes, 0 or more
      * @param toMs the longest
@@ -133,9 +134,10 @@ public final class Faults {
         return halving;
     }
 
-    /** How long the next message stays under way, drawn anew each time. */
-    long drawDelayNanos() {
-        double jitterMs = jitterToMs > 0 && !noise.isExact() ? noise.uniform(jitterFromMs, jitterToMs) / 2 : 0;
+    /** How long the next message stays under way, drawn anew each time; a wire has no jitter. */
+    long drawDelayNanos(boolean jitters) {
+        double jitterMs =
+                jitters && jitterToMs > 0 && !noise.isExact() ? noise.uniform(jitterFromMs, jitterToMs) / 2 : 0;
         return (long) ((delayMs + jitterMs) * NANOS_PER_MS);
     }
 

@@ -7,17 +7,19 @@ import java.util.function.Consumer;
 /** One direction of a line: applies the ordered faults and keeps what is not due yet. Guarded by the lab's lock. */
 final class Lane {
     private final Faults faults;
+    private final boolean jitters;
     private final Consumer<byte[]> exit;
     private final ArrayDeque<Piece> shelf = new ArrayDeque<>();
 
-    Lane(Faults faults, Consumer<byte[]> exit) {
+    Lane(Faults faults, boolean jitters, Consumer<byte[]> exit) {
         this.faults = faults;
+        this.jitters = jitters;
         this.exit = exit;
     }
 
     void enter(byte[] message) {
         byte[] bytes = faults.garbled(message);
-        long due = faults.nowNanos() + faults.drawDelayNanos();
+        long due = faults.nowNanos() + faults.drawDelayNanos(jitters);
         if (faults.isHalving() && bytes.length > 1) {
             shelve(due, Arrays.copyOfRange(bytes, 0, bytes.length / 2));
             shelve(due + 1, Arrays.copyOfRange(bytes, bytes.length / 2, bytes.length));

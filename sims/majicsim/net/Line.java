@@ -21,6 +21,15 @@ public interface Line {
     void close();
 
     /**
+     * The speed that the client has set at its end.
+     *
+     * @return bits a second; 0 on a line that has none, or if it is not known
+     */
+    default int baud() {
+        return 0;
+    }
+
+    /**
      * Whether messages can still be sent.
      *
      * @return false once it was closed from either side

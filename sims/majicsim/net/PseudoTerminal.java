@@ -91,6 +91,31 @@ final class PseudoTerminal {
         }
     }
 
+    /** The speed that the client has set, in bits a second; 0 if it is none we know. */
+    int baud() {
+        try (Memory termios = new Memory(TERMIOS_AT_MOST_BYTES)) {
+            c.tcgetattr(slave, termios);
+            return bitsPerSecond(c.cfgetospeed(termios));
+        } catch (LastErrorException e) {
+            return 0;
+        }
+    }
+
+    /** Some systems have codes for the speeds, others the speeds themselves. */
+    private static int bitsPerSecond(int speed) {
+        return switch (speed) {
+            case 12 -> 4800;
+            case 13 -> 9600;
+            case 14 -> 19_200;
+            case 15 -> 38_400;
+            case 0x1001 -> 57_600;
+            case 0x1002 -> 115_200;
+            case 0x1003 -> 230_400;
+            case 4800, 9600, 19_200, 38_400, 57_600, 115_200, 230_400 -> speed;
+            default -> 0;
+        };
+    }
+
     /** Ends a wait in {@link #read} from another thread, by a byte that nobody sent. */
     void wake() {
         try {

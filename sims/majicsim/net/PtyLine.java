@@ -5,7 +5,7 @@ final class PtyLine extends RobotLine {
     private final PseudoTerminal terminal;
 
     PtyLine(PseudoTerminal terminal, Wiring wiring) {
-        super(terminal.path(), wiring);
+        super(terminal.path(), wiring, false);
         this.terminal = terminal;
     }
 
@@ -17,6 +17,11 @@ final class PtyLine extends RobotLine {
     @Override
     boolean isFlushed() {
         return true;
+    }
+
+    @Override
+    public int baud() {
+        return terminal.baud();
     }
 
     /** A serial wire cannot be hung up from the robot's side. */

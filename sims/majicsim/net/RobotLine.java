@@ -18,11 +18,12 @@ abstract class RobotLine implements Line {
     private final AtomicLong written = new AtomicLong();
     private volatile Ending ending = Ending.NONE;
 
-    RobotLine(String peer, Wiring wiring) {
+    /** With {@code jitters}, each exchange takes as long as the faults' jitter says. */
+    RobotLine(String peer, Wiring wiring, boolean jitters) {
         this.peer = peer;
         this.wiring = wiring;
-        this.out = new Lane(wiring.faults(), this::writeCounted);
-        this.in = new Lane(wiring.faults(), this::deliver);
+        this.out = new Lane(wiring.faults(), jitters, this::writeCounted);
+        this.in = new Lane(wiring.faults(), jitters, this::deliver);
     }
 
     /** Gives bytes to the client without blocking, and says how many it took or keeps for later; the others are lost. */

@@ -134,7 +134,7 @@ final class TcpService implements Runnable {
                 return;
             }
             if (isTaken()) {
-                LOG.log(Level.DEBUG, "a second client is turned away");
+                LOG.log(Level.INFO, "a second client is turned away: {0}", channel.getRemoteAddress());
                 channel.close();
             } else {
                 tryToWelcome(channel);

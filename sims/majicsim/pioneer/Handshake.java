@@ -9,9 +9,11 @@ import org.jspecify.annotations.Nullable;
 final class Handshake {
     private static final int LOST_STEP = 0xFF;
     private static final int LAST = 2;
+    private static final long PATIENCE_NANOS = 10_000_000_000L;
 
     private final byte[] introduction;
     private int expected;
+    private long nanos;
 
     /** The introduction answers SYNC2. */
     Handshake(String robotName, PioneerModel model) {
@@ -39,8 +41,22 @@ final class Handshake {
         return expected > LAST;
     }
 
+    /** Time passes; returns true when the client has had 10 s and is not through. It then begins anew. */
+    boolean step(long stepNanos) {
+        if (isComplete()) {
+            return false;
+        }
+        nanos += stepNanos;
+        boolean late = nanos >= PATIENCE_NANOS;
+        if (late) {
+            restart();
+        }
+        return late;
+    }
+
     /** Waits for SYNC0 again, as a controller on a serial line does after CLOSE. */
     void restart() {
         expected = 0;
+        nanos = 0;
     }
 }

@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
  * All calls come with the lab's lock held.
  */
 public final class PioneerRobot implements Firmware {
+    private static final System.Logger LOG = System.getLogger(PioneerRobot.class.getName());
+
     /** A Pioneer 3-DX with its present controller: the model unless told otherwise. */
     public static final String STANDARD_MODEL = "p3dx-sh";
 
@@ -23,6 +25,7 @@ public final class PioneerRobot implements Firmware {
     private final Body body;
     private final Board board;
     private final Bystander bystander;
+    private final SerialPort serialPort;
     private @Nullable Session session;
 
     /**
@@ -51,6 +54,7 @@ public final class PioneerRobot implements Firmware {
         body = Body.box("pioneer", model.frontMm(), model.rearMm(), model.halfWidthMm(), start);
         world.add(body);
         board = new Board(world, body, model, NAME, noise.fork("pioneer"));
+        serialPort = new SerialPort(!noise.isExact());
         bystander = new Bystander(board.devices(), this::restart);
     }
 
@@ -103,19 +107,27 @@ public final class PioneerRobot implements Firmware {
 
     /**
      * The robot's serial port, in place of the network: CLOSE leaves the line open for the next handshake, and a client
-     * that vanishes is noticed by the watchdog alone (ARCOS sheet 5.1). Not heard while a network client is connected.
+     * that vanishes is noticed by the watchdog alone (ARCOS sheet 5.1). Not heard while a network client is connected;
+     * its client is in turn left alone by network clients until it has been silent for as long as the watchdog allows.
      *
      * @return firmware for a serial line; its steps do nothing, this robot's own step serves both
      */
     public Firmware serialPort() {
-        return new SerialPort();
+        return serialPort;
     }
 
     @Override
     public void connected(Line line) {
-        if (session != null && session.isUnderWay() && !session.isOn(line)) {
-            line.close();
-            return;
+        if (session != null && session.isUnderWay()) {
+            if (!session.isAbandoned()) {
+                LOG.log(
+                        System.Logger.Level.INFO,
+                        "pioneer: {0} is turned away, the serial line is in use",
+                        line.peer());
+                line.close();
+                return;
+            }
+            session.close();
         }
         session = new Session(line, board, true);
     }
@@ -138,9 +150,11 @@ public final class PioneerRobot implements Firmware {
 
     @Override
     public void step(double seconds) {
+        long nanos = Math.round(seconds * 1e9);
         board.step(seconds);
+        serialPort.wire.step(nanos);
         if (session != null) {
-            session.step(Math.round(seconds * 1e9));
+            session.step(nanos);
             forgetEnded();
         }
     }
@@ -161,28 +175,34 @@ public final class PioneerRobot implements Firmware {
 
     /** The plug: whoever writes to it, the controller sees one and the same line. */
     private final class SerialPort implements Firmware {
-        private @Nullable Session serial;
+        private final SerialWire wire;
+
+        SerialPort(boolean takesTime) {
+            wire = new SerialWire(board.devices().hostBaud(), takesTime, this::heard);
+        }
 
         @Override
         public void connected(Line line) {
-            if (serial != null) {
-                serial.continueOn(line);
-            }
+            wire.plugIn(line);
         }
 
         @Override
         public void received(Line line, byte[] bytes) {
-            if (session == null) {
-                session = serial = new Session(line, board, false);
-            }
-            if (session.isOn(line)) {
-                session.received(bytes);
-            }
+            wire.arrive(bytes);
         }
 
         @Override
         public void step(double seconds) {
             // The robot's own step serves every line.
+        }
+
+        private void heard(byte[] bytes) {
+            if (session == null) {
+                session = new Session(wire, board, false);
+            }
+            if (session.isOn(wire)) {
+                session.received(bytes);
+            }
         }
     }
 }

@@ -20,7 +20,7 @@ final class Session {
     private final boolean hangsUp;
     private final PacketReader reader = new PacketReader();
     private final Handshake handshake;
-    private Line line;
+    private final Line line;
     private Watchdog watchdog = new Watchdog();
     private Reports reports;
     private Simulation simulation;
@@ -74,9 +74,9 @@ final class Session {
         return ended;
     }
 
-    /** The serial plug was pulled and put in again; the controller notices nothing. */
-    void continueOn(Line other) {
-        line = other;
+    /** Whether nobody has been heard for so long that the watchdog has stopped the robot. */
+    boolean isAbandoned() {
+        return watchdog.hasBarked();
     }
 
     void received(byte[] bytes) {
@@ -93,6 +93,11 @@ final class Session {
         sinceBytesNanos += nanos;
         if (reader.hasFragment() && sinceBytesNanos >= FRAGMENT_NANOS) {
             handle(reader.giveUpFragment());
+        }
+        if (handshake.step(nanos) && hangsUp) {
+            LOG.log(System.Logger.Level.INFO, "pioneer: {0} did not shake hands in 10 s, hanging up", line.peer());
+            hangUp();
+            return;
         }
         if (isUnderWay() && watchdog.step(nanos)) {
             LOG.log(System.Logger.Level.INFO, "pioneer: no packet for 2 s, stopping until the next");
@@ -117,9 +122,13 @@ final class Session {
         forgetClient();
         board.endSession();
         if (hangsUp) {
-            ended = true;
-            line.close();
+            hangUp();
         }
+    }
+
+    private void hangUp() {
+        ended = true;
+        line.close();
     }
 
     /** RESET, or the button for it: tells the client, forgets it, and starts anew (ARCOS sheet 11.6). */

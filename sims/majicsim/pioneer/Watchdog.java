@@ -15,6 +15,10 @@ final class Watchdog {
         return had;
     }
 
+    boolean hasBarked() {
+        return barked;
+    }
+
     /** Time passes; returns true in the one step in which the robot must be stopped. */
     boolean step(long nanos) {
         silentNanos += nanos;

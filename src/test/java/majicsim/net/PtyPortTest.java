@@ -3,6 +3,7 @@ package majicsim.net;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import com.fazecast.jSerialComm.SerialPort;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
@@ -14,6 +15,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class PtyPortTest {
@@ -43,6 +46,16 @@ class PtyPortTest {
         assertThat(exchange("b", 3)).isEqualTo("[b]");
         assertThat(exchange("c", 3)).isEqualTo("[c]");
         assertThat(firmware.events).doesNotContain("disconnected");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {9600, 19_200, 38_400, 57_600, 115_200})
+    void theClientsSpeedIsSeen(int baud) {
+        SerialPort client = SerialPort.getCommPort(opened.orElseThrow().address());
+        client.setBaudRate(baud);
+        assertThat(client.openPort()).isTrue();
+        assertThat(firmware.last().baud()).isEqualTo(baud);
+        client.closePort();
     }
 
     @Test

@@ -8,6 +8,8 @@ import majicsim.net.Line;
 final class FakeLine implements Line {
     private final List<byte[]> messages = new ArrayList<>();
     private boolean open = true;
+    /** The speed at the client's end; 0 as on a network. */
+    int baud;
 
     @Override
     public String peer() {
@@ -22,6 +24,11 @@ final class FakeLine implements Line {
     @Override
     public void close() {
         open = false;
+    }
+
+    @Override
+    public int baud() {
+        return baud;
     }
 
     @Override

@@ -62,6 +62,24 @@ class SerialPortTest {
     }
 
     @Test
+    void aNetworkClientTakesOverFromASerialOneThatHasFallenSilent() {
+        say(Hex.concat(HANDS, OPEN, ENABLE_AND_VEL_250));
+        rig.step(2.1);
+        rig.reconnect();
+        assertThat(rig.line.isOpen()).isTrue();
+        assertThat(rig.shakeHands().nextSip().hasMotors()).isFalse();
+        assertThat(serial.take()).allMatch(SipView::isSip);
+    }
+
+    @Test
+    void aHandshakeLeftHalfDoneBeginsAnewAfterTenSeconds() {
+        say(Hex.bytes("FA FB 03 00 00 00 FA FB 03 01 00 01"));
+        rig.step(10);
+        assertThat(say(Hex.bytes("FA FB 03 02 00 02"))).containsExactly(Hex.bytes("FA FB 03 FF 00 FF"));
+        assertThat(say(HANDS)).hasSize(3);
+    }
+
+    @Test
     void thePlugIsNotHeardWhileANetworkClientIsConnected() {
         rig.robot.connected(rig.line);
         rig.shakeHands();

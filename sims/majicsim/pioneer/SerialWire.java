@@ -1,0 +1,84 @@
+package majicsim.pioneer;
+
+import java.util.function.Consumer;
+import majicsim.net.Line;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The controller's serial port as its line to the client (ARCOS sheet 1): it carries bytes no faster than its speed, and a
+ * client at another speed reads and writes rubbish. In an exact lab it takes no time. It cannot be hung up.
+ */
+final class SerialWire implements Line {
+    private static final System.Logger LOG = System.getLogger(SerialWire.class.getName());
+
+    private final HostBaud speed;
+    private final boolean takesTime;
+    private final SerialPace toClient = new SerialPace(this::deliver);
+    private final SerialPace toRobot;
+    private final Consumer<byte[]> robot;
+    private @Nullable Line plug;
+
+    /** Bytes from the client go to {@code robot}. */
+    SerialWire(HostBaud speed, boolean takesTime, Consumer<byte[]> robot) {
+        this.speed = speed;
+        this.takesTime = takesTime;
+        this.robot = robot;
+        this.toRobot = new SerialPace(robot);
+    }
+
+    /** The client's end is put in. */
+    void plugIn(Line line) {
+        plug = line;
+    }
+
+    /** The client wrote. */
+    void arrive(byte[] bytes) {
+        byte[] heard = SerialBits.heard(bytes, clientBaud(), speed.bitsPerSecond());
+        if (!takesTime) {
+            robot.accept(heard);
+        } else if (!toRobot.enter(heard)) {
+            LOG.log(System.Logger.Level.DEBUG, "pioneer: {0} bytes on the serial line were too many", heard.length);
+        }
+    }
+
+    void step(long nanos) {
+        toRobot.step(nanos, speed.bitsPerSecond());
+        toClient.step(nanos, speed.bitsPerSecond());
+    }
+
+    @Override
+    public String peer() {
+        return plug == null ? "serial" : plug.peer();
+    }
+
+    @Override
+    public void send(byte[] message) {
+        if (!takesTime) {
+            deliver(message);
+        } else if (!toClient.enter(message)) {
+            LOG.log(System.Logger.Level.DEBUG, "pioneer: the serial line is too slow for all that was asked for");
+        }
+    }
+
+    @Override
+    public void close() {
+        // Nobody can hang up a serial line from this side.
+    }
+
+    @Override
+    public boolean isOpen() {
+        return true;
+    }
+
+    private void deliver(byte[] bytes) {
+        if (plug != null) {
+            plug.send(SerialBits.heard(bytes, speed.bitsPerSecond(), clientBaud()));
+        }
+    }
+
+    /** A line that has no speed of its own, or does not tell it, is taken to be right. */
+    private int clientBaud() {
+        int baud = plug == null ? 0 : plug.baud();
+        return baud == 0 ? speed.bitsPerSecond() : baud;
+    }
+}
