@@ -4,7 +4,7 @@ package majicsim.world;
  * The room left between two shapes.
  *
  * @param mm the shortest distance; 0 or below when they touch or overlap
- * @param nearest the point of the second shape (corners not rounded) nearest to the first; where they overlap, a point of the overlap's edge
+ * @param nearest the point of the second shape nearest to the first; where they overlap, a point of the overlap's edge
  */
 record Gap(double mm, Point nearest) {
 

@@ -5,6 +5,8 @@ final class GapFinder {
     private final Shape a;
     private final Shape b;
     private double bestSquare = Double.POSITIVE_INFINITY;
+    private double fromX;
+    private double fromY;
     private double atX;
     private double atY;
 
@@ -18,16 +20,22 @@ final class GapFinder {
             cornersOfAToEdgesOfB();
             cornersOfBToEdgesOfA();
         }
-        return new Gap(Math.sqrt(bestSquare) - a.roundMm - b.roundMm, new Point(atX, atY));
+        return new Gap(Math.sqrt(bestSquare) - a.roundMm - b.roundMm, nearest());
+    }
+
+    /** On the round of the second shape, not in its middle. */
+    private Point nearest() {
+        double outwards = bestSquare > 0 ? b.roundMm / Math.sqrt(bestSquare) : 0;
+        return new Point(atX + outwards * (fromX - atX), atY + outwards * (fromY - atY));
     }
 
     private boolean overlap() {
         if (b.contains(a.xs[0], a.ys[0])) {
-            offer(0, a.xs[0], a.ys[0]);
+            offer(a.xs[0], a.ys[0], a.xs[0], a.ys[0]);
             return true;
         }
         if (a.contains(b.xs[0], b.ys[0])) {
-            offer(0, b.xs[0], b.ys[0]);
+            offer(b.xs[0], b.ys[0], b.xs[0], b.ys[0]);
             return true;
         }
         return edgesCross();
@@ -62,7 +70,9 @@ final class GapFinder {
         if (alongA < 0 || alongA > 1 || alongB < 0 || alongB > 1) {
             return false;
         }
-        offer(0, a.xs[i] + alongA * ax, a.ys[i] + alongA * ay);
+        double x = a.xs[i] + alongA * ax;
+        double y = a.ys[i] + alongA * ay;
+        offer(x, y, x, y);
         return true;
     }
 
@@ -72,7 +82,7 @@ final class GapFinder {
                 double along = b.along(a.xs[i], a.ys[i], k);
                 double x = pointX(b, k, along);
                 double y = pointY(b, k, along);
-                offer(square(a.xs[i] - x, a.ys[i] - y), x, y);
+                offer(a.xs[i], a.ys[i], x, y);
             }
         }
     }
@@ -83,7 +93,7 @@ final class GapFinder {
                 double along = a.along(b.xs[i], b.ys[i], k);
                 double x = pointX(a, k, along);
                 double y = pointY(a, k, along);
-                offer(square(b.xs[i] - x, b.ys[i] - y), b.xs[i], b.ys[i]);
+                offer(x, y, b.xs[i], b.ys[i]);
             }
         }
     }
@@ -96,15 +106,17 @@ final class GapFinder {
         return shape.ys[k] + along * (shape.ys[shape.next(k)] - shape.ys[k]);
     }
 
-    private static double square(double dx, double dy) {
-        return dx * dx + dy * dy;
-    }
-
-    private void offer(double square, double x, double y) {
+    /** A point of the first shape and one of the second. */
+    private void offer(double ofAX, double ofAY, double ofBX, double ofBY) {
+        double dx = ofAX - ofBX;
+        double dy = ofAY - ofBY;
+        double square = dx * dx + dy * dy;
         if (square < bestSquare) {
             bestSquare = square;
-            atX = x;
-            atY = y;
+            fromX = ofAX;
+            fromY = ofAY;
+            atX = ofBX;
+            atY = ofBY;
         }
     }
 }
