@@ -1,14 +1,15 @@
 package majicsim.pioneer;
 
 import majicsim.world.Body;
-import majicsim.world.Contact;
 
 /**
- * The bumper segments of a robot: rows of equal segments, the front one from left to right, the rear one from right to
- * left as the count goes on clockwise. Each row spans 160 degrees seen from the turning centre.
+ * The bumper segments of a robot: rows of equal segments across its width, which reach a little round the corners. The front
+ * row counts from left to right, the rear one goes on clockwise from right to left.
  */
 final class Bumpers {
-    private static final double SPAN_DEG = 160;
+    /** How far the outermost segments reach round the corners, seen from the turning centre. */
+    private static final double ROUND_THE_CORNER_DEG = 20;
+
     private static final int FRONT_STALLS = 1;
     private static final int REAR_STALLS = 2;
 
@@ -22,13 +23,13 @@ final class Bumpers {
 
     /** The front row's segments, bit 0 for the leftmost. */
     int front() {
-        return bits(model.frontBumpers(), body.contact().directionDeg());
+        return bits(model.frontBumpers(), model.frontMm(), body.contact().directionDeg());
     }
 
     /** The rear row's segments, bit 0 for the rightmost. */
     int rear() {
         double deg = body.contact().directionDeg();
-        return bits(model.rearBumpers(), deg > 0 ? deg - 180 : deg + 180);
+        return bits(model.rearBumpers(), model.rearMm(), deg > 0 ? deg - 180 : deg + 180);
     }
 
     /** Whether a contact on the side it drives to stalls the robot, with BUMPSTALL 0 to 3 (ARCOS sheet 6.1). */
@@ -37,12 +38,15 @@ final class Bumpers {
                 || mmPerSec < 0 && (bumpStall & REAR_STALLS) != 0 && rear() != 0;
     }
 
-    private int bits(int segments, double fromMiddleDeg) {
-        Contact contact = body.contact();
-        if (!contact.touching() || segments == 0 || Math.abs(fromMiddleDeg) > SPAN_DEG / 2) {
+    /** The segment of a row that is touched, the row being so far from the turning centre, the touch so far off its middle. */
+    private int bits(int segments, double reachMm, double offMiddleDeg) {
+        double cornerDeg = Math.toDegrees(Math.atan2(model.halfWidthMm(), reachMm));
+        if (!body.contact().touching() || segments == 0 || Math.abs(offMiddleDeg) > cornerDeg + ROUND_THE_CORNER_DEG) {
             return 0;
         }
-        int segment = (int) ((SPAN_DEG / 2 - fromMiddleDeg) / SPAN_DEG * segments);
-        return 1 << Math.min(segments - 1, segment);
+        double alongDeg = Math.max(-cornerDeg, Math.min(cornerDeg, offMiddleDeg));
+        double leftMm = reachMm * Math.tan(Math.toRadians(alongDeg));
+        int segment = (int) ((model.halfWidthMm() - leftMm) / (2 * model.halfWidthMm()) * segments);
+        return 1 << Math.max(0, Math.min(segments - 1, segment));
     }
 }

@@ -159,6 +159,10 @@ public final class PioneerRobot implements Firmware {
         }
     }
 
+    Board board() {
+        return board;
+    }
+
     private void restart() {
         if (session != null) {
             session.restart();

@@ -41,6 +41,11 @@ final class Rig {
         return new Rig(new Pose(0, 0, 0), Noise.exact(), PioneerRobot.STANDARD_MODEL);
     }
 
+    /** As {@link #open()}, of another model. */
+    static Rig open(String model) {
+        return new Rig(new Pose(0, 0, 0), Noise.exact(), model).shakeHands();
+    }
+
     /** As {@link #silent()}, with an open session. */
     static Rig open() {
         return silent().shakeHands();
@@ -57,10 +62,11 @@ final class Rig {
     }
 
     /** The client goes without a word and another one comes. */
-    void reconnect() {
+    Rig reconnect() {
         robot.disconnected(line);
         line = new FakeLine();
         robot.connected(line);
+        return this;
     }
 
     Rig send(String hex) {
@@ -109,6 +115,26 @@ final class Rig {
             command(0, 0).step(Math.min(0.4, left));
         }
         return this;
+    }
+
+    /** Sends a command with a string. */
+    Rig text(int id, byte... bytes) {
+        return packet(id, Hex.concat(new byte[] {0x2B, (byte) bytes.length}, bytes));
+    }
+
+    /** Lets time pass, and returns the packets of one type that came in it. */
+    List<byte[]> packets(int type, double seconds) {
+        line.take();
+        return pulse(seconds).line.take().stream()
+                .filter(packet -> (packet[3] & 0xFF) == type)
+                .toList();
+    }
+
+    /** Asks for CONFIG. */
+    ConfigView config() {
+        line.take();
+        command(18, 1);
+        return ConfigView.of(line.take().get(0));
     }
 
     /** The SIPs since messages were last taken. */

@@ -73,16 +73,57 @@ record SipView(byte[] packet) {
         return readings;
     }
 
+    int compass() {
+        return ubyte(18);
+    }
+
+    int gripper() {
+        return ubyte(tail());
+    }
+
     int analogPort() {
         return ubyte(tail() + 1);
+    }
+
+    int analog() {
+        return ubyte(tail() + 2);
+    }
+
+    int digitalIn() {
+        return ubyte(tail() + 3);
     }
 
     int digitalOut() {
         return ubyte(tail() + 4);
     }
 
+    int chargeState() {
+        return ubyte(tail() + 7);
+    }
+
     int turnRateTenths() {
         return signed(tail() + 8);
+    }
+
+    int faults() {
+        return signed(tail() + 10);
+    }
+
+    int celsius() {
+        return (byte) ubyte(tail() + 14);
+    }
+
+    int chargePercent() {
+        return ubyte(tail() + 15);
+    }
+
+    long clockMicros() {
+        return (signed(tail() + 16) & 0xFFFFL) | (signed(tail() + 18) & 0xFFFFL) << 16;
+    }
+
+    /** How many bytes stand between the sonar readings and the checksum. */
+    int tailLength() {
+        return packet.length - 5 - tail();
     }
 
     private int tail() {
