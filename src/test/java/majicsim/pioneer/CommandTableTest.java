@@ -60,7 +60,14 @@ class CommandTableTest {
                 later(57, "QSTOP", 0, SipView::left, 0),
                 row(58, "GYRO", 1, rig -> rig.packets(0x98, 0.2).size(), 2),
                 packet(62, "BATTERYINFO", 1, 0xFA),
-                packet(237, "SIM_STAT", 1, 0x62),
+                row(
+                        230,
+                        "SIM_LRF_ENABLE",
+                        1,
+                        rig -> Math.min(1, rig.packets(0x60, 0.2).size()),
+                        1),
+                row(237, "SIM_STAT", 2, rig -> rig.packets(0x62, 0.2).size(), 2),
+                sip(239, "SIM_EXIT", 0, SipView::flags, 0x1F),
                 sip(250, "BATTEST", 117, SipView::battery, 117));
     }
 
@@ -144,7 +151,7 @@ class CommandTableTest {
     static Stream<Integer> ignored() {
         List<Integer> arm = Stream.iterate(70, n -> n + 1).limit(12).toList();
         List<Integer> power = List.of(95, 96, 97, 98, 125, 126, 127, 128, 129);
-        List<Integer> others = List.of(110, 113, 123, 124, 149, 150, 14, 16, 34, 199, 239, 254);
+        List<Integer> others = List.of(110, 113, 123, 124, 149, 150, 14, 16, 34, 199, 254);
         return Stream.of(arm, power, others).flatMap(List::stream);
     }
 

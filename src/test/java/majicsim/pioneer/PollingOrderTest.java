@@ -24,9 +24,7 @@ class PollingOrderTest {
 
     @Test
     void eachArrayTakesItsOwnTurn() {
-        rig.command(SONARCYCLE, 100)
-                .text(POLLING, (byte) 1, (byte) 9, (byte) 10)
-                .nextSip();
+        rig.command(SONARCYCLE, 100).text(POLLING, (byte) 1, (byte) 9, (byte) 10);
         assertThat(discs(3)).containsExactly(0, 8, 0, 9, 0, 8);
     }
 
