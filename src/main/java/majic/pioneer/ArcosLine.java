@@ -28,6 +28,7 @@ final class ArcosLine {
     private final Link link;
     private final TimeSource time;
     private final FrameDecoder decoder = new FrameDecoder();
+    private final FirstWords firstWords = new FirstWords();
     private volatile long sentNanos;
     private volatile @Nullable LinkLost end;
 
@@ -77,6 +78,7 @@ final class ArcosLine {
                     decoder.dropFragment(sink);
                 }
                 lastNanos = time.nanos();
+                firstWords.heard(chunk, count);
                 decoder.feed(chunk, count, packet -> hand(packet, sink));
             }
             return new LinkLost("connection lost: the robot closed it");
@@ -129,6 +131,11 @@ final class ArcosLine {
 
     boolean hasEnded() {
         return end != null;
+    }
+
+    /** What came first. */
+    FirstWords firstWords() {
+        return firstWords;
     }
 
     /** How well the robot's bytes have come through. */

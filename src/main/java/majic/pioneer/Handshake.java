@@ -23,7 +23,6 @@ final class Handshake {
     private final ArcosLine line;
     private final Inbox inbox;
     private final TimeSource time;
-    private boolean heardAnything;
     private boolean closedASession;
 
     /** The robot hung up because it was told to close a session left open; connecting anew will do. */
@@ -50,6 +49,7 @@ final class Handshake {
     Identity run() {
         try {
             endOpenSession();
+            refuseTelnet();
             return synchronise();
         } catch (LinkLost e) {
             throw hungUp(e);
@@ -60,10 +60,7 @@ final class Handshake {
         if (closedASession) {
             return new SessionClosed(line.address() + " closed the connection with the session left open on it", cause);
         }
-        return new BotException(
-                line.address() + " closed the connection in the handshake; a Pioneer takes one program at a time,"
-                        + " so is another one connected to it?",
-                cause);
+        return new BotException(Complaints.hungUp(line.address(), line.firstWords()), cause);
     }
 
     /**
@@ -78,6 +75,12 @@ final class Handshake {
         }
     }
 
+    private void refuseTelnet() {
+        if (line.firstWords().isTelnet()) {
+            throw new BotException(Complaints.telnet(line.address()));
+        }
+    }
+
     private Identity synchronise() {
         long started = time.nanos();
         int step = 0;
@@ -89,18 +92,13 @@ final class Handshake {
             }
             step = answer != null && answer.type() == step ? step + 1 : startOver(answer);
         }
-        throw new BotException(
-                heardAnything
-                        ? line.address() + " answers, but not as a Pioneer does; nothing came of the handshake in "
-                                + (int) LIMIT_S + " s"
-                        : "no Pioneer answers at " + line.address() + " within " + (int) LIMIT_S + " s");
+        throw new BotException(Complaints.nothingCameOfIt(line.address(), line.firstWords(), (int) LIMIT_S));
     }
 
     private int startOver(@Nullable Packet answer) {
         if (answer == null) {
             return 0;
         }
-        heardAnything = true;
         if (answer.isSip()) {
             closeSession();
         } else {
