@@ -64,7 +64,7 @@ final class ArcosLine {
 
     private void read(Listener listener) {
         LinkLost cause = readToTheEnd(listener::received);
-        end = cause;
+        end(cause);
         link.close();
         listener.ended(cause);
     }
@@ -87,9 +87,14 @@ final class ArcosLine {
         }
     }
 
+    /** Whatever one packet leads to, the reader goes on with the next. */
     private static void hand(Packet packet, Consumer<Packet> sink) {
         LOG.log(Level.TRACE, () -> "< " + packet);
-        sink.accept(packet);
+        try {
+            sink.accept(packet);
+        } catch (RuntimeException e) {
+            LOG.log(Level.WARNING, "a packet could not be dealt with: " + packet, e);
+        }
     }
 
     /**
@@ -154,7 +159,13 @@ final class ArcosLine {
     }
 
     /** Ends the line at once; what was not delivered yet is thrown away, lest the robot acts on it later. */
-    void abort() {
+    void abort(LinkLost cause) {
+        end(cause);
         link.abort();
+    }
+
+    /** Only the first cause counts. */
+    private synchronized void end(LinkLost cause) {
+        end = end == null ? cause : end;
     }
 }

@@ -68,10 +68,15 @@ final class Handshake {
      * being a packet, would bring back to life. So it is stopped for good before.
      */
     private void endOpenSession() {
-        Packet packet = inbox.next(LISTEN_S);
-        if (packet != null && packet.isSip()) {
-            line.send(Command.ESTOP.packet(), Command.VEL.packet(0), Command.RVEL.packet(0), Command.ENABLE.packet(0));
-            closeSession();
+        long started = time.nanos();
+        double leftS = LISTEN_S;
+        while (leftS > 0) {
+            Packet packet = inbox.next(leftS);
+            if (packet != null && packet.isSip()) {
+                closeSession();
+                return;
+            }
+            leftS = LISTEN_S - time.secondsSince(started);
         }
     }
 
@@ -109,7 +114,12 @@ final class Handshake {
 
     private void closeSession() {
         closedASession = true;
-        line.send(Command.CLOSE.packet(1));
+        line.send(
+                Command.ESTOP.packet(),
+                Command.VEL.packet(0),
+                Command.RVEL.packet(0),
+                Command.ENABLE.packet(0),
+                Command.CLOSE.packet(1));
         drain(DRAIN_S);
     }
 

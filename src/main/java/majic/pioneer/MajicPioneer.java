@@ -33,7 +33,6 @@ public final class MajicPioneer extends MajicBot {
 
     private final String address;
     private final AtomicReference<@Nullable Session> session = new AtomicReference<>();
-    private volatile @Nullable Motors motors;
     private final PioneerParameters parameters;
     private final Dynamics dynamics = new Dynamics(Models.USUAL);
     private volatile Pose lastPose = Pose.START;
@@ -84,7 +83,6 @@ public final class MajicPioneer extends MajicBot {
     private void openOnce() {
         Session opening = new Session(new ArcosLine(link(), time()), time(), changes(), new Owner());
         session.set(opening);
-        motors = new Motors(opening, time(), this::notice);
         opening.open(lastPose, dynamics);
         adopt(opening);
     }
@@ -132,20 +130,19 @@ public final class MajicPioneer extends MajicBot {
         if (!motion.pause(0)) {
             return way.value(open.state());
         }
-        motors().switchOn(motion);
+        open.motors().switchOn(motion);
         Bumpers bumpers = Bumpers.of(open.model(), open.config());
         return new Maneuver(open, way, new Troubles(bumpers, way.heading(), open.state())).run(motion);
     }
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
-        motors().switchOnSoon();
-        current().wheels().drive(mmPerSec, degPerSec);
+        current().driving().drive(mmPerSec, degPerSec);
     }
 
     @Override
     protected void halt() {
-        current().wheels().stop();
+        current().driving().stop();
     }
 
     @Override
@@ -167,14 +164,6 @@ public final class MajicPioneer extends MajicBot {
             throw new BotException(name() + " is not connected");
         }
         return open;
-    }
-
-    private Motors motors() {
-        Motors known = motors;
-        if (known == null) {
-            throw new BotException(name() + " is not connected");
-        }
-        return known;
     }
 
     private void watch() {
@@ -211,6 +200,11 @@ public final class MajicPioneer extends MajicBot {
             if (from == session.get()) {
                 MajicPioneer.this.lost(cause);
             }
+        }
+
+        @Override
+        public void say(String message) {
+            notice(message);
         }
 
         @Override

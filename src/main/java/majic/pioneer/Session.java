@@ -25,6 +25,9 @@ final class Session implements ArcosLine.Listener {
 
     private final ArcosLine line;
     private final Wheels wheels;
+    private final LinkWatch watch;
+    private final Motors motors;
+    private final Driving driving;
     private final Inbox inbox;
     private final TimeSource time;
     private final Signal changes;
@@ -43,6 +46,9 @@ final class Session implements ArcosLine.Listener {
         /** The session is over for good; not called while it is still being opened. */
         void lost(Session session, LinkLost cause);
 
+        /** Something that a person should know. */
+        void say(String message);
+
         /** Whether nobody wants the connection any more. */
         boolean hasGivenUp();
     }
@@ -53,6 +59,9 @@ final class Session implements ArcosLine.Listener {
         this.time = time;
         this.changes = changes;
         this.owner = owner;
+        this.watch = new LinkWatch(line, wheels, time, changes);
+        this.motors = new Motors(this, time, owner::say);
+        this.driving = new Driving(this, motors, time, owner::say);
         this.inbox = new Inbox(changes, owner::hasGivenUp);
     }
 
@@ -132,6 +141,7 @@ final class Session implements ArcosLine.Listener {
             if (!now.isMoving()) {
                 wheels.release();
             }
+            driving.look(now);
             owner.heard(this, now);
         }
     }
@@ -147,40 +157,28 @@ final class Session implements ArcosLine.Listener {
     /** Does what the silence on either end asks for; to be called every {@link LinkWatch#PERIOD_S}. */
     void watch() {
         PioneerState now = state;
-        if (now == null || line.hasEnded()) {
-            return;
-        }
-        double silence = time.secondsSince(now.atNanos());
-        boolean moving = now.isMoving() || wheels.areDriven() || wheels.areHeld();
-        switch (LinkWatch.judge(silence, time.secondsSince(line.sentNanos()), moving)) {
-            case WAIT -> {}
-            case PULSE -> line.send(Command.PULSE.packet());
-            case HOLD -> holdOnce();
-            case GIVE_UP ->
-                end(new LinkLost("connection lost: the robot has been silent for "
-                        + (int) (moving ? LinkWatch.LOST_MOVING_S : LinkWatch.LOST_STANDING_S) + " s"));
-        }
-    }
-
-    private void holdOnce() {
-        if (!wheels.areHeld()) {
-            wheels.hold();
-            changes.raise();
+        if (now != null && !line.hasEnded()) {
+            LinkLost cause = watch.look(now);
+            if (cause != null) {
+                end(cause);
+            }
         }
     }
 
     private void end(LinkLost cause) {
         owner.lost(this, cause);
-        line.abort();
+        line.abort(cause);
     }
 
     /** Stops the robot, switches its motors off, says good-bye and closes the link; bounded by little over a second. */
     void finish() {
-        line.sendIfPossible(
-                Command.STOP.packet(), Command.VEL.packet(0), Command.RVEL.packet(0), Command.ENABLE.packet(0));
-        linger();
-        line.sendIfPossible(Command.CLOSE.packet(1));
-        linger();
+        if (hasBegun()) {
+            line.sendIfPossible(
+                    Command.STOP.packet(), Command.VEL.packet(0), Command.RVEL.packet(0), Command.ENABLE.packet(0));
+            linger();
+            line.sendIfPossible(Command.CLOSE.packet(1));
+            linger();
+        }
         line.close();
     }
 
@@ -197,12 +195,18 @@ final class Session implements ArcosLine.Listener {
      * Waits for the robot to stand, as a SIP tells that is yet to come.
      *
      * @return whether it was seen to stand in time
+     * @throws LinkLost if the line ended meanwhile: nobody saw whether it stands
      * @throws BotException if the thread is interrupted meanwhile
      */
     boolean awaitStanding(double seconds) {
         PioneerState before = state;
         Sip old = before == null ? null : before.sip();
-        return awaitState(now -> now.sip() != old && !now.isMoving(), seconds);
+        boolean stands = awaitState(now -> now.sip() != old && !now.isMoving(), seconds);
+        LinkLost end = line.end();
+        if (!stands && end != null) {
+            throw new LinkLost(end.getMessage(), end);
+        }
+        return stands;
     }
 
     /**
@@ -245,6 +249,14 @@ final class Session implements ArcosLine.Listener {
 
     Wheels wheels() {
         return wheels;
+    }
+
+    Motors motors() {
+        return motors;
+    }
+
+    Driving driving() {
+        return driving;
     }
 
     Model model() {

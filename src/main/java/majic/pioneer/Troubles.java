@@ -7,10 +7,14 @@ final class Troubles {
     /** Stall bits from before may stand until the wheels turn again (ARCOS sheet 7.5), seconds. */
     private static final double OLD_STALL_S = 1;
 
+    /** Motors that a drive asked for come on in this time, seconds. */
+    private static final double SWITCH_ON_S = 1;
+
     private final Bumpers bumpers;
     private final Heading heading;
     private final PioneerState start;
     private boolean seenFree;
+    private boolean seenOn;
 
     /** Which way the robot goes. */
     enum Heading {
@@ -19,7 +23,12 @@ final class Troubles {
         /** Backward. */
         BACK,
         /** On the spot. */
-        AROUND
+        AROUND;
+
+        /** The way a speed leads, mm/s. */
+        static Heading of(double mmPerSec) {
+            return mmPerSec > 0 ? AHEAD : mmPerSec < 0 ? BACK : AROUND;
+        }
     }
 
     Troubles(Bumpers bumpers, Heading heading, PioneerState start) {
@@ -37,11 +46,15 @@ final class Troubles {
     @Nullable
     String look(PioneerState now, double seconds) {
         seenFree |= !now.stalled();
+        seenOn |= now.motorsOn();
         if (now.stopButton()) {
             return "STOP button pressed";
         }
-        if (!now.motorsOn()) {
-            return "motors switched off";
+        if (now.stopEngaged()) {
+            return "emergency stop engaged";
+        }
+        if (!now.motorsOn() && (seenOn || seconds > SWITCH_ON_S)) {
+            return seenOn ? "motors switched off" : "motors do not switch on";
         }
         if (now.stalled() && (seenFree || seconds > OLD_STALL_S)) {
             return "stalled";

@@ -47,7 +47,7 @@ sealed interface Way {
 
         @Override
         public Troubles.Heading heading() {
-            return target < 0 ? Troubles.Heading.BACK : Troubles.Heading.AHEAD;
+            return Troubles.Heading.of(target);
         }
 
         @Override

@@ -49,7 +49,10 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     int ignoresSyncs;
     boolean hangsUpAtSync;
     boolean inOpenSession;
+    boolean neverEnables;
     int connections;
+    long firstByteMs;
+    private long connectedMs;
 
     private double up = 300;
     private double down = 300;
@@ -97,6 +100,8 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     @Override
     public void connected(SteppedPeer line) {
         connections++;
+        connectedMs = line.millis();
+        firstByteMs = 0;
         shaken = inOpenSession;
         sendsSips = inOpenSession;
         silent = false;
@@ -112,6 +117,7 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
 
     @Override
     public void received(SteppedPeer line, Packet packet) {
+        firstByteMs = firstByteMs == 0 ? line.millis() - connectedMs : firstByteMs;
         if (!shaken) {
             sync(line, packet.type());
             return;
@@ -172,8 +178,8 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     }
 
     private void enable(boolean on) {
-        motors = on;
-        if (!on) {
+        motors = on && !neverEnables;
+        if (!motors) {
             halt();
         }
     }

@@ -41,14 +41,13 @@ final class Stage implements AutoCloseable {
     }
 
     static Stage connected(ScriptedPioneer robot) {
-        Stage stage = new Stage(robot);
-        stage.bot.connect();
-        return stage;
+        return connected(robot, 0);
     }
 
     static Stage connected(ScriptedPioneer robot, int latencyMs) {
         Stage stage = new Stage(robot, latencyMs);
         stage.bot.connect();
+        stage.line.pass(0.01);
         return stage;
     }
 

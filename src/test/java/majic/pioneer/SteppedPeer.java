@@ -36,6 +36,9 @@ final class SteppedPeer implements AutoCloseable {
     private FrameDecoder decoder = new FrameDecoder();
     private @Nullable SocketChannel client;
     private String clientAddress = "";
+    private long heldUntilNanos;
+    volatile long endMs;
+    volatile boolean endedHard;
     private long sent;
     private long received;
     private long nanos;
@@ -113,6 +116,11 @@ final class SteppedPeer implements AutoCloseable {
         underWay.add(new Due(nanos + latencyNanos, () -> deliver(bytes)));
     }
 
+    /** Holds up all that is under way either way, and then delivers it at once. */
+    void hold(double seconds) {
+        heldUntilNanos = nanos + (long) (seconds * 1e9);
+    }
+
     void hangUp() {
         SocketChannel open = client;
         client = null;
@@ -127,6 +135,7 @@ final class SteppedPeer implements AutoCloseable {
             accept();
             read();
         } catch (IOException e) {
+            endedHard = true;
             leave();
         }
         return Links.traffic().stream()
@@ -172,6 +181,7 @@ final class SteppedPeer implements AutoCloseable {
     }
 
     private void leave() {
+        endMs = millis();
         hangUp();
         robot.left();
         news.raise();
@@ -181,7 +191,7 @@ final class SteppedPeer implements AutoCloseable {
         nanos = nowNanos;
         robot.step(this);
         boolean moved = false;
-        while (!underWay.isEmpty() && underWay.peek().atNanos <= nanos) {
+        while (nanos >= heldUntilNanos && !underWay.isEmpty() && underWay.peek().atNanos <= nanos) {
             underWay.remove().event.run();
             moved = true;
         }

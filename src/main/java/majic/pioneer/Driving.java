@@ -1,0 +1,79 @@
+package majic.pioneer;
+
+import java.util.function.Consumer;
+import majic.bot.MotionFailed;
+import majic.bot.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A drive that goes on until it is told otherwise, and ends by itself at the same troubles as a motion. Whoever drives
+ * hears the reason at the next call, or else as a notice when the drive is over. For one session; thread-safe.
+ */
+final class Driving {
+    private final Session session;
+    private final Motors motors;
+    private final TimeSource time;
+    private final Consumer<String> notice;
+    private @Nullable Troubles troubles;
+    private Troubles.@Nullable Heading heading;
+    private @Nullable String untold;
+    private long beganNanos;
+
+    Driving(Session session, Motors motors, TimeSource time, Consumer<String> notice) {
+        this.session = session;
+        this.motors = motors;
+        this.time = time;
+        this.notice = notice;
+    }
+
+    /**
+     * Drives from now on.
+     *
+     * @throws MotionFailed if a trouble has ended the drive before; the next call begins a new one
+     */
+    synchronized void drive(double mmPerSec, double degPerSec) {
+        String reason = untold;
+        if (reason != null) {
+            end();
+            throw new MotionFailed(reason);
+        }
+        motors.switchOnSoon();
+        begin(Troubles.Heading.of(mmPerSec));
+        session.wheels().drive(mmPerSec, degPerSec);
+    }
+
+    private void begin(Troubles.Heading now) {
+        if (now != heading) {
+            heading = now;
+            troubles = new Troubles(Bumpers.of(session.model(), session.config()), now, session.state());
+            beganNanos = time.nanos();
+        }
+    }
+
+    /** Looks at what the robot says, and lets it stand if there is a reason to. */
+    synchronized void look(PioneerState now) {
+        Troubles watched = troubles;
+        String reason = watched == null ? null : watched.look(now, time.secondsSince(beganNanos));
+        if (reason != null) {
+            end();
+            untold = reason;
+            session.wheels().stop();
+        }
+    }
+
+    /** Ends the drive, if there is one, and lets the robot stand in any case. */
+    synchronized void stop() {
+        String reason = untold;
+        end();
+        session.wheels().stop();
+        if (reason != null) {
+            notice.accept("the drive ended: " + reason);
+        }
+    }
+
+    private void end() {
+        troubles = null;
+        heading = null;
+        untold = null;
+    }
+}

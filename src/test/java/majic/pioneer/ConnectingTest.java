@@ -1,0 +1,153 @@
+package majic.pioneer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** From the closed line to the first readings, and what may come instead of an answer. */
+@Timeout(30)
+class ConnectingTest {
+    private static final String MOTION = "(ENABLE|VEL|RVEL|VEL2|MOVE|ROTATE|HEAD|DHEAD).*";
+
+    @Test
+    void switchesNoMotorsOnAndMovesNothing() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        try (Stage stage = Stage.connected(robot)) {
+            stage.line.pass(5);
+
+            assertThat(robot.heard).startsWith("OPEN 1", "CONFIG 1").contains("SONAR 1");
+            assertThat(robot.heard).noneMatch(command -> command.matches(MOTION));
+            assertThat(stage.bot.get("motors")).hasToString("no");
+            assertThat(stage.bot.get("model")).hasToString("p3dx-sh");
+            assertThat(stage.bot.get("firmware")).hasToString("S.0");
+        }
+    }
+
+    @Test
+    void motorsThatAreOnAlreadyAreToldAndLeftAsTheyAre() {
+        ScriptedPioneer simulator = ScriptedPioneer.vendorSimulator();
+        try (Stage stage = Stage.connected(simulator)) {
+            stage.line.pass(5);
+
+            assertThat(stage.bot.get("motors")).hasToString("yes");
+            assertThat(simulator.heard).noneMatch(command -> command.matches(MOTION));
+            assertThat(simulator.robot.x()).isZero();
+        }
+    }
+
+    @Test
+    void aSonarCountWithoutReadingsBehindItIsNoReading() {
+        try (Stage stage = Stage.connected(ScriptedPioneer.vendorSimulator())) {
+            stage.bot.set("sonarPower", "on");
+
+            assertThat(stage.bot.get("distanceFront")).hasToString("clear");
+        }
+    }
+
+    @Test
+    void aSessionLeftOpenIsStoppedForGoodBeforeTheHandshake() {
+        ScriptedPioneer robot = ScriptedPioneer.inOpenSession();
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(robot.heard).startsWith("ESTOP 0", "VEL 0", "RVEL 0", "ENABLE 0", "CLOSE 1", "OPEN 1");
+            assertThat(stage.bot.get("motors")).hasToString("no");
+        }
+    }
+
+    @Test
+    void aSessionLeftOpenThatSpeaksUpLateIsStoppedAllTheSame() {
+        ScriptedPioneer robot = ScriptedPioneer.inOpenSession().every(400);
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(robot.orders()).startsWith("ESTOP 0", "VEL 0", "RVEL 0", "ENABLE 0", "CLOSE 1", "OPEN 1");
+            assertThat(stage.bot.isConnected()).isTrue();
+        }
+    }
+
+    @Test
+    void nothingIsSentForTheFirstQuarterOfASecond() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(robot.firstByteMs).isGreaterThanOrEqualTo(250);
+            assertThat(stage.bot.isConnected()).isTrue();
+        }
+    }
+
+    @Test
+    void aRobotThatLosesStepOfTheHandshakeIsStartedOver() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.rejectsSyncs = 1;
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(stage.bot.isConnected()).isTrue();
+        }
+    }
+
+    @Test
+    void aSyncWithoutAnswerIsRepeated() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.ignoresSyncs = 1;
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(stage.bot.isConnected()).isTrue();
+        }
+    }
+
+    @Test
+    void aRobotWithoutConfigIsDrivenAsItsModel() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.answersConfig = false;
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(robot.heard).contains("SETV 1000", "SETRV 100");
+            assertThat(Stage.amount(stage.bot.turn(-30))).isBetween(-31.0, -29.0);
+        }
+    }
+
+    @Test
+    void anUnknownModelIsSaidToBeDrivenSlowly() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.subclass = "p9xl";
+        robot.answersConfig = false;
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(stage.notices).anyMatch(notice -> notice.contains("p9xl") && notice.contains("slowly"));
+            assertThat(stage.bot.profile().speed().max()).isEqualTo(300);
+            assertThat(robot.heard).contains("SETV 300");
+        }
+    }
+
+    @Test
+    void aPeerThatNeverAnswersIsGivenUpInTheTimeItSays() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.ignoresSyncs = Integer.MAX_VALUE;
+        try (Stage stage = new Stage(robot)) {
+            double seconds = stage.secondsOf(() -> assertThatThrownBy(stage.bot::connect)
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining("no Pioneer answers")
+                    .hasMessageContaining("within 6 s"));
+
+            assertThat(seconds).isBetween(6.0, 7.5);
+            assertThat(stage.bot.connection()).isEqualTo(MajicBot.Connection.LOST);
+        }
+    }
+
+    @Test
+    void aPeerThatHangsUpInTheHandshakeIsSaidToBeTaken() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.hangsUpAtSync = true;
+        try (Stage stage = new Stage(robot)) {
+            assertThatThrownBy(stage.bot::connect).hasMessageContaining("one program at a time");
+        }
+    }
+
+    @Test
+    void closingStopsSwitchesOffAndSaysGoodBye() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        Stage stage = Stage.connected(robot);
+        stage.bot.drive(100, 0);
+
+        stage.close();
+
+        assertThat(robot.heardLast("STOP 0", "VEL 0", "RVEL 0", "ENABLE 0", "CLOSE 1"))
+                .isTrue();
+    }
+}

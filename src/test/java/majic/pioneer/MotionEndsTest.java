@@ -1,0 +1,170 @@
+package majic.pioneer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.function.Consumer;
+import majic.bot.MotionFailed;
+import majic.bot.MotionStopped;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What ends a motion before its time, and what a drive. */
+@Timeout(30)
+class MotionEndsTest {
+    private static final int STOP_BUTTON = 1 << 5;
+    private static final int E_STALL = 1 << 6;
+    private static final int STALLED = 0x0101;
+    private static final int FRONT_BUMPER = 0x0200;
+    private static final int REAR_BUMPER = 0x0002;
+
+    private final ScriptedPioneer robot = ScriptedPioneer.robot();
+    private final Stage stage = new Stage(robot);
+
+    @AfterEach
+    void close() {
+        stage.close();
+    }
+
+    private void connect() {
+        robot.subclass = "patrolbot-sh";
+        robot.answersConfig = false;
+        stage.bot.connect();
+    }
+
+    private void moveUntil(double mm, Consumer<ScriptedPioneer> event, String reason) {
+        connect();
+        stage.whenBeyond(50, () -> event.accept(robot));
+
+        assertThatThrownBy(() -> stage.bot.move(mm))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageMatching(reason + " after -?\\d+(\\.\\d)? mm");
+        stage.line.pass(0.01);
+        assertThat(robot.heardLast("STOP 0", "VEL 0", "RVEL 0")).isTrue();
+    }
+
+    @Test
+    void aStallEndsTheMotionWithTheWayCovered() {
+        moveUntil(1000, pioneer -> pioneer.stallBits = STALLED, "stalled");
+    }
+
+    @Test
+    void theStopButtonEndsTheMotion() {
+        moveUntil(1000, pioneer -> pioneer.extraFlags = STOP_BUTTON, "STOP button pressed");
+    }
+
+    @Test
+    void anEmergencyStopEndsTheMotion() {
+        moveUntil(1000, pioneer -> pioneer.extraFlags = E_STALL, "emergency stop engaged");
+    }
+
+    @Test
+    void motorsSwitchedOffEndTheMotion() {
+        moveUntil(1000, pioneer -> pioneer.motors = false, "motors switched off");
+    }
+
+    @Test
+    void aBumperOnTheWayEndsTheMotion() {
+        moveUntil(1000, pioneer -> pioneer.stallBits = FRONT_BUMPER, "front bumper touched");
+    }
+
+    @Test
+    void theRearBumperEndsTheMotionBackward() {
+        moveUntil(-1000, pioneer -> pioneer.stallBits = REAR_BUMPER, "rear bumper touched");
+    }
+
+    @Test
+    void aBumperBehindDoesNotHinderTheWayAhead() {
+        connect();
+        stage.whenBeyond(50, () -> robot.stallBits = REAR_BUMPER);
+
+        assertThat(Stage.amount(stage.bot.move(300))).isBetween(290.0, 310.0);
+    }
+
+    @Test
+    void aGuardThatHoldsAlreadyLeavesTheMotorsOff() {
+        connect();
+
+        assertThat(Stage.amount(stage.bot.move(1000, () -> true))).isZero();
+        assertThat(robot.heard).noneMatch(command -> command.startsWith("ENABLE"));
+    }
+
+    @Test
+    void stopEndsAMotionAndReturnsWhenTheRobotStands() {
+        connect();
+        boolean[] beyond = {false};
+        stage.whenBeyond(50, () -> beyond[0] = true);
+
+        Throwable failure = stage.meanwhile(bot -> bot.move(1000), () -> {
+            stage.line.await(() -> beyond[0], 10);
+            stage.bot.stop();
+            assertThat(robot.robot.stands()).isTrue();
+        });
+
+        assertThat(failure).isInstanceOf(MotionStopped.class).hasMessage("stopped");
+    }
+
+    @Test
+    void aStopOfARobotThatDoesNotStandSaysHowLongItWaited() {
+        connect();
+        stage.bot.drive(300, 0);
+        stage.line.pass(0.5);
+        robot.robot.ramps(1, 1);
+        robot.ignoresRamps = true;
+
+        assertThatThrownBy(stage.bot::stop).hasMessageContaining("within 3 s of the stop");
+    }
+
+    @Test
+    void aDrivenRobotThatStallsIsToldToStandAtOnceAndTheDriverWhy() {
+        connect();
+        stage.bot.drive(200, 0);
+        stage.line.pass(0.3);
+        robot.stallBits = STALLED;
+        stage.line.pass(0.11);
+
+        assertThat(robot.heardLast("STOP 0", "VEL 0", "RVEL 0")).isTrue();
+        assertThatThrownBy(() -> stage.bot.drive(200, 0))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessage("stalled");
+    }
+
+    @Test
+    void whoDrivesNoMoreHearsWhyTheDriveEnded() {
+        connect();
+        stage.bot.drive(200, 0);
+        stage.line.pass(0.2);
+        robot.stallBits = FRONT_BUMPER;
+        stage.line.pass(1);
+
+        assertThat(stage.notices).contains("the drive ended: front bumper touched");
+    }
+
+    @Test
+    void aDriveAwayFromWhatTheBumperTouchesIsPossible() {
+        connect();
+        robot.stallBits = FRONT_BUMPER;
+        stage.bot.drive(-100, 0, 1, () -> false);
+
+        assertThat(robot.robot.x()).isLessThan(-50);
+    }
+
+    @Test
+    void aTimedDriveFailsWithTheReason() {
+        connect();
+        stage.whenBeyond(50, () -> robot.extraFlags = STOP_BUTTON);
+
+        assertThatThrownBy(() -> stage.bot.drive(200, 10, 20, () -> false))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessage("STOP button pressed");
+    }
+
+    @Test
+    void aDriveWhoseMotorsDoNotComeOnEnds() {
+        connect();
+        robot.neverEnables = true;
+
+        assertThatThrownBy(() -> stage.bot.drive(200, 0, 10, () -> false)).hasMessage("motors do not switch on");
+    }
+}
