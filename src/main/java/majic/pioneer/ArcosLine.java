@@ -148,6 +148,11 @@ final class ArcosLine {
         return decoder.reception();
     }
 
+    /** Whether there is room for more than SIPs: a serial port runs at 9600 baud from power-up (ARCOS sheet 1). */
+    boolean isFast() {
+        return !link.address().startsWith("serial:");
+    }
+
     /** How a person would write where it leads. */
     String address() {
         return link.address();

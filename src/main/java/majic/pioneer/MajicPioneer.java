@@ -61,6 +61,7 @@ public final class MajicPioneer extends MajicBot {
         this.parameters = new PioneerParameters(table(), session::get);
         parameters.describe(new Switches(session::get, time(), this::notice));
         every("link watch", LinkWatch.PERIOD_S, this::watch);
+        every("requests", Subscriptions.PERIOD_S, this::request);
     }
 
     private Link link() {
@@ -170,6 +171,13 @@ public final class MajicPioneer extends MajicBot {
         Session open = session.get();
         if (open != null && isConnected()) {
             open.watch();
+        }
+    }
+
+    private void request() {
+        Session open = session.get();
+        if (open != null && isConnected()) {
+            open.request();
         }
     }
 

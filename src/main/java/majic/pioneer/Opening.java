@@ -8,7 +8,7 @@ import majic.bot.TimeSource;
 import majic.pioneer.arcos.Command;
 
 /**
- * Makes a session from a closed line: handshake, OPEN, CONFIG, ramps, sonar (ARCOS sheet 13.1), without moving anything
+ * Makes a session from a closed line: handshake, OPEN, CONFIG, ramps, packets beside the SIPs, sonar (ARCOS sheet 13.1), without moving anything
  * or switching motors on. Runs on the thread that connects, once for each session.
  */
 final class Opening {
@@ -44,6 +44,7 @@ final class Opening {
             startSips();
             askConfig();
             session.tell(dynamics.fit(Limits.of(session.model(), session.config())));
+            session.subscriptions().begin(session.config());
             startSonar();
         } catch (BotException e) {
             if (session.hasBegun()) {

@@ -28,6 +28,7 @@ final class Session implements ArcosLine.Listener {
     private final LinkWatch watch;
     private final Motors motors;
     private final Driving driving;
+    private final Subscriptions subscriptions;
     private final Inbox inbox;
     private final TimeSource time;
     private final Signal changes;
@@ -62,6 +63,7 @@ final class Session implements ArcosLine.Listener {
         this.watch = new LinkWatch(line, wheels, time, changes);
         this.motors = new Motors(this, time, owner::say);
         this.driving = new Driving(this, motors, time, owner::say);
+        this.subscriptions = new Subscriptions(line, time);
         this.inbox = new Inbox(changes, owner::hasGivenUp);
     }
 
@@ -126,6 +128,7 @@ final class Session implements ArcosLine.Listener {
     private void heard(@Nullable Report report) {
         Tracker tracking = tracker;
         if (report != null && tracking != null) {
+            subscriptions.heard(report);
             Reports reports = tracking.keep(report);
             PioneerState now = state;
             state = now == null ? null : now.with(reports);
@@ -162,6 +165,14 @@ final class Session implements ArcosLine.Listener {
             if (cause != null) {
                 end(cause);
             }
+        }
+    }
+
+    /** Asks for packets that somebody lacks, if the robot speaks: a request would bring a silent one's motion back to life. */
+    void request() {
+        PioneerState now = state;
+        if (now != null && !wheels.areHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
+            subscriptions.request();
         }
     }
 
@@ -245,6 +256,10 @@ final class Session implements ArcosLine.Listener {
     /** Tells the robot its ramps, for as long as this session lasts. */
     void tell(Ramps ramps) {
         line.send(ramps.packets());
+    }
+
+    Subscriptions subscriptions() {
+        return subscriptions;
     }
 
     Wheels wheels() {

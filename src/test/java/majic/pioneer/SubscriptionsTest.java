@@ -1,0 +1,181 @@
+package majic.pioneer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import majic.TestClock;
+import majic.link.Link;
+import majic.link.Traffic;
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.Encoders;
+import majic.pioneer.arcos.Packet;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(value = 20, unit = TimeUnit.SECONDS)
+class SubscriptionsTest {
+    private static final String BATTERIES_STREAM = "62 2";
+    private static final String PORTS_STREAM = "40 2";
+    private static final String ENCODER_STREAM = "19 2";
+    private static final String ENCODER_ONCE = "19 1";
+    private static final Encoders TICKS = new Encoders(1, 2);
+
+    private final TestClock clock = new TestClock();
+    private final Wire wire = new Wire();
+
+    @AfterEach
+    void stopTheClock() {
+        clock.close();
+    }
+
+    @Test
+    void aFastLineBringsWhatTheRobotHasFromTheStart() {
+        on("tcp:robot").begin(config(0, 0));
+
+        assertThat(wire.requests).containsExactly(BATTERIES_STREAM, PORTS_STREAM);
+    }
+
+    @Test
+    void gripperAndGyroAreAskedForWhereConfigSaysThatTheyAreThere() {
+        on("tcp:robot").begin(config(1, 1));
+
+        assertThat(wire.requests).containsExactly(BATTERIES_STREAM, PORTS_STREAM, "37 2", "58 1");
+    }
+
+    @Test
+    void aGyroThatTheControllerReadsItselfIsLeftAlone() {
+        on("tcp:robot").begin(config(0, 2));
+
+        assertThat(wire.requests).doesNotContain("58 1");
+    }
+
+    @Test
+    void aSlowLineIsLeftToTheSips() {
+        on("serial:ttyS0").begin(config(1, 1));
+
+        assertThat(wire.requests).isEmpty();
+    }
+
+    @Test
+    void whatSomebodyReadsIsStreamed() throws InterruptedException {
+        Subscriptions subscriptions = on("tcp:robot");
+
+        read(subscriptions, 10, true);
+
+        assertThat(wire.requests).containsExactly(ENCODER_STREAM);
+    }
+
+    @Test
+    void onASlowLineOnePacketASecondIsAskedForWhileSomebodyReads() throws InterruptedException {
+        Subscriptions subscriptions = on("serial:ttyS0");
+
+        read(subscriptions, 4, true);
+
+        assertThat(wire.requests).hasSize(4).containsOnly(ENCODER_ONCE);
+        pass(subscriptions, 30);
+        assertThat(wire.requests).hasSizeLessThan(11);
+    }
+
+    @Test
+    void aLostRequestIsRepeated() throws InterruptedException {
+        Subscriptions subscriptions = on("tcp:robot");
+
+        read(subscriptions, 3, false);
+        subscriptions.heard(TICKS);
+        read(subscriptions, 2, true);
+
+        assertThat(wire.requests).hasSize(3).containsOnly(ENCODER_STREAM);
+    }
+
+    @Test
+    void aStreamThatEndsIsAskedForAgain() throws InterruptedException {
+        Subscriptions subscriptions = on("tcp:robot");
+
+        read(subscriptions, 3, true);
+        read(subscriptions, 3, false);
+
+        assertThat(wire.requests).hasSize(2);
+    }
+
+    @Test
+    void aRobotThatNeverAnswersIsNotAskedForEver() throws InterruptedException {
+        Subscriptions subscriptions = on("tcp:robot");
+
+        read(subscriptions, 60, false);
+
+        assertThat(wire.requests).hasSize(5);
+        assertThat(subscriptions.isMute(Feed.ENCODERS)).isTrue();
+        assertThat(subscriptions.isMute(Feed.JOYSTICK)).isFalse();
+    }
+
+    private Subscriptions on(String address) {
+        wire.address = address;
+        return new Subscriptions(new ArcosLine(wire, clock.time()), clock.time());
+    }
+
+    /** Somebody reads the encoders for a while, and the robot answers or does not. */
+    private void read(Subscriptions subscriptions, double seconds, boolean answers) throws InterruptedException {
+        for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
+            subscriptions.want(Feed.ENCODERS);
+            pass(subscriptions, Subscriptions.PERIOD_S);
+            if (answers) {
+                subscriptions.heard(TICKS);
+            }
+        }
+    }
+
+    private void pass(Subscriptions subscriptions, double seconds) throws InterruptedException {
+        for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
+            subscriptions.request();
+            clock.time().sleep(Subscriptions.PERIOD_S);
+        }
+    }
+
+    /** A CONFIG packet by where the sheet has these two fields. */
+    private static Config config(int gripper, int gyro) {
+        byte[] data = Bytes.packet(Bytes.CONFIG).data();
+        data[39] = (byte) gripper;
+        data[88] = (byte) gyro;
+        return Config.decode(new Packet(Config.TYPE, data, 0, data.length));
+    }
+
+    /** A link that only remembers what is written. */
+    private static final class Wire implements Link {
+        private final List<String> requests = new ArrayList<>();
+        private String address = "";
+
+        @Override
+        public void open(int timeoutMs) {}
+
+        @Override
+        public int read(byte[] buffer) {
+            return -1;
+        }
+
+        @Override
+        public void write(byte[] message) {
+            Packet packet = Bytes.packet(Bytes.hex(message));
+            requests.add(packet.type() + " " + packet.data()[1]);
+        }
+
+        @Override
+        public void close() {}
+
+        @Override
+        public void abort() {}
+
+        @Override
+        public String address() {
+            return address;
+        }
+
+        @Override
+        public Traffic traffic() {
+            return new Traffic("", "", 0, 0, true);
+        }
+    }
+}
