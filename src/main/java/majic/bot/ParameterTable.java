@@ -1,12 +1,10 @@
 package majic.bot;
 
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -18,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ParameterTable {
     private final Map<String, Entry> entries = Collections.synchronizedMap(new LinkedHashMap<>());
-    private Set<String> renewed = Set.of();
+    private volatile Map<String, Entry> renewed = Map.of();
 
     /** Made by {@link MajicBot}, one for each robot. */
     ParameterTable() {}
@@ -96,18 +94,15 @@ public final class ParameterTable {
 
     /**
      * Describes what depends on the robot that was found: what the call before described and this one does not is gone
-     * afterwards. Whoever looks meanwhile finds all of the old or all of the new.
+     * afterwards. Whoever looks meanwhile finds all of the old or all of the new. One of the same name as a parameter
+     * added otherwise stands in its place.
      *
      * @param description adds the parameters in their order to the table handed to it
      */
     public void renew(Consumer<ParameterTable> description) {
         ParameterTable fresh = new ParameterTable();
         description.accept(fresh);
-        synchronized (entries) {
-            entries.keySet().removeAll(renewed);
-            entries.putAll(fresh.entries);
-            renewed = Set.copyOf(fresh.entries.keySet());
-        }
+        renewed = Collections.unmodifiableMap(new LinkedHashMap<>(fresh.entries));
     }
 
     private Entry put(Entry entry) {
@@ -117,15 +112,17 @@ public final class ParameterTable {
 
     @Nullable
     Entry find(String name) {
-        return entries.get(key(name));
+        Entry found = renewed.get(key(name));
+        return found == null ? entries.get(key(name)) : found;
     }
 
     List<Parameter> all() {
+        Map<String, Entry> all;
         synchronized (entries) {
-            List<Parameter> parameters = new ArrayList<>();
-            entries.values().forEach(entry -> parameters.add(entry.parameter()));
-            return Collections.unmodifiableList(parameters);
+            all = new LinkedHashMap<>(entries);
         }
+        all.putAll(renewed);
+        return all.values().stream().map(Entry::parameter).toList();
     }
 
     private static String key(String name) {
