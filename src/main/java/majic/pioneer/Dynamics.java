@@ -1,5 +1,6 @@
 package majic.pioneer;
 
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,10 +32,11 @@ final class Dynamics {
     /**
      * Takes over what somebody wants, for this session and those to come.
      *
+     * @param change makes those that are wanted of those in force
      * @return those to tell the robot, which may be slower
      */
-    synchronized Ramps use(Ramps better) {
-        wanted = better;
+    synchronized Ramps change(UnaryOperator<Ramps> change) {
+        wanted = change.apply(inForce);
         return fit(limits);
     }
 

@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.ConfigField;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,19 +12,38 @@ import org.jspecify.annotations.Nullable;
  * @param turnDegPerSec that nothing can raise
  * @param setSpeedMmPerSec what the robot's owner has set in it; no more than the first
  * @param setTurnDegPerSec what the robot's owner has set in it; no more than the second
+ * @param accelerationMmPerSec2 speeding up and braking
+ * @param turnAccelerationDegPerSec2 speeding up and braking
  */
-record Limits(int speedMmPerSec, int turnDegPerSec, int setSpeedMmPerSec, int setTurnDegPerSec) {
+record Limits(
+        int speedMmPerSec,
+        int turnDegPerSec,
+        int setSpeedMmPerSec,
+        int setTurnDegPerSec,
+        int accelerationMmPerSec2,
+        int turnAccelerationDegPerSec2) {
+    /** What tyres hold and loads stand, whatever a controller takes; turning, it is the same at the wheels. */
+    private static final int SHARPEST_MM_PER_SEC2 = 2000;
+
+    private static final int SHARPEST_DEG_PER_SEC2 = 500;
 
     /** Those of a model, and of one robot once its CONFIG packet has come. */
     static Limits of(Model model, @Nullable Config config) {
         int modelSpeed = (int) model.topSpeedMmPerSec();
         int modelTurn = (int) model.topTurnDegPerSec();
         if (config == null) {
-            return new Limits(modelSpeed, modelTurn, modelSpeed, modelTurn);
+            return new Limits(
+                    modelSpeed, modelTurn, modelSpeed, modelTurn, SHARPEST_MM_PER_SEC2, SHARPEST_DEG_PER_SEC2);
         }
         int speed = lower(modelSpeed, config.speedTopMmPerSec());
         int turn = lower(modelTurn, config.turnTopDegPerSec());
-        return new Limits(speed, turn, lower(speed, config.speedMaxMmPerSec()), lower(turn, config.turnMaxDegPerSec()));
+        return new Limits(
+                speed,
+                turn,
+                lower(speed, config.speedMaxMmPerSec()),
+                lower(turn, config.turnMaxDegPerSec()),
+                lower(SHARPEST_MM_PER_SEC2, (int) config.number(ConfigField.TRANSACCTOP)),
+                lower(SHARPEST_DEG_PER_SEC2, (int) config.number(ConfigField.ROTACCTOP)));
     }
 
     private static int lower(int known, int told) {

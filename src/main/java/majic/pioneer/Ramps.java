@@ -25,18 +25,48 @@ record Ramps(
 
     private static final int CAREFUL_DEG_PER_SEC = 100;
 
+    /** Slower than so a robot hardly starts or stops at all, mm/s² and deg/s². */
+    static final int GENTLEST = 20;
+
     /**
      * What a robot is told unless somebody wants it otherwise: gently, yet able to stop within sight of its sonars. From
      * the usual 300 mm/s it stands after 90 mm.
      */
     static Ramps careful(Limits limits) {
         return new Ramps(
-                Math.min(CAREFUL_MM_PER_SEC, limits.setSpeedMmPerSec()),
-                Math.min(CAREFUL_DEG_PER_SEC, limits.setTurnDegPerSec()),
-                300,
-                500,
-                100,
-                100);
+                        Math.min(CAREFUL_MM_PER_SEC, limits.setSpeedMmPerSec()),
+                        Math.min(CAREFUL_DEG_PER_SEC, limits.setTurnDegPerSec()),
+                        300,
+                        500,
+                        100,
+                        100)
+                .within(limits);
+    }
+
+    Ramps withTopSpeed(int mmPerSec) {
+        return new Ramps(mmPerSec, topTurnDegPerSec, acceleration, deceleration, turnAcceleration, turnDeceleration);
+    }
+
+    Ramps withTopTurn(int degPerSec) {
+        return new Ramps(topSpeedMmPerSec, degPerSec, acceleration, deceleration, turnAcceleration, turnDeceleration);
+    }
+
+    Ramps withAcceleration(int mmPerSec2) {
+        return new Ramps(
+                topSpeedMmPerSec, topTurnDegPerSec, mmPerSec2, deceleration, turnAcceleration, turnDeceleration);
+    }
+
+    Ramps withDeceleration(int mmPerSec2) {
+        return new Ramps(
+                topSpeedMmPerSec, topTurnDegPerSec, acceleration, mmPerSec2, turnAcceleration, turnDeceleration);
+    }
+
+    Ramps withTurnAcceleration(int degPerSec2) {
+        return new Ramps(topSpeedMmPerSec, topTurnDegPerSec, acceleration, deceleration, degPerSec2, turnDeceleration);
+    }
+
+    Ramps withTurnDeceleration(int degPerSec2) {
+        return new Ramps(topSpeedMmPerSec, topTurnDegPerSec, acceleration, deceleration, turnAcceleration, degPerSec2);
     }
 
     /** The same, but no faster than a robot can. */
@@ -44,10 +74,10 @@ record Ramps(
         return new Ramps(
                 Math.min(topSpeedMmPerSec, limits.speedMmPerSec()),
                 Math.min(topTurnDegPerSec, limits.turnDegPerSec()),
-                acceleration,
-                deceleration,
-                turnAcceleration,
-                turnDeceleration);
+                Math.min(acceleration, limits.accelerationMmPerSec2()),
+                Math.min(deceleration, limits.accelerationMmPerSec2()),
+                Math.min(turnAcceleration, limits.turnAccelerationDegPerSec2()),
+                Math.min(turnDeceleration, limits.turnAccelerationDegPerSec2()));
     }
 
     /** What tells the robot, a packet each. */
