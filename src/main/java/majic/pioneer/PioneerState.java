@@ -23,6 +23,7 @@ import majic.pioneer.arcos.SipTail;
  * @param sonar the last reading of every disc
  * @param gaps from the hull to the nearest thing on each side that is known, mm; infinite when nothing is in range
  * @param sipsPerSec how often it speaks, 0 before the second SIP
+ * @param longestSilenceS between two SIPs of this session, seconds
  * @param atNanos when this came, on the driver's clock
  */
 record PioneerState(
@@ -35,6 +36,7 @@ record PioneerState(
         SonarScan sonar,
         Map<Side, Double> gaps,
         double sipsPerSec,
+        double longestSilenceS,
         long atNanos) {
     private static final double STANDING_MM_PER_SEC = 3;
     private static final double STANDING_DEG_PER_SEC = 1;
@@ -59,7 +61,17 @@ record PioneerState(
     /** The same SIP with news beside it. */
     PioneerState with(Reports newReports) {
         return new PioneerState(
-                sip, newReports, pose, turnedDeg, speedMmPerSec, turnRateDegPerSec, sonar, gaps, sipsPerSec, atNanos);
+                sip,
+                newReports,
+                pose,
+                turnedDeg,
+                speedMmPerSec,
+                turnRateDegPerSec,
+                sonar,
+                gaps,
+                sipsPerSec,
+                longestSilenceS,
+                atNanos);
     }
 
     boolean isMoving() {
@@ -74,6 +86,11 @@ record PioneerState(
     /** FLAGS bits 1 to 4, one for each array. */
     boolean sonarOn() {
         return hasFlag(SONAR_ARRAYS);
+    }
+
+    /** FLAGS bits 1 to 4 again: one array, by its number. */
+    boolean sonarOn(int array) {
+        return hasFlag(1 << array);
     }
 
     /** FLAGS bit 5. */

@@ -18,6 +18,14 @@ record Scaling(double mmPerCount, double mmPerSecPerCount, double mmPerRangeCoun
 
     static final double DEG_PER_UNIT = 360.0 / UNITS_PER_TURN;
 
+    double leftMmPerSec(Sip sip) {
+        return sip.lVel() * mmPerSecPerCount;
+    }
+
+    double rightMmPerSec(Sip sip) {
+        return sip.rVel() * mmPerSecPerCount;
+    }
+
     double speedMmPerSec(Sip sip) {
         return (sip.lVel() + sip.rVel()) / 2.0 * mmPerSecPerCount;
     }

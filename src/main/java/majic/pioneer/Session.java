@@ -12,6 +12,7 @@ import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Identity;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.Reception;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 import org.jspecify.annotations.Nullable;
@@ -272,6 +273,11 @@ final class Session implements ArcosLine.Listener {
 
     Driving driving() {
         return driving;
+    }
+
+    /** How well the robot's bytes have come through. */
+    Reception reception() {
+        return line.reception();
     }
 
     Model model() {

@@ -15,6 +15,7 @@ final class Tracker {
     private SonarScan scan = SonarScan.EMPTY;
     private Reports reports = Reports.NONE;
     private double periodS;
+    private double longestSilenceS;
     private long lastNanos;
 
     Tracker(Model model, Pose start) {
@@ -39,6 +40,7 @@ final class Tracker {
                 scan,
                 surroundings.gaps(scan, pose, nanos),
                 periodS > 0 ? 1 / periodS : 0,
+                longestSilenceS,
                 nanos);
     }
 
@@ -51,6 +53,7 @@ final class Tracker {
     private void time(long nanos) {
         if (lastNanos != 0) {
             double interval = (nanos - lastNanos) / 1e9;
+            longestSilenceS = Math.max(longestSilenceS, interval);
             periodS = periodS == 0 ? interval : periodS + RATE_SMOOTHING * (interval - periodS);
         }
         lastNanos = nanos;
