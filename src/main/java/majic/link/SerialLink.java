@@ -2,6 +2,7 @@ package majic.link;
 
 import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.io.File;
 import java.io.IOException;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.ReentrantLock;
@@ -34,8 +35,7 @@ final class SerialLink implements Link {
         opening.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         opening.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
         if (!open(opening, timeoutMs)) {
-            throw new IOException("cannot open the serial port " + name
-                    + "; is it in use by another program, or are you not allowed to use it (on Linux: group dialout)?");
+            throw new IOException(SerialRefusal.of(name, new File(opening.getSystemPortPath())));
         }
         counter.opened();
         Links.register(this);

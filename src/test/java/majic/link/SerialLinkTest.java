@@ -98,7 +98,7 @@ class SerialLinkTest {
 
         assertThatThrownBy(() -> second.open(1000))
                 .isInstanceOf(IOException.class)
-                .hasMessageContaining("in use");
+                .hasMessageContaining("does another program use it?");
     }
 
     @Test
