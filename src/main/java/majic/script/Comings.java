@@ -37,7 +37,7 @@ final class Comings {
         }
         session.team().checkRoom(number);
         MajicBot bot = session.factory().create(address);
-        connectOrClose(bot, address);
+        connectNew(bot, address);
         Member member = join(bot, number);
         joined(member, address);
         return member;
@@ -85,12 +85,16 @@ final class Comings {
         session.record().added(address, member.number());
     }
 
-    private static void connectOrClose(MajicBot bot, String address) {
+    private void connectNew(MajicBot bot, String address) {
         try {
             connect(bot, address);
         } catch (BotException e) {
             bot.close();
-            throw e;
+            Optional<Member> holder =
+                    at(address).filter(member -> member.bot().isConnected()).findFirst();
+            throw holder.map(member ->
+                            new BotException(address + ": robot " + member.number() + " is connected to it already", e))
+                    .orElse(e);
         }
     }
 

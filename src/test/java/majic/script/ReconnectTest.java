@@ -56,4 +56,11 @@ class ReconnectTest {
                 .doesNotContain("1: not connected");
         assertThat(desk.team.members()).hasSize(1);
     }
+
+    @Test
+    void aSecondRobotAtATakenAddressIsToldWhoHasIt() throws InterruptedException {
+        desk.runPipe("add sim:aibo");
+        desk.aibo.prepare(second -> second.refuse(new BotException("closed at once")));
+        assertThat(desk.runPipe("add sim:aibo")).contains("sim:aibo: robot 1 is connected to it already");
+    }
 }
