@@ -45,6 +45,18 @@ public interface Link extends AutoCloseable {
     void abort();
 
     /**
+     * Changes the speed of a serial line for what is read and written from now on. What was written before may still be
+     * on its way out at the old one.
+     *
+     * @param baud the new speed, baud
+     * @return false if the link has no speed; nothing happens then
+     * @throws IOException if the port refuses it, or is closed
+     */
+    default boolean setBaud(int baud) throws IOException {
+        return false;
+    }
+
+    /**
      * Where the link leads.
      *
      * @return the address as a person would write it: {@code tcp:10.0.0.5:8101}, {@code serial:COM3}

@@ -139,7 +139,20 @@ final class SerialLink implements Link {
 
     @Override
     public void abort() {
+        SerialPort open = port;
+        if (open != null) {
+            open.flushIOBuffers();
+        }
         close();
+    }
+
+    @Override
+    public boolean setBaud(int rate) throws IOException {
+        SerialPort open = port;
+        if (open == null || !open.setBaudRate(rate)) {
+            throw new IOException("the serial port " + name + " cannot be set to " + rate + " baud");
+        }
+        return true;
     }
 
     @Override

@@ -153,6 +153,20 @@ final class ArcosLine {
         return !link.address().startsWith("serial:");
     }
 
+    /**
+     * Changes the speed of a serial line.
+     *
+     * @return false if it is no serial line
+     * @throws LinkLost if the port refuses it
+     */
+    boolean setBaud(int baud) {
+        try {
+            return link.setBaud(baud);
+        } catch (IOException e) {
+            throw new LinkLost("connection lost: " + e.getMessage(), e);
+        }
+    }
+
     /** How a person would write where it leads. */
     String address() {
         return link.address();

@@ -17,12 +17,18 @@ final class Handshake {
     private static final double ANSWER_S = 1;
     private static final double DRAIN_S = 0.2;
     private static final double LIMIT_S = 6;
+
+    /** On a serial port, twice for every speed. */
+    private static final double SERIAL_LIMIT_S = 13;
+
     private static final int LOST_STEP = 0xFF;
     private static final int LAST_SYNC = 2;
 
     private final ArcosLine line;
     private final Inbox inbox;
     private final TimeSource time;
+    private final Rates rates;
+    private double limitS = LIMIT_S;
     private boolean closedASession;
 
     /** The robot hung up because it was told to close a session left open; connecting anew will do. */
@@ -34,9 +40,10 @@ final class Handshake {
         }
     }
 
-    Handshake(ArcosLine line, Inbox inbox, TimeSource time) {
+    Handshake(ArcosLine line, Inbox inbox, Rates rates, TimeSource time) {
         this.line = line;
         this.inbox = inbox;
+        this.rates = rates;
         this.time = time;
     }
 
@@ -44,7 +51,8 @@ final class Handshake {
      * Goes through the handshake.
      *
      * @throws SessionClosed if the line ended because an old session was closed
-     * @throws BotException if there is no answer, or no sensible one, within {@value #LIMIT_S} s
+     * @throws BotException if there is no answer, or no sensible one, within {@value #LIMIT_S} s, on a
+     *     serial port {@value #SERIAL_LIMIT_S} s
      */
     Identity run() {
         try {
@@ -89,7 +97,7 @@ final class Handshake {
     private Identity synchronise() {
         long started = time.nanos();
         int step = 0;
-        while (time.secondsSince(started) < LIMIT_S) {
+        while (time.secondsSince(started) < limitS) {
             line.send(Frame.bare(step));
             Packet answer = inbox.next(ANSWER_S);
             if (answer != null && answer.type() == LAST_SYNC && step == LAST_SYNC) {
@@ -97,19 +105,26 @@ final class Handshake {
             }
             step = answer != null && answer.type() == step ? step + 1 : startOver(answer);
         }
-        throw new BotException(Complaints.nothingCameOfIt(line.address(), line.firstWords(), (int) LIMIT_S));
+        throw new BotException(Complaints.nothingCameOfIt(line.address(), line.firstWords(), (int) limitS));
     }
 
     private int startOver(@Nullable Packet answer) {
         if (answer == null) {
-            return 0;
-        }
-        if (answer.isSip()) {
+            tryNextRate();
+        } else if (answer.isSip()) {
             closeSession();
         } else {
             drain(answer.type() == LOST_STEP ? DRAIN_S : DRAIN_S / 2);
         }
         return 0;
+    }
+
+    /** Listens again: what was noise at one speed may be an open session at the next. */
+    private void tryNextRate() {
+        if (rates.next()) {
+            limitS = SERIAL_LIMIT_S;
+            endOpenSession();
+        }
     }
 
     private void closeSession() {

@@ -25,9 +25,6 @@ import org.jspecify.annotations.Nullable;
  * stands) the connection is given up. The robot's own watchdog stops it 2 s after the last packet.
  */
 public final class MajicPioneer extends MajicBot {
-    /** A Pioneer's serial port after power-up (ARCOS sheet 1). */
-    private static final int BAUD = 9600;
-
     /** Long enough to brake from the highest speed. */
     private static final double HALT_S = 3;
 
@@ -66,7 +63,7 @@ public final class MajicPioneer extends MajicBot {
 
     private Link link() {
         try {
-            return Links.of(address, PioneerType.PORT, BAUD);
+            return Links.of(address, PioneerType.PORT, Rates.POWER_UP);
         } catch (IllegalArgumentException e) {
             throw new BotException("pioneer:" + e.getMessage(), e);
         }

@@ -8,7 +8,8 @@ import majic.bot.TimeSource;
 import majic.pioneer.arcos.Command;
 
 /**
- * Makes a session from a closed line: handshake, OPEN, CONFIG, ramps, packets beside the SIPs, sonar (ARCOS sheet 13.1), without moving anything
+ * Makes a session from a closed line: handshake, OPEN, CONFIG, speed of the line, ramps, packets beside the SIPs, sonar
+ * (ARCOS sheet 13.1), without moving anything
  * or switching motors on. Runs on the thread that connects, once for each session.
  */
 final class Opening {
@@ -40,9 +41,11 @@ final class Opening {
     void run(Pose start, Dynamics dynamics) {
         line.open(session);
         try {
-            session.begin(new Handshake(line, inbox, time).run(), start);
+            Rates rates = new Rates(line);
+            session.begin(new Handshake(line, inbox, rates, time).run(), start);
             startSips();
             askConfig();
+            new Autobaud(session, line).run(session.config(), rates.now());
             session.tell(dynamics.fit(Limits.of(session.model(), session.config())));
             session.subscriptions().begin(session.config());
             startSonar();

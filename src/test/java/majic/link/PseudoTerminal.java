@@ -4,12 +4,16 @@ import com.sun.jna.LastErrorException;
 import com.sun.jna.Library;
 import com.sun.jna.Native;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /** Stands for an adapter with a robot behind it: this side is the robot's, {@link #name()} the computer's port. */
 public final class PseudoTerminal implements AutoCloseable {
     private static final int READ_WRITE = 2;
     private static final int NO_CONTROLLING_TERMINAL = 0x100;
+
+    private static final int SPEED_BITS = 0x100F;
 
     private final int master;
     private final String name;
@@ -27,6 +31,9 @@ public final class PseudoTerminal implements AutoCloseable {
 
         /** See ptsname_r(3). */
         int ptsname_r(int fd, byte[] buffer, long length) throws LastErrorException;
+
+        /** See tcgetattr(3). */
+        int tcgetattr(int fd, byte[] termios) throws LastErrorException;
 
         /** See read(2). */
         long read(int fd, byte[] buffer, long count) throws LastErrorException;
@@ -53,6 +60,15 @@ public final class PseudoTerminal implements AutoCloseable {
     /** The name of the port. */
     public String name() {
         return name;
+    }
+
+    /** The speed the computer has set its port to, as its code in Linux's termbits.h. */
+    public int speedCode() {
+        byte[] termios = new byte[128];
+        C.tcgetattr(master, termios);
+        int controlModes =
+                ByteBuffer.wrap(termios).order(ByteOrder.nativeOrder()).getInt(8);
+        return controlModes & SPEED_BITS;
     }
 
     /** Sends to the computer. */

@@ -1,0 +1,128 @@
+package majic.pioneer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import majic.bot.BotEnvironment;
+import majic.link.PseudoTerminal;
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.FrameDecoder;
+import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.SipBytes;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+
+/** The driver on a real serial port, with a robot at the other end that understands one speed at a time. */
+@Timeout(20)
+@EnabledOnOs(value = OS.LINUX, disabledReason = "the port's speed is read as Linux keeps it")
+class SerialSpeedTest {
+    private static final int HOSTBAUD = 50;
+    private static final int B9600 = 13;
+    private static final int B38400 = 15;
+
+    private final PseudoTerminal plug = new PseudoTerminal();
+    private final List<Integer> heard = new CopyOnWriteArrayList<>();
+    private final ScheduledExecutorService cycle = Executors.newSingleThreadScheduledExecutor();
+    private final MajicPioneer bot = new MajicPioneer(plug.name(), BotEnvironment.plain());
+    private volatile int speed = B9600;
+    private volatile boolean changesSpeed = true;
+    private volatile boolean open;
+
+    private void connect() {
+        Thread robot = new Thread(this::converse, "robot on a port");
+        robot.setDaemon(true);
+        robot.start();
+        cycle.scheduleAtFixedRate(this::say, 50, 50, TimeUnit.MILLISECONDS);
+        bot.connect();
+    }
+
+    @AfterEach
+    void unplug() {
+        bot.close();
+        cycle.shutdownNow();
+        plug.close();
+    }
+
+    @Test
+    void aRobotThatAsksForItIsMadeFaster() {
+        connect();
+
+        assertThat(heard).contains(HOSTBAUD);
+        assertThat(plug.speedCode()).isEqualTo(B38400);
+        assertThat(bot.get("motors")).hasToString("no");
+    }
+
+    @Test
+    void aRobotThatDoesNotFollowIsSpokenToAsBefore() {
+        changesSpeed = false;
+        connect();
+
+        assertThat(heard).contains(HOSTBAUD);
+        assertThat(plug.speedCode()).isEqualTo(B9600);
+        assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
+    void aRobotThatASessionBeforeHasLeftFastIsFound() {
+        speed = B38400;
+        connect();
+
+        assertThat(plug.speedCode()).isEqualTo(B38400);
+        assertThat(heard).doesNotContain(HOSTBAUD);
+    }
+
+    private void converse() {
+        FrameDecoder decoder = new FrameDecoder();
+        try {
+            while (true) {
+                byte[] bytes = plug.read().getBytes(StandardCharsets.ISO_8859_1);
+                if (plug.speedCode() == speed) {
+                    decoder.feed(bytes, bytes.length, this::received);
+                }
+            }
+        } catch (IOException e) {
+            open = false;
+        }
+    }
+
+    private void received(Packet packet) {
+        if (!open && packet.type() < 2) {
+            write(Bytes.wire(packet.type(), new byte[0]));
+        } else if (!open) {
+            open = true;
+            write(Bytes.of(Bytes.NAMES));
+        } else {
+            obey(packet);
+        }
+    }
+
+    private void obey(Packet packet) {
+        heard.add(packet.type());
+        if (packet.type() == 18) {
+            write(Bytes.of(Bytes.CONFIG));
+        } else if (packet.type() == HOSTBAUD && changesSpeed) {
+            speed = packet.data()[1] == 2 ? B38400 : B9600;
+        }
+    }
+
+    private void say() {
+        if (open && heard.contains(1)) {
+            write(Bytes.wire(0x32, new SipBytes().state(0, 0x1E).bytes()));
+        }
+    }
+
+    /** At another speed than the computer's it is noise. */
+    private synchronized void write(byte[] bytes) {
+        byte[] arriving = plug.speedCode() == speed ? bytes : new byte[] {(byte) 0xE6, 0x19, (byte) 0x80};
+        plug.write(new String(arriving, StandardCharsets.ISO_8859_1));
+    }
+}
