@@ -74,6 +74,11 @@ final class Rig {
         return this;
     }
 
+    /** Sends a command without any argument. */
+    Rig command(int id) {
+        return packet(id, new byte[0]);
+    }
+
     /** Sends a command with a number, sign in the type byte. */
     Rig command(int id, int value) {
         int magnitude = Math.abs(value);

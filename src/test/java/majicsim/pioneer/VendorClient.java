@@ -1,0 +1,15 @@
+package majicsim.pioneer;
+
+import java.io.IOException;
+
+/** One session of somebody's client, in pieces. */
+interface VendorClient {
+    void connect() throws IOException;
+
+    void driveAndRead() throws IOException;
+
+    void disconnect() throws IOException;
+
+    /** Ends without CLOSE, as a program that is killed. */
+    void vanish() throws IOException;
+}
