@@ -1,9 +1,9 @@
 package majic.pioneer;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import majic.pioneer.arcos.Batteries;
-import majic.pioneer.arcos.SipTail;
 
 /**
  * How the robot is supplied (ARCOS sheet 8, 8.1, 11.3). Immutable.
@@ -17,6 +17,7 @@ import majic.pioneer.arcos.SipTail;
 record Power(
         double volts, OptionalInt percent, Charging charging, boolean chargerConnected, List<Batteries.Cell> cells) {
     private static final int CHARGER_GOOD = 1 << 10;
+    private static final int FULL_PERCENT = 100;
 
     /** From a SIP and from what came with it. */
     static Power of(PioneerState state) {
@@ -30,16 +31,15 @@ record Power(
                 cells);
     }
 
-    /** Robots that do not know send zero. */
+    /** Robots that do not know send zero; more than all there is means as little. */
     private static OptionalInt percent(int told, List<Batteries.Cell> cells) {
-        if (told != SipTail.ABSENT && told > 0) {
-            return OptionalInt.of(told);
-        }
-        return cells.isEmpty()
-                ? OptionalInt.empty()
-                : OptionalInt.of((int) Math.round(cells.stream()
-                        .mapToInt(Batteries.Cell::relativePercent)
-                        .average()
-                        .orElse(0)));
+        OptionalInt charge = told > 0 ? OptionalInt.of(told) : mean(cells);
+        return charge.orElse(0) <= FULL_PERCENT ? charge : OptionalInt.empty();
+    }
+
+    private static OptionalInt mean(List<Batteries.Cell> cells) {
+        OptionalDouble mean =
+                cells.stream().mapToInt(Batteries.Cell::relativePercent).average();
+        return mean.isPresent() ? OptionalInt.of((int) Math.round(mean.getAsDouble())) : OptionalInt.empty();
     }
 }

@@ -124,6 +124,11 @@ class PioneerStateTest {
     }
 
     @Test
+    void aChargeOfMoreThanAllIsNotKnown() {
+        assertThat(hear("FA", "01 05 00 00 00 FA 00").power().percent()).isEmpty();
+    }
+
+    @Test
     void theGyroTurnsLeftBelowItsRest() {
         assertThat(hear("98", "02 F6 01 19 F6 01 19").gyroDegPerSec().orElseThrow())
                 .isCloseTo(9.54, within(0.01));

@@ -94,7 +94,7 @@ class ReceivingFuzzTest {
         assertThat(state.pose().xMm()).isFinite();
         assertThat(state.gaps().values()).allMatch(gap -> gap >= 0);
         assertThat(state.power().volts()).isNotNegative();
-        assertThat(state.power().percent().orElse(0)).isBetween(-128, 127);
+        assertThat(state.power().percent().orElse(0)).isBetween(0, 100);
         assertThat(state.ports().allAnalogVolts()).allMatch(Double::isFinite);
         assertThat(state.gyroDegPerSec().orElse(0)).isFinite();
         assertThat(state.encoders()).isNotNull();
