@@ -65,7 +65,7 @@ class ReceivingFuzzTest {
             int end = Math.min(at + 2 + (plan[at] & 0x0F), plan.length);
             int id = plan[at + 1] & 0xFF;
             rig.packet(id == MAINTENANCE ? CLOSE : id, Arrays.copyOfRange(plan, at + 2, end))
-                    .step(0.02);
+                    .step(Rig.STEP_SECONDS);
             at = end;
         }
         rig.command(CLOSE, 1).reconnect();
