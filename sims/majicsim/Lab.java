@@ -5,12 +5,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import majicsim.net.Faults;
 import majicsim.net.LineCount;
 import majicsim.net.Port;
+import majicsim.pioneer.Bystander;
+import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Point;
 import majicsim.world.Pose;
 import majicsim.world.Segment;
@@ -167,6 +170,22 @@ public final class Lab implements AutoCloseable {
      */
     public Faults faults(String robot) {
         return station(robot).wiring().faults();
+    }
+
+    /**
+     * Does something at the Pioneer itself: presses its buttons, plugs its charger, listens to it. The lab stands still meanwhile.
+     *
+     * @param deed what to do; must not wait for anything
+     */
+    public void besidePioneer(Consumer<Bystander> deed) {
+        locked(() -> {
+            stations.stream()
+                    .map(station -> station.wiring().firmware())
+                    .filter(PioneerRobot.class::isInstance)
+                    .map(PioneerRobot.class::cast)
+                    .forEach(pioneer -> deed.accept(pioneer.bystander()));
+            return deed;
+        });
     }
 
     /**

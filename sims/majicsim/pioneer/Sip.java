@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param motion where and how fast
  * @param status how it is
- * @param sonar new readings only, at most 53
+ * @param sonar new readings only, at most 50, so that no tail makes it too long
  * @param tail what follows the sonar readings
  */
 record Sip(SipMotion motion, SipStatus status, List<SonarReading> sonar, SipTail tail) {

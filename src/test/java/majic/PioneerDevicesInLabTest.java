@@ -1,0 +1,69 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import majic.bot.Guard;
+import majic.bot.MajicBot;
+import majicsim.pioneer.Bystander;
+import majicsim.pioneer.Tone;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What happens at the robot itself, as its driver tells of it: the lab's Pioneer on the lab's stepped clock. */
+@Timeout(60)
+class PioneerDevicesInLabTest {
+    private final LabRig rig = LabRig.exact();
+    private final MajicBot bot = rig.add("pioneer");
+
+    @AfterEach
+    void close() {
+        rig.close();
+    }
+
+    @Test
+    void theStopButtonEndsAMotionAndShows() throws InterruptedException {
+        Guard press = () -> {
+            beside(bystander -> bystander.pressStop(rig.truePose("pioneer").xMm() > 300));
+            return false;
+        };
+
+        assertThatThrownBy(() -> bot.move(2000, press)).hasMessageContaining("STOP button");
+
+        assertThat(rig.truePose("pioneer").xMm()).isBetween(300.0, 600.0);
+        assertThat(bot.get("stopButton")).hasToString("yes");
+        beside(bystander -> bystander.pressStop(false));
+        rig.run("wait 0.3s");
+        assertThat(bot.get("stopButton")).hasToString("no");
+        assertThat(bot.move(100).amount()).isNotNull();
+    }
+
+    @Test
+    void theStateOfTheBatteryIsTold() {
+        assertThat(bot.get("voltage").number()).isEqualTo(13.0);
+        assertThat(bot.get("battery").number()).isEqualTo(100.0);
+    }
+
+    @Test
+    void aRestartOfTheControllerIsALostLink() throws InterruptedException {
+        beside(Bystander::pressReset);
+
+        assertThat(rig.await(() -> !bot.isConnected())).isTrue();
+    }
+
+    @Test
+    void itsBeepIsHeardBesideIt() throws InterruptedException {
+        List<Tone> heard = new ArrayList<>();
+        assertThat(rig.run("1 set beep on")).containsExactly("1 set beep on: done");
+        beside(bystander -> heard.addAll(bystander.played()));
+        assertThat(heard).isNotEmpty();
+    }
+
+    private void beside(Consumer<Bystander> deed) {
+        rig.lab().simulators().besidePioneer(deed);
+    }
+}
