@@ -8,6 +8,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class SipTest {
+    /** All that the newest firmware sends behind the readings. */
+    private static final String LONGEST_TAIL =
+            "21 03 80 F0 0F 1C 01 01 6A FF 02 00 F6 FF E2 4A 01 02 03 84 05 06 07 88";
+
     @Test
     void aRobotAtRestSaysSo() {
         Sip sip = Bytes.sip(Bytes.AT_REST);
@@ -44,6 +48,37 @@ class SipTest {
         assertThat(sip.stallRear()).isEqualTo(1);
         assertThat(sip.stallFront()).isEqualTo(1);
         assertThat(sip.sonar().range(3)).isEqualTo(100);
+    }
+
+    @Test
+    void theNewestFirmwareTellsMostBehindTheReadings() {
+        SipTail tail = new SipBytes().sonar(3, 1000).tail(LONGEST_TAIL).sip().tail();
+
+        assertThat(tail)
+                .isEqualTo(new SipTail(
+                        0x21, 3, 0x80, 0xF0, 0x0F, 284, 1, -150, 2, -10, -30, 74, 0x84030201L, 0x88070605L));
+    }
+
+    @Test
+    void aTailThatEndsEarlyLacksWhatDidNotComeWhole() {
+        byte[] whole = new SipBytes().sonar(3, 1000).tail(LONGEST_TAIL).bytes();
+        for (int length = 22; length <= whole.length; length++) {
+            Sip sip = Sip.decode(new Packet(0x33, whole, 0, length));
+
+            assertThat(sip).isNotNull();
+            assertThat(sip.sonar().range(0)).isEqualTo(1000);
+            assertThat(sip.tail().batteryTenths()).isEqualTo(length < 22 + 7 ? SipTail.ABSENT : 284);
+            assertThat(sip.tail().turnRateTenths()).isEqualTo(length < 22 + 10 ? SipTail.ABSENT : -150);
+            assertThat(sip.tail().temperature()).isEqualTo(length < 22 + 15 ? SipTail.ABSENT : -30);
+            assertThat(sip.tail().clockMicros()).isEqualTo(length < 22 + 20 ? SipTail.ABSENT : 0x84030201L);
+        }
+    }
+
+    @Test
+    void whatIsLongerThanKnownIsIgnored() {
+        Sip known = new SipBytes().tail(LONGEST_TAIL).sip();
+
+        assertThat(new SipBytes().tail(LONGEST_TAIL + "01 02 03").sip().tail()).isEqualTo(known.tail());
     }
 
     @Test
