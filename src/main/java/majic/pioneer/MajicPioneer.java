@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
@@ -30,8 +31,10 @@ public final class MajicPioneer extends MajicBot {
 
     private final String address;
     private final AtomicReference<@Nullable Session> session = new AtomicReference<>();
-    private final PioneerParameters parameters;
     private final Dynamics dynamics = new Dynamics(Models.USUAL);
+    private final Placement placement = new Placement();
+    private final PioneerParameters parameters;
+    private final PioneerCommands commands;
     private volatile Pose lastPose = Pose.START;
 
     /**
@@ -55,8 +58,12 @@ public final class MajicPioneer extends MajicBot {
         super(new PioneerType(), Models.USUAL.profile(Ramps.careful(Limits.of(Models.USUAL, null))), environment);
         this.address = address;
         link();
-        this.parameters = new PioneerParameters(table(), session::get);
-        parameters.describe(new Switches(session::get, time(), this::notice));
+        Access access = new Access(session::get);
+        PaceParameters pace = new PaceParameters(dynamics, this::useRamps);
+        this.parameters =
+                new PioneerParameters(table(), PioneerParameters.themes(access, time(), placement, pace, this::notice));
+        this.commands = new PioneerCommands(access);
+        describe(Equipment.of(Models.USUAL, null));
         every("link watch", LinkWatch.PERIOD_S, this::watch);
         every("requests", Subscriptions.PERIOD_S, this::request);
     }
@@ -66,6 +73,27 @@ public final class MajicPioneer extends MajicBot {
             return Links.of(address, PioneerType.PORT, Rates.POWER_UP);
         } catch (IllegalArgumentException e) {
             throw new BotException("pioneer:" + e.getMessage(), e);
+        }
+    }
+
+    private void describe(Equipment equipment) {
+        parameters.describe(equipment);
+        PioneerCommands.NAMES.forEach(this::removeCommand);
+        commands.with(equipment).forEach(this::add);
+    }
+
+    private void useRamps(UnaryOperator<Ramps> change) {
+        Session open = current();
+        synchronized (dynamics) {
+            open.tell(dynamics.change(change));
+            adoptProfile(open.model());
+        }
+    }
+
+    private void adoptProfile(Model model) {
+        BotProfile found = model.profile(dynamics.ramps());
+        if (!found.equals(profile())) {
+            profile(found);
         }
     }
 
@@ -91,11 +119,8 @@ public final class MajicPioneer extends MajicBot {
             notice("it calls itself " + model.subclass()
                     + ", a model that is not known here; it is driven slowly, and its distances cannot be told");
         }
-        BotProfile found = model.profile(dynamics.ramps());
-        if (!found.equals(profile())) {
-            profile(found);
-        }
-        parameters.describeSonars(model);
+        adoptProfile(model);
+        describe(Equipment.of(model, opened.config()));
     }
 
     @Override
@@ -141,6 +166,7 @@ public final class MajicPioneer extends MajicBot {
     @Override
     protected void halt() {
         current().driving().stop();
+        commands.halt();
     }
 
     @Override
@@ -189,7 +215,11 @@ public final class MajicPioneer extends MajicBot {
             lastPose = state.pose();
             boolean moving = state.isMoving() || from.wheels().areDriven();
             publish(new BotState(
-                    state.pose(), state.speedMmPerSec(), state.turnRateDegPerSec(), moving, state.atNanos()));
+                    placement.of(state.pose()),
+                    state.speedMmPerSec(),
+                    state.turnRateDegPerSec(),
+                    moving,
+                    state.atNanos()));
         }
     }
 

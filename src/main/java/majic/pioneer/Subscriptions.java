@@ -69,6 +69,11 @@ final class Subscriptions {
         }
     }
 
+    /** Whether what was heard last is of now. */
+    boolean isFresh(Feed feed) {
+        return secondsSince(heardNanos.get(feed)) < STALE_S;
+    }
+
     /** Whether the robot has been asked often enough to know that it never sends this. */
     boolean isMute(Feed feed) {
         return unanswered.getOrDefault(feed, 0) >= TRIES;
@@ -89,7 +94,7 @@ final class Subscriptions {
 
     private boolean isLacking(Feed feed) {
         boolean asked = secondsSince(askedNanos.get(feed)) < REPEAT_S;
-        boolean flowing = line.isFast() && secondsSince(heardNanos.get(feed)) < STALE_S;
+        boolean flowing = line.isFast() && isFresh(feed);
         return !asked && !flowing;
     }
 

@@ -1,32 +1,17 @@
 package majic.pioneer;
 
 import java.util.function.Consumer;
-import java.util.function.Predicate;
-import java.util.function.Supplier;
-import majic.bot.BotException;
-import majic.bot.TimeSource;
-import majic.bot.Value;
 import majic.pioneer.arcos.Command;
-import org.jspecify.annotations.Nullable;
 
-/** What can be switched on a Pioneer without moving it. */
+/** What can be switched on a Pioneer without moving it, and seen to be switched. */
 final class Switches {
-    private static final double SWITCH_S = 1;
+    private static final int ALL_ARRAYS = 0;
 
-    /** Pairs of duration in 20 ms and MIDI note; 0 is silence. Three rising tones, one second (ARCOS sheet 6.1). */
-    private static final byte[] TONES = {10, 72, 5, 0, 10, 76, 5, 0, 20, 79};
-
-    private static final byte[] SILENCE = {1, 0};
-    private static final double TONES_S = 1;
-
-    private final Supplier<@Nullable Session> session;
-    private final TimeSource time;
+    private final Access access;
     private final Consumer<String> notice;
-    private volatile long beepNanos;
 
-    Switches(Supplier<@Nullable Session> session, TimeSource time, Consumer<String> notice) {
-        this.session = session;
-        this.time = time;
+    Switches(Access access, Consumer<String> notice) {
+        this.access = access;
         this.notice = notice;
     }
 
@@ -34,37 +19,31 @@ final class Switches {
         if (on) {
             notice.accept("motors on");
         }
-        order(Command.ENABLE, on, "the motors", state -> state.motorsOn() == on);
+        access.order(
+                Command.ENABLE.packet(on ? 1 : 0), state -> state.motorsOn() == on, "the motors " + didNotSwitch(on));
     }
 
     void sonar(boolean on) {
-        order(Command.SONAR, on, "the sonars", state -> state.sonarOn() == on);
+        access.order(
+                Command.SONAR.packet(sonarArgument(ALL_ARRAYS, on)),
+                state -> state.sonarOn() == on,
+                "the sonars " + didNotSwitch(on));
     }
 
-    private void order(Command command, boolean on, String what, Predicate<PioneerState> done) {
-        Session open = open();
-        open.send(command.packet(on ? 1 : 0));
-        if (!open.awaitState(done, SWITCH_S)) {
-            throw new BotException(
-                    what + " did not switch " + (on ? "on" : "off") + " within " + (int) SWITCH_S + " s");
-        }
+    /** One array, 1 to 4. */
+    void sonar(int array, boolean on) {
+        access.order(
+                Command.SONAR.packet(sonarArgument(array, on)),
+                state -> state.sonarOn(array) == on,
+                "sonar array " + array + " " + didNotSwitch(on));
     }
 
-    void beep(boolean on) {
-        open().send(Command.SAY.packet(on ? TONES : SILENCE));
-        beepNanos = on ? time.nanos() : 0;
+    /** Bit 0 switches, a bit above chooses the array, none all of them (ARCOS sheet 6.1). */
+    private static int sonarArgument(int array, boolean on) {
+        return (array == ALL_ARRAYS ? 0 : 1 << array) | (on ? 1 : 0);
     }
 
-    Value beeping() {
-        long started = beepNanos;
-        return Value.onOff(started != 0 && time.secondsSince(started) < TONES_S);
-    }
-
-    private Session open() {
-        Session open = session.get();
-        if (open == null) {
-            throw new BotException("not connected");
-        }
-        return open;
+    private static String didNotSwitch(boolean on) {
+        return "did not switch " + (on ? "on" : "off");
     }
 }

@@ -1,0 +1,105 @@
+package majic.pioneer;
+
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.Value;
+import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.ConfigField;
+import org.jspecify.annotations.Nullable;
+
+/** The way from a parameter to the robot: what it said last, and orders it confirms. Over all sessions. Thread-safe. */
+final class Access {
+    static final Value NOTHING_YET = Value.unknown("no reading yet");
+    static final Value NOT_TOLD = Value.unknown("this robot does not tell");
+
+    /** Time enough for a command and the SIP that shows what became of it, seconds. */
+    private static final double CONFIRM_S = 1;
+
+    /** Time enough to ask for a packet and to hear it, seconds. */
+    private static final double ASKED_S = 2 * Subscriptions.PERIOD_S;
+
+    private final Supplier<@Nullable Session> session;
+
+    Access(Supplier<@Nullable Session> session) {
+        this.session = session;
+    }
+
+    /**
+     * The session there is.
+     *
+     * @throws BotException if there has been none yet
+     */
+    Session open() {
+        Session open = session.get();
+        if (open == null) {
+            throw new BotException("not connected");
+        }
+        return open;
+    }
+
+    /** Reads from the robot's last state. */
+    Supplier<Value> state(Function<PioneerState, Value> reader) {
+        return session(open -> open.hasSpoken() ? reader.apply(open.state()) : NOTHING_YET);
+    }
+
+    /** Reads from a packet that comes beside the SIPs; the first reading asks for it and waits a moment. */
+    Supplier<Value> report(Feed feed, Function<PioneerState, Optional<Value>> reader) {
+        return session(open -> {
+            if (!open.hasSpoken()) {
+                return NOTHING_YET;
+            }
+            return hears(open, feed) ? reader.apply(open.state()).orElse(NOT_TOLD) : NOT_TOLD;
+        });
+    }
+
+    private static boolean hears(Session open, Feed feed) {
+        Subscriptions subscriptions = open.subscriptions();
+        subscriptions.want(feed);
+        return !subscriptions.isMute(feed) && open.awaitState(state -> subscriptions.isFresh(feed), ASKED_S);
+    }
+
+    /** Reads from what was learned at connecting. */
+    Supplier<Value> session(Function<Session, Value> reader) {
+        return () -> {
+            Session open = session.get();
+            return open == null ? Value.unknown("not connected") : reader.apply(open);
+        };
+    }
+
+    /** Reads from the robot's CONFIG packet. */
+    Supplier<Value> config(Function<Config, Value> reader) {
+        return session(open -> {
+            Config config = open.config();
+            return config == null ? NOT_TOLD : reader.apply(config);
+        });
+    }
+
+    /** Reads a text of the CONFIG packet. */
+    Supplier<Value> config(ConfigField text) {
+        return config(config -> config.text(text).isEmpty() ? NOT_TOLD : Value.text(config.text(text)));
+    }
+
+    /**
+     * Sends a command and waits for the SIP that shows it done.
+     *
+     * @param complaint what did not happen, as half a sentence: "the motors did not switch on"
+     * @throws BotException if no SIP shows it in time
+     * @throws LinkLost if the connection is gone
+     */
+    void order(byte[] packet, Predicate<PioneerState> done, String complaint) {
+        Session open = open();
+        open.send(packet);
+        if (!open.awaitState(done, CONFIRM_S)) {
+            throw new BotException(complaint + " within " + Value.plain(CONFIRM_S) + " s");
+        }
+    }
+
+    /** Sends a command that nothing confirms. */
+    void send(byte[] packet) {
+        open().send(packet);
+    }
+}

@@ -1,0 +1,70 @@
+package majic.pioneer;
+
+import java.util.List;
+import java.util.Optional;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.pioneer.arcos.Command;
+
+/** How gripper and lift stand. Moving them is a command: {@link GripperOrders}. */
+final class GripperParameters implements Theme {
+    static final int STEP_MS = 20;
+    private static final int LONGEST_MS = 5100;
+    private static final int GRASP = 16;
+
+    private final Access access;
+    private final Told grasp;
+
+    GripperParameters(Access access) {
+        this.access = access;
+        this.grasp = new Told(access);
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        if (!equipment.gripper()) {
+            return;
+        }
+        table.add(
+                Parameter.choice("gripper", List.of("open", "closed", "moving", "between"), "how its paddles stand"),
+                access.state(state -> words(state.gripper(), GripperParameters::paddles)));
+        table.add(
+                Parameter.choice("lift", List.of("up", "down", "moving", "between"), "how the gripper's lift stands"),
+                access.state(state -> words(state.gripper(), GripperParameters::lift)));
+        table.add(
+                        Parameter.number("graspTime", Unit.MS, "how long the paddles press on after they touch")
+                                .within(0, LONGEST_MS),
+                        grasp.reader())
+                .writes(values -> grasp(values.get(0)));
+    }
+
+    private void grasp(Value time) {
+        access.send(Command.GRIPPER.packet(GRASP));
+        grasp.tell(Command.GRIPPERVAL.packet((int) Math.round(time.number() / STEP_MS)), time);
+    }
+
+    /** How the robot's words are made. */
+    private interface Wording {
+        String of(Gripper gripper);
+    }
+
+    private static Value words(Optional<Gripper> gripper, Wording wording) {
+        return gripper.map(told -> Value.text(wording.of(told))).orElse(Access.NOT_TOLD);
+    }
+
+    static String paddles(Gripper gripper) {
+        if (gripper.moving()) {
+            return "moving";
+        }
+        return gripper.open() ? "open" : gripper.closed() ? "closed" : "between";
+    }
+
+    static String lift(Gripper gripper) {
+        if (gripper.liftMoving()) {
+            return "moving";
+        }
+        return gripper.liftUp() ? "up" : gripper.liftDown() ? "down" : "between";
+    }
+}

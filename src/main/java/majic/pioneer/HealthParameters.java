@@ -1,0 +1,35 @@
+package majic.pioneer;
+
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The motors, and how the controller feels. */
+final class HealthParameters implements Theme {
+    private final Access access;
+    private final Switches switches;
+
+    HealthParameters(Access access, Switches switches) {
+        this.access = access;
+        this.switches = switches;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        table.add(
+                        Parameter.yesNo("motors", "whether the motors are on"),
+                        access.state(state -> Value.yesNo(state.motorsOn())))
+                .writes(values -> switches.motors(values.get(0).isYes()));
+        table.add(
+                Parameter.number("temperature", Unit.CELSIUS, "of the controller, where it has a thermometer"),
+                access.state(state -> state.temperatureC().isEmpty()
+                        ? Access.NOT_TOLD
+                        : Value.of(state.temperatureC().getAsInt(), Unit.CELSIUS)));
+        table.add(
+                Parameter.number("faults", Unit.NONE, "the controller's fault flags as one number, 0 when all is well"),
+                access.state(state -> state.faults().isEmpty()
+                        ? Access.NOT_TOLD
+                        : Value.of(state.faults().getAsInt(), Unit.NONE)));
+    }
+}

@@ -1,0 +1,53 @@
+package majic.pioneer;
+
+import java.util.function.Function;
+import java.util.function.Supplier;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.pioneer.arcos.ConfigField;
+import majic.pioneer.arcos.Identity;
+
+/** Who the robot is and how its controller is set up. */
+final class IdentityParameters implements Theme {
+    private final Access access;
+
+    IdentityParameters(Access access) {
+        this.access = access;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        table.add(Parameter.text("model", "how it calls its make"), identity(Identity::subclass));
+        table.add(Parameter.text("robotName", "the name its owner gave it"), identity(Identity::name));
+        text(table, "serialNumber", ConfigField.SERNUM, "of the controller");
+        text(table, "firmware", ConfigField.FIRMWARE, "version of the robot's own program");
+        text(table, "bootLoader", ConfigField.BOOTLOADER, "version of what starts it");
+        number(table, "ticksPerMm", Unit.NONE, ConfigField.TICKSMM, "encoder ticks for a millimetre");
+        number(
+                table,
+                "watchdog",
+                Unit.MS,
+                ConfigField.WATCHDOG,
+                "the robot stops after so long without a word from here");
+        number(table, "cycle", Unit.MS, ConfigField.SIPCYCLE, "from one packet of the robot to the next");
+    }
+
+    private Supplier<Value> identity(Function<Identity, String> part) {
+        return access.session(open -> {
+            Identity known = open.identity();
+            return known == null ? Value.unknown("not connected") : Value.text(part.apply(known));
+        });
+    }
+
+    private void text(ParameterTable table, String name, ConfigField field, String help) {
+        table.add(Parameter.text(name, help), access.config(field));
+    }
+
+    private void number(ParameterTable table, String name, Unit unit, ConfigField field, String help) {
+        table.add(
+                Parameter.number(name, unit, help),
+                access.config(config -> config.has(field) ? Value.of(config.number(field), unit) : Access.NOT_TOLD));
+    }
+}

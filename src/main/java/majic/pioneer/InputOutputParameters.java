@@ -1,0 +1,118 @@
+package majic.pioneer;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.pioneer.arcos.Command;
+
+/** The controller's digital and analog ports, for what a lab has mounted. Setting them moves nothing of the robot's own. */
+final class InputOutputParameters implements Theme {
+    private static final int LINES = 8;
+    private static final int BYTE = 0xFF;
+
+    /** Analog inputs that the SIP can show. */
+    private static final int LAST_PORT = 7;
+
+    private final Access access;
+
+    InputOutputParameters(Access access) {
+        this.access = access;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        describeInputs(table);
+        describeOutputs(table);
+        table.add(
+                        Parameter.number("analogPort", Unit.NONE, "which analog input \"analog\" shows")
+                                .within(0, LAST_PORT),
+                        access.state(state -> number(state.ports().analogPort())))
+                .writes(values -> select(Whole.of("analogPort", values.get(0))));
+        table.add(
+                Parameter.number("analog", Unit.V, "the chosen analog input, 0 to 5 V"),
+                access.state(state -> volts(state.ports().analogVolts())));
+        table.add(
+                Parameter.list("analogs", Unit.V, "all analog inputs, 0 to 5 V, the battery last; asked for when read"),
+                access.report(
+                        Feed.PORTS,
+                        state -> all(state.ports().allAnalogVolts().stream()
+                                .map(volts -> Value.of(volts, Unit.V))
+                                .toList())));
+        table.add(
+                Parameter.list(
+                        "digitalIns", Unit.NONE, "all bytes of digital inputs, the user's first; asked for when read"),
+                access.report(
+                        Feed.PORTS,
+                        state -> all(state.ports().allDigitalIn().stream()
+                                .map(bits -> Value.of(bits, Unit.NONE))
+                                .toList())));
+    }
+
+    private static Optional<Value> all(List<Value> values) {
+        return values.isEmpty() ? Optional.empty() : Optional.of(Value.many(values));
+    }
+
+    private void describeInputs(ParameterTable table) {
+        table.add(
+                Parameter.number("digitalIn", Unit.NONE, "all digital inputs as one number, input 0 lowest")
+                        .within(0, BYTE),
+                access.state(state -> number(state.ports().digitalIn())));
+        for (int line = 0; line < LINES; line++) {
+            int bit = 1 << line;
+            table.add(
+                    Parameter.onOff("digitalIn" + line, "this digital input; an open one is on"),
+                    access.state(state -> flag(state.ports().digitalIn(), bit)));
+        }
+    }
+
+    private void describeOutputs(ParameterTable table) {
+        table.add(
+                        Parameter.number("digitalOut", Unit.NONE, "all digital outputs as one number, output 0 lowest")
+                                .within(0, BYTE),
+                        access.state(state -> number(state.ports().digitalOut())))
+                .writes(values -> put(Whole.of("digitalOut", values.get(0)), BYTE));
+        for (int line = 0; line < LINES; line++) {
+            int bit = 1 << line;
+            table.add(
+                            Parameter.onOff("digitalOut" + line, "this digital output"),
+                            access.state(state -> flag(state.ports().digitalOut(), bit)))
+                    .writes(values -> put(values.get(0).isYes() ? bit : 0, bit));
+        }
+    }
+
+    private void put(int states, int mask) {
+        byte[] packet = Command.DIGOUT.packet(states, mask);
+        if (access.open().state().ports().digitalOut().isEmpty()) {
+            access.send(packet);
+            return;
+        }
+        access.order(
+                packet,
+                state -> (state.ports().digitalOut().orElse(~states) & mask) == states,
+                "the digital outputs did not change");
+    }
+
+    private void select(int port) {
+        access.order(
+                Command.ADSEL.packet(port),
+                state -> state.ports().analogPort().orElse(port) == port,
+                "the robot did not change to analog input " + port);
+    }
+
+    private static Value number(OptionalInt told) {
+        return told.isEmpty() ? Access.NOT_TOLD : Value.of(told.getAsInt(), Unit.NONE);
+    }
+
+    private static Value flag(OptionalInt bits, int bit) {
+        return bits.isEmpty() ? Access.NOT_TOLD : Value.onOff((bits.getAsInt() & bit) != 0);
+    }
+
+    private static Value volts(OptionalDouble told) {
+        return told.isEmpty() ? Access.NOT_TOLD : Value.of(told.getAsDouble(), Unit.V);
+    }
+}

@@ -1,0 +1,53 @@
+package majic.pioneer;
+
+import java.util.function.Function;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.Joystick;
+
+/** The joystick that can be plugged into the robot itself. */
+final class JoystickParameters implements Theme {
+    private static final double REST = 512;
+    private static final double FULL = 1023;
+
+    private final Access access;
+    private final Told drives;
+
+    JoystickParameters(Access access) {
+        this.access = access;
+        this.drives = new Told(access);
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        axis(table, "joystickX", "sideways, -100 to 100", told -> deflection(told.x()));
+        axis(table, "joystickY", "ahead and back, -100 to 100", told -> deflection(told.y()));
+        axis(table, "joystickThrottle", "0 to 100", told -> Value.of(told.throttle() / FULL * 100, Unit.PERCENT));
+        button(table, "joystickButton1", told -> Value.yesNo(told.button1()));
+        button(table, "joystickButton2", told -> Value.yesNo(told.button2()));
+        table.add(Parameter.onOff("joystickDrive", "whether the robot's joystick drives it beside us"), drives.reader())
+                .moves((values, motion) -> motion.send(
+                        () -> drives.tell(Command.JOYDRIVE.packet(values.get(0).isYes() ? 1 : 0), values.get(0))));
+    }
+
+    private static Value deflection(int counts) {
+        return Value.of((counts - REST) / REST * 100, Unit.PERCENT);
+    }
+
+    private void axis(ParameterTable table, String name, String help, Function<Joystick, Value> reader) {
+        add(table, Parameter.number(name, Unit.PERCENT, help + "; asked for when read"), reader);
+    }
+
+    private void button(ParameterTable table, String name, Function<Joystick, Value> reader) {
+        add(table, Parameter.yesNo(name, "whether this button is pressed; asked for when read"), reader);
+    }
+
+    private void add(ParameterTable table, Parameter parameter, Function<Joystick, Value> reader) {
+        table.add(
+                parameter,
+                access.report(Feed.JOYSTICK, state -> state.joystick().map(reader)));
+    }
+}

@@ -1,0 +1,32 @@
+package majic.pioneer;
+
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** How well the robot is heard. */
+final class LinkParameters implements Theme {
+    private final Access access;
+
+    LinkParameters(Access access) {
+        this.access = access;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        table.add(
+                Parameter.number("packetRate", Unit.NONE, "state packets from the robot a second; about 10"),
+                access.state(state -> Value.of(state.sipsPerSec(), Unit.NONE)));
+        table.add(
+                Parameter.number(
+                        "longestSilence", Unit.MS, "the longest time between two of them since it was connected"),
+                access.state(state -> Value.of(state.longestSilenceS() * 1000, Unit.MS)));
+        table.add(
+                Parameter.number("damagedPackets", Unit.NONE, "with a wrong checksum, since it was connected"),
+                access.session(open -> Value.of(open.reception().damagedPackets(), Unit.NONE)));
+        table.add(
+                Parameter.number("skippedBytes", Unit.NONE, "that belonged to no whole packet, since it was connected"),
+                access.session(open -> Value.of(open.reception().skippedBytes(), Unit.NONE)));
+    }
+}

@@ -1,0 +1,41 @@
+package majic.pioneer;
+
+import java.util.ArrayList;
+import java.util.List;
+import majic.bot.BotCommand;
+
+/** The commands that only a Pioneer has, for what is an act and not a value. */
+final class PioneerCommands {
+    /** All that there can be. */
+    static final List<String> NAMES = List.of("gripper", "carry", "dock", "undock", "tones");
+
+    private final Tune tune;
+    private final GripperOrders gripper;
+    private final DockOrders dock;
+
+    PioneerCommands(Access access) {
+        this.tune = new Tune(access);
+        this.gripper = new GripperOrders(access);
+        this.dock = new DockOrders(access);
+    }
+
+    /** Those for what a robot has. */
+    List<BotCommand> with(Equipment equipment) {
+        List<BotCommand> commands = new ArrayList<>();
+        if (equipment.gripper()) {
+            commands.add(gripper.gripper());
+            commands.add(gripper.carry());
+        }
+        if (equipment.charger()) {
+            commands.add(dock.dock());
+            commands.add(dock.undock());
+        }
+        commands.add(tune.command());
+        return commands;
+    }
+
+    /** Stops what moves on the robot besides its wheels. */
+    void halt() {
+        gripper.halt();
+    }
+}

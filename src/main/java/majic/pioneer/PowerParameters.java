@@ -1,0 +1,54 @@
+package majic.pioneer;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalInt;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.pioneer.arcos.ConfigField;
+
+/** Battery and charger. */
+final class PowerParameters implements Theme {
+    private final Access access;
+
+    PowerParameters(Access access) {
+        this.access = access;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        table.add(
+                Parameter.number("voltage", Unit.V, "of the battery; a 12 V robot wants charging below 11.5"),
+                access.state(state -> Value.of(state.volts(), Unit.V)));
+        table.add(
+                Parameter.number("battery", Unit.PERCENT, "charge, on robots that can tell"),
+                access.state(state -> charge(state.power().percent())));
+        table.add(
+                Parameter.number("lowVoltage", Unit.V, "the robot complains below it"),
+                access.config(config -> volts(config.number(ConfigField.LOWBATTERY))));
+        List<String> words =
+                Arrays.stream(Charging.values()).map(Charging::words).toList();
+        table.add(
+                Parameter.choice("charging", words, "what the charger does"),
+                access.state(state -> charging(state.power().charging())));
+        table.add(
+                Parameter.yesNo("charger", "whether a charger is connected and its supply good"),
+                access.state(state -> Value.yesNo(state.power().chargerConnected())));
+    }
+
+    private static Value charge(OptionalInt percent) {
+        return percent.isEmpty()
+                ? Value.unknown("this robot tells only its voltage")
+                : Value.of(percent.getAsInt(), Unit.PERCENT);
+    }
+
+    private static Value volts(long tenths) {
+        return tenths == 0 ? Access.NOT_TOLD : Value.of(tenths / 10.0, Unit.V);
+    }
+
+    private static Value charging(Charging charging) {
+        return charging == Charging.UNKNOWN ? Access.NOT_TOLD : Value.text(charging.words());
+    }
+}

@@ -1,0 +1,55 @@
+package majic.pioneer;
+
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** What tells the robot how it moves: wheels, encoders, compass, gyro. */
+final class SensorParameters implements Theme {
+    private final Access access;
+
+    SensorParameters(Access access) {
+        this.access = access;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        Scaling scaling = equipment.model().scaling();
+        wheel(table, "wheelLeft", "speed of the left wheel", state -> scaling.leftMmPerSec(state.sip()));
+        wheel(table, "wheelRight", "speed of the right wheel", state -> scaling.rightMmPerSec(state.sip()));
+        encoder(table, "encoderLeft", "ticks of the left wheel; asked for when read", EncoderTicks::left);
+        encoder(table, "encoderRight", "ticks of the right wheel; asked for when read", EncoderTicks::right);
+        table.add(
+                Parameter.number(
+                        "compass", Unit.DEG, "as the compass shows it, 2 to 358; unknown without one and at 0"),
+                access.state(state -> state.compassDeg().isEmpty()
+                        ? Access.NOT_TOLD
+                        : Value.of(state.compassDeg().getAsInt(), Unit.DEG)));
+        if (equipment.gyro()) {
+            table.add(
+                    Parameter.number("gyro", Unit.DEG_PER_S, "turn rate, left positive; asked for when read"),
+                    access.report(
+                            Feed.GYRO,
+                            state -> state.gyroDegPerSec().isEmpty()
+                                    ? Optional.empty()
+                                    : Optional.of(Value.of(state.gyroDegPerSec().getAsDouble(), Unit.DEG_PER_S))));
+        }
+    }
+
+    private void wheel(ParameterTable table, String name, String help, ToDoubleFunction<PioneerState> speed) {
+        table.add(
+                Parameter.number(name, Unit.MM_PER_S, help),
+                access.state(state -> Value.of(speed.applyAsDouble(state), Unit.MM_PER_S)));
+    }
+
+    private void encoder(ParameterTable table, String name, String help, ToDoubleFunction<EncoderTicks> ticks) {
+        table.add(
+                Parameter.number(name, Unit.NONE, help),
+                access.report(
+                        Feed.ENCODERS,
+                        state -> state.encoders().map(told -> Value.of(ticks.applyAsDouble(told), Unit.NONE))));
+    }
+}

@@ -1,0 +1,90 @@
+package majic.pioneer;
+
+import java.util.List;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ConfigField;
+
+/** What the sonars hear, and whether they fire. */
+final class SonarParameters implements Theme {
+    /** An echo from 5 m comes after 30 ms; a tenth of a second is a whole SIP. */
+    private static final int FASTEST_MS = 10;
+
+    private static final int SLOWEST_MS = 1000;
+
+    private final Access access;
+    private final Switches switches;
+    private final Told cycle;
+
+    SonarParameters(Access access, Switches switches) {
+        this.access = access;
+        this.switches = switches;
+        this.cycle = new Told(access);
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        for (Side side : Side.values()) {
+            if (equipment.model().discs().stream().anyMatch(side::isWatchedBy)) {
+                table.add(
+                        Parameter.number(side.parameter(), Unit.MM, side.help()),
+                        access.state(state -> gap(side, state)));
+            }
+        }
+        List<Integer> discs = equipment.discs();
+        if (!discs.isEmpty()) {
+            describeDiscs(table, discs);
+            describePower(table, equipment.sonarArrays());
+        }
+    }
+
+    private void describeDiscs(ParameterTable table, List<Integer> discs) {
+        table.add(
+                Parameter.list("sonar", Unit.MM, "all sonar ranges in the order of the discs"),
+                access.state(state -> Value.many(
+                        discs.stream().map(disc -> range(disc, state)).toList())));
+        for (int disc : discs) {
+            table.add(
+                    Parameter.number("sonar" + disc, Unit.MM, "range from the surface of this sonar disc"),
+                    access.state(state -> range(disc, state)));
+        }
+    }
+
+    private void describePower(ParameterTable table, List<Integer> arrays) {
+        table.add(
+                        Parameter.onOff("sonarPower", "whether the sonars fire"),
+                        access.state(state -> Value.onOff(state.sonarOn())))
+                .writes(values -> switches.sonar(values.get(0).isYes()));
+        table.add(
+                        Parameter.number("sonarCycle", Unit.MS, "from one disc of an array to the next")
+                                .within(FASTEST_MS, SLOWEST_MS),
+                        cycle.reader(access.config(config -> Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS))))
+                .writes(values ->
+                        cycle.tell(Command.SONARCYCLE.packet(Whole.of("sonarCycle", values.get(0))), values.get(0)));
+        if (arrays.size() > 1) {
+            arrays.forEach(array -> table.add(
+                            Parameter.onOff("sonarPower" + array, "whether this array of eight discs fires"),
+                            access.state(state -> Value.onOff(state.sonarOn(array))))
+                    .writes(values -> switches.sonar(array, values.get(0).isYes())));
+        }
+    }
+
+    private static Value range(int disc, PioneerState state) {
+        if (!state.sonar().hasHeard(disc)) {
+            return state.sonarOn() ? Access.NOTHING_YET : Value.unknown("the sonars are off");
+        }
+        int range = state.sonar().rangeMm(disc);
+        return range >= SonarScan.NOTHING_MM ? Value.CLEAR : Value.of(range, Unit.MM);
+    }
+
+    private static Value gap(Side side, PioneerState state) {
+        Double gap = state.gaps().get(side);
+        if (gap == null) {
+            return state.sonarOn() ? Access.NOTHING_YET : Value.unknown("the sonars are off");
+        }
+        return gap.isInfinite() ? Value.CLEAR : Value.of(Math.round(gap), Unit.MM);
+    }
+}

@@ -1,0 +1,13 @@
+package majic.pioneer;
+
+import majic.bot.ParameterTable;
+
+/** Parameters of a Pioneer that belong together. */
+interface Theme {
+    /**
+     * Describes them, those left out that this robot cannot have.
+     *
+     * @param table where they stand in the order of the calls
+     */
+    void describe(ParameterTable table, Equipment equipment);
+}

@@ -1,0 +1,41 @@
+package majic.pioneer;
+
+import java.util.function.Supplier;
+import majic.bot.Value;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A setting that the robot takes but never tells: what it was last told, for the session in which it was told. Thread-safe.
+ */
+final class Told {
+    private static final Value NEVER = Value.unknown("the robot does not tell, and nobody has set it");
+
+    private final Access access;
+    private volatile @Nullable Setting last;
+
+    private record Setting(Session session, Value value) {}
+
+    Told(Access access) {
+        this.access = access;
+    }
+
+    /** Sends it and keeps it. */
+    void tell(byte[] packet, Value value) {
+        Session open = access.open();
+        open.send(packet);
+        last = new Setting(open, value);
+    }
+
+    /** Reads what it was told; unknown before, as a new session forgets it. */
+    Supplier<Value> reader(Supplier<Value> before) {
+        return access.session(open -> {
+            Setting known = last;
+            return known != null && known.session() == open ? known.value() : before.get();
+        });
+    }
+
+    /** Reads what it was told, where the robot never says what it has from the start. */
+    Supplier<Value> reader() {
+        return reader(() -> NEVER);
+    }
+}
