@@ -3,7 +3,11 @@ package majic.pioneer;
 import java.util.OptionalDouble;
 import majic.pioneer.arcos.Gyro;
 
-/** Makes a turn rate of the gyro's samples: 300 deg/s are 2.5 V, and 5 V are 1023 counts (ARCOS sheet 9.1, 11.6). */
+/**
+ * Makes a turn rate of the gyro's samples (ARCOS sheet 11.6: 512 is rest; 9.1: GyroScaler). The sheet has neither scale nor
+ * sign; both are as the makers' library has them: 300 deg/s are 2.5 V, 5 V are 1023 counts, and less is counterclockwise. Not
+ * tried on a robot.
+ */
 final class GyroRate {
     private static final int REST = 512;
 

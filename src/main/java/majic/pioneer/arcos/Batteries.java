@@ -17,8 +17,8 @@ public record Batteries(List<Cell> cells) implements Report {
      * @param flags1 bits of the battery's own
      * @param flags2 bits of the battery's own
      * @param flags3 bits of the battery's own
-     * @param relativePercent charge, of what it holds at its age
-     * @param absolutePercent charge, of what it held when new
+     * @param relativePercent relative charge, as the battery reckons it
+     * @param absolutePercent absolute charge, as the battery reckons it
      */
     public record Cell(int flags1, int flags2, int flags3, int relativePercent, int absolutePercent) {}
 

@@ -3,6 +3,9 @@ package majic.pioneer.arcos;
 /**
  * The commands of a Pioneer with their numbers, arguments, units and ranges, under the manual's names (ARCOS sheet 6.1).
  * Those of arms (70 to 81) and of simulators (6.2) are left out.
+ *
+ * <p>The sheet only lists the numbers of those it calls rarely needed. Where it says no more, the argument here is taken from
+ * commands of the same sort, and the name may be ours; look into the robot's own manual before sending one.
  */
 public enum Command {
     /** Does nothing but restart the watchdog. */

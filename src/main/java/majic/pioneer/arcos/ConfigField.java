@@ -84,7 +84,7 @@ public enum ConfigField {
     SONARCYCLE(Kind.UBYTE),
     /** 1 the port's speed can change, 2 it changes by itself. */
     AUTOBAUD(Kind.UBYTE),
-    /** 0 no gyro, 1 one that the client reads, 2 and more one that the controller reads itself. */
+    /** 0 no gyro, 1 one that the client reads, 2 and more one that the controller reads itself (as ARIA takes it). */
     HASGYRO(Kind.UBYTE),
     /** By how much one wheel is larger. */
     DRIFTFACTOR(Kind.INT),
