@@ -8,6 +8,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.util.List;
 import majic.bot.LabAccess.Wall;
+import majic.panel.Lengths;
 
 /** Draws a scene: grid, walls, robots, scale and key, in that order. */
 final class MapPainter {

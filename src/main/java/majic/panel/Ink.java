@@ -66,10 +66,17 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
      * @return opaque
      */
     public Color grey(double share) {
-        return new Color(
-                mix(line.getRed(), paper.getRed(), share),
-                mix(line.getGreen(), paper.getGreen(), share),
-                mix(line.getBlue(), paper.getBlue(), share));
+        return mixed(line, share);
+    }
+
+    /**
+     * The accent thinned with the paper's colour. Painted far quicker than {@link #wash}, for what there are thousands of.
+     *
+     * @param share of the accent, 0 to 1
+     * @return opaque
+     */
+    public Color tint(double share) {
+        return mixed(accent, share);
     }
 
     /**
@@ -79,7 +86,18 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
      * @return what lies below shows through
      */
     public Color wash(double opacity) {
-        return new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), (int) Math.round(255 * opacity));
+        return translucent(accent, opacity);
+    }
+
+    /**
+     * A colour through which what lies below can be seen.
+     *
+     * @param color its opacity does not count
+     * @param opacity 0 to 1
+     * @return the same colour
+     */
+    public static Color translucent(Color color, double opacity) {
+        return new Color(color.getRed(), color.getGreen(), color.getBlue(), (int) Math.round(255 * opacity));
     }
 
     /**
@@ -90,6 +108,13 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
      */
     public static BasicStroke stroke(double width) {
         return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    }
+
+    private Color mixed(Color color, double share) {
+        return new Color(
+                mix(color.getRed(), paper.getRed(), share),
+                mix(color.getGreen(), paper.getGreen(), share),
+                mix(color.getBlue(), paper.getBlue(), share));
     }
 
     private static int mix(int one, int other, double share) {

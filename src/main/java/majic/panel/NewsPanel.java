@@ -11,16 +11,20 @@ import majic.bot.MajicBot;
 /**
  * A panel that shows one robot. News of the robot only leave a mark, on whatever thread they come; a timer of the event
  * dispatch thread looks for the mark ten times a second while the panel is on the screen, and only then. For the event
- * dispatch thread.
+ * dispatch thread, except {@link #heard}.
  */
 public abstract class NewsPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int REFRESH_MS = 100;
 
+    /** A robot that says nothing is shown anew this often, for silence is news as well. */
+    private static final int TICKS_OF_SILENCE = 10;
+
     private final transient MajicBot bot;
     private final transient AtomicBoolean news = new AtomicBoolean(true);
     private final transient BotListener listener = new News();
-    private final Timer timer = new Timer(REFRESH_MS, tick -> refreshOnNews());
+    private final Timer timer = new Timer(REFRESH_MS, tick -> tick());
+    private int quietTicks;
 
     /**
      * Makes an empty panel; it hears of the robot as long as it is part of a window.
@@ -40,11 +44,28 @@ public abstract class NewsPanel extends JPanel {
     /** Shows what the robot said last. Called on the event dispatch thread, at most ten times a second; must not wait. */
     protected abstract void refresh();
 
+    /**
+     * Takes note of what must not be missed between two refreshes. Called on the driver's own threads while the panel is
+     * part of a window, seen or not; must be quick and touch nothing of Swing.
+     *
+     * @param state what the robot shares with all robots
+     */
+    protected void heard(BotState state) {}
+
     /** Shows what the robot said last if it said something since; for a panel that has just been made. */
     public final void refreshOnNews() {
         if (news.getAndSet(false)) {
+            quietTicks = 0;
             refresh();
         }
+    }
+
+    private void tick() {
+        quietTicks++;
+        if (quietTicks >= TICKS_OF_SILENCE) {
+            news.set(true);
+        }
+        refreshOnNews();
     }
 
     @Override
@@ -74,6 +95,7 @@ public abstract class NewsPanel extends JPanel {
     private final class News implements BotListener {
         @Override
         public void stateChanged(MajicBot changed, BotState state) {
+            heard(state);
             news.set(true);
         }
 

@@ -14,6 +14,12 @@ public class NumbersPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int LEAST_ROWS = 7;
 
+    /** Figures far from their names are hard to read along. */
+    private static final double WIDEST = 1.4;
+
+    /** Text may come out a little wider than measured on a screen of another scale. */
+    private static final int SLACK = 4;
+
     private final transient List<JLabel> names = new ArrayList<>();
     private final transient List<JLabel> values = new ArrayList<>();
     private final transient List<String> longest = new ArrayList<>();
@@ -45,8 +51,7 @@ public class NumbersPanel extends JPanel {
     /** The part of a room that the readings take, on its right, or where it is taller than wide at its foot. */
     final Rectangle claim(Rectangle room) {
         if (room.height > room.width) {
-            int columns = Math.max(1, (room.width + gap()) / (columnWidth() + gap()));
-            int height = Math.min(room.height / 2, rowHeight() * ceil(names.size(), columns));
+            int height = Math.min(room.height / 2, heightIn(room.width));
             return new Rectangle(room.x, room.y + room.height - height, room.width, height);
         }
         int wanted = ceil(names.size(), Math.max(1, room.height / rowHeight()));
@@ -59,20 +64,24 @@ public class NumbersPanel extends JPanel {
     @Override
     public void doLayout() {
         int rows = Math.max(1, getHeight() / rowHeight());
-        int columns = Math.max(1, (getWidth() + gap()) / (columnWidth() + gap()));
+        int columns = columnsIn(getWidth());
         int filled = Math.min(rows, ceil(names.size(), columns));
+        int room = (getWidth() - (columns - 1) * gap()) / columns;
+        int width = Math.max(columnWidth(), (int) Math.min(room, WIDEST * columnWidth()));
         for (int index = 0; index < names.size(); index++) {
             boolean fits = index / filled < columns;
             names.get(index).setVisible(fits);
             values.get(index).setVisible(fits);
-            place(index, index / filled * (columnWidth() + gap()), index % filled * rowHeight());
+            place(
+                    index,
+                    new Rectangle(index / filled * (width + gap()), index % filled * rowHeight(), width, rowHeight()));
         }
     }
 
-    private void place(int index, int x, int y) {
+    private void place(int index, Rectangle row) {
         int nameWidth = nameWidth();
-        names.get(index).setBounds(x, y, nameWidth, rowHeight());
-        values.get(index).setBounds(x + nameWidth, y, columnWidth() - nameWidth, rowHeight());
+        names.get(index).setBounds(row.x, row.y, nameWidth, row.height);
+        values.get(index).setBounds(row.x + nameWidth, row.y, row.width - nameWidth, row.height);
     }
 
     @Override
@@ -85,6 +94,15 @@ public class NumbersPanel extends JPanel {
         return new Dimension(columnWidth(), names.size() * rowHeight());
     }
 
+    /** How high it must be to show every row. */
+    final int heightIn(int width) {
+        return rowHeight() * ceil(names.size(), columnsIn(width));
+    }
+
+    private int columnsIn(int width) {
+        return Math.max(1, (width + gap()) / (columnWidth() + gap()));
+    }
+
     /** Between two columns, and between readings and drawing. */
     final int gap() {
         return rowHeight();
@@ -93,14 +111,15 @@ public class NumbersPanel extends JPanel {
     private int columnWidth() {
         FontMetrics metrics = metrics();
         int valueWidth = longest.stream().mapToInt(metrics::stringWidth).max().orElse(0);
-        return nameWidth() + gap() / 2 + valueWidth;
+        return nameWidth() + gap() / 2 + valueWidth + SLACK;
     }
 
     private int nameWidth() {
         return names.stream()
-                .mapToInt(name -> name.getPreferredSize().width)
-                .max()
-                .orElse(0);
+                        .mapToInt(name -> name.getPreferredSize().width)
+                        .max()
+                        .orElse(0)
+                + SLACK;
     }
 
     private int rowHeight() {

@@ -8,12 +8,20 @@ import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
 import majic.panel.Ink;
 
-/** The robot itself in its own frame, mm: hull, wheels, an arrow ahead; crossed where stalled, barred where touched. */
+/**
+ * The robot itself in its own frame, mm: hull, bumpers, wheels, an arrow ahead; wheels are crossed where they are stalled.
+ * Seen from so far away that this cannot be told, only the arrow is left, large enough to be found.
+ */
 final class BodyDrawing {
     private static final double CORNER = 0.3;
     private static final double WHEEL_WIDTH_MM = 50;
     private static final double WHEEL_LENGTH_MM = 190;
     private static final double DISC_MM = 16;
+
+    /** A hull narrower than this shows no parts. */
+    private static final double LEAST_PX = 14;
+
+    private static final double ARROW_PX = 11;
 
     private final PioneerScene scene;
     private final Hull hull;
@@ -28,18 +36,18 @@ final class BodyDrawing {
     }
 
     void paint(Graphics2D pen) {
+        if (2 * hull.halfWidthMm() * pxPerMm < LEAST_PX) {
+            pen.setColor(ink.line());
+            pen.fill(arrow(ARROW_PX / pxPerMm));
+            return;
+        }
         part(pen, outline(), 0.15);
         paintWheel(pen, hull.halfWidthMm(), scene.state().stallLeft());
         paintWheel(pen, -hull.halfWidthMm(), scene.state().stallRight());
         paintDiscs(pen);
         pen.setColor(ink.line());
-        pen.fill(arrow());
-        if (scene.touchedFront()) {
-            paintTouch(pen, hull.frontMm());
-        }
-        if (scene.touchedRear()) {
-            paintTouch(pen, -hull.rearMm());
-        }
+        pen.fill(arrow(0.6 * hull.frontMm()));
+        new BumpersDrawing(hull, ink, pxPerMm).paint(pen, scene.bumpers(), scene.state());
     }
 
     /** A box with its corners cut off. */
@@ -78,8 +86,7 @@ final class BodyDrawing {
         }
     }
 
-    private Shape arrow() {
-        double length = 0.6 * hull.frontMm();
+    private static Shape arrow(double length) {
         Path2D arrow = new Path2D.Double();
         arrow.moveTo(length, 0);
         arrow.lineTo(-0.2 * length, 0.45 * length);
@@ -87,13 +94,6 @@ final class BodyDrawing {
         arrow.lineTo(-0.2 * length, -0.45 * length);
         arrow.closePath();
         return arrow;
-    }
-
-    private void paintTouch(Graphics2D pen, double x) {
-        double ahead = x + Math.signum(x) * 4 / pxPerMm;
-        pen.setColor(ink.alarm());
-        pen.setStroke(Ink.stroke(4 / pxPerMm));
-        pen.draw(new Line2D.Double(ahead, -hull.halfWidthMm(), ahead, hull.halfWidthMm()));
     }
 
     private void part(Graphics2D pen, Shape shape, double grey) {

@@ -2,32 +2,44 @@ package majic.pioneer;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
-import java.awt.geom.Ellipse2D;
 import java.util.List;
 import majic.panel.Ink;
 
-/** The cone of every sonar disc as far as it heard nothing, with a bar and a dot where the echo came from. */
+/**
+ * The cone of every sonar disc as far as it heard nothing, with a bar where the echo came from. A cone lights up when its
+ * disc fires and calms down within half a second; one that has not fired for long is not drawn.
+ */
 final class ConesDrawing {
     private static final double CONE_DEG = 30;
-    private static final double BAR_DEG = 16;
-    private static final double DOT_PX = 2.5;
+    private static final double BAR_DEG = 20;
+    private static final double AFTERGLOW_S = 0.5;
+    private static final double SILENCE_S = 2;
 
     private final SonarScan scan;
+    private final long nowNanos;
     private final Ink ink;
     private final double pxPerMm;
 
-    ConesDrawing(SonarScan scan, Ink ink, double pxPerMm) {
-        this.scan = scan;
+    ConesDrawing(PioneerState state, Ink ink, double pxPerMm) {
+        this.scan = state.sonar();
+        this.nowNanos = state.atNanos();
         this.ink = ink;
         this.pxPerMm = pxPerMm;
     }
 
     /** Paints in the robot's frame, mm: first what lies below. */
     void paint(Graphics2D pen, List<SonarDisc> discs) {
-        List<SonarDisc> heard =
-                discs.stream().filter(disc -> scan.hasHeard(disc.number())).toList();
+        List<SonarDisc> heard = discs.stream().filter(this::isHeard).toList();
         heard.forEach(disc -> paintCone(pen, disc));
         heard.stream().filter(this::hasEcho).forEach(disc -> paintEcho(pen, disc));
+    }
+
+    private boolean isHeard(SonarDisc disc) {
+        return scan.hasHeard(disc.number()) && ageSeconds(disc) < SILENCE_S;
+    }
+
+    private double ageSeconds(SonarDisc disc) {
+        return (nowNanos - scan.atNanos(disc.number())) / 1e9;
     }
 
     private boolean hasEcho(SonarDisc disc) {
@@ -35,17 +47,15 @@ final class ConesDrawing {
     }
 
     private void paintCone(Graphics2D pen, SonarDisc disc) {
-        pen.setColor(ink.wash(hasEcho(disc) ? 0.16 : 0.06));
+        double glow = Math.max(0, 1 - ageSeconds(disc) / AFTERGLOW_S);
+        pen.setColor(ink.wash(hasEcho(disc) ? 0.08 + 0.12 * glow : 0.02 + 0.03 * glow));
         pen.fill(arc(disc, CONE_DEG, Arc2D.PIE));
     }
 
     private void paintEcho(Graphics2D pen, SonarDisc disc) {
-        double range = scan.rangeMm(disc.number());
-        double radius = DOT_PX / pxPerMm;
         pen.setColor(ink.accent());
-        pen.setStroke(Ink.stroke(2 / pxPerMm));
+        pen.setStroke(Ink.stroke(2.2 / pxPerMm));
         pen.draw(arc(disc, BAR_DEG, Arc2D.OPEN));
-        pen.fill(new Ellipse2D.Double(disc.echoX(range) - radius, disc.echoY(range) - radius, 2 * radius, 2 * radius));
     }
 
     /** Arc2D counts angles clockwise in these axes. */

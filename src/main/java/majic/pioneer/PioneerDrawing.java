@@ -1,74 +1,152 @@
 package majic.pioneer;
 
-import java.awt.Graphics;
+import java.awt.BasicStroke;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
-import javax.swing.JPanel;
+import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import majic.bot.Pose;
+import majic.panel.Echoes;
 import majic.panel.Ink;
+import majic.panel.MapContent;
+import majic.panel.MapView;
+import majic.panel.Trail;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A Pioneer from above, looking up, to scale, amid its sonar cones and rings at round distances. In little room it shows
- * less of the surroundings rather than a tiny robot. For the event thread.
+ * A Pioneer on its floor, to scale: where it started, the way it came, what its sonars met on that way and what they hear
+ * now. {@link #hear} is for the driver's threads, everything else for the event thread.
  */
-final class PioneerDrawing extends JPanel {
-    private static final long serialVersionUID = 1;
-
+final class PioneerDrawing implements MapContent {
     /** The robot is drawn at least this large, as long as that leaves {@link #LEAST_REACH_MM} around it. */
-    private static final double PX_PER_MM = 0.08;
+    private static final double PX_PER_MM = 0.065;
 
     private static final double LEAST_REACH_MM = 1500;
-    private static final double MOST_REACH_MM = 3200;
+    private static final double MOST_REACH_MM = 4200;
+    private static final double MARGIN_MM = 900;
+    private static final double START_PX = 5;
+    private static final double WAY_STEP_PX = 2;
 
-    private transient @Nullable PioneerScene scene;
+    /** Thousands of round joins would take longer than all the rest. */
+    private static final Stroke WAY = new BasicStroke(1.6f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL);
 
-    PioneerDrawing() {
-        setOpaque(false);
-        getAccessibleContext().setAccessibleName("the Pioneer from above with its sonar readings");
-        setToolTipText("Cones are sonar beams as far as they heard nothing, bars at their ends are echoes");
+    private final Trail trail = new Trail();
+    private final Echoes echoes = new Echoes();
+    private final Path2D way = new Path2D.Double();
+    private @Nullable PioneerScene scene;
+
+    /** Remembers where the robot was and what it heard there. */
+    void hear(Model model, PioneerState state) {
+        trail.add(state.pose());
+        if (state.sip().sonar().count() > 0) {
+            model.discs().stream()
+                    .filter(disc -> state.sonar().atNanos(disc.number()) == state.atNanos())
+                    .filter(disc -> state.sonar().rangeMm(disc.number()) < SonarScan.NOTHING_MM)
+                    .forEach(disc -> echoes.add(echo(disc, state)));
+        }
+    }
+
+    private static Echoes.Echo echo(SonarDisc disc, PioneerState state) {
+        double range = state.sonar().rangeMm(disc.number());
+        Pose pose = state.pose();
+        double cos = Math.cos(Math.toRadians(pose.headingDeg()));
+        double sin = Math.sin(Math.toRadians(pose.headingDeg()));
+        double x = disc.echoX(range);
+        double y = disc.echoY(range);
+        return new Echoes.Echo(pose.xMm() + x * cos - y * sin, pose.yMm() + x * sin + y * cos, state.atNanos());
     }
 
     void show(PioneerScene newScene) {
         scene = newScene;
-        repaint();
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
+    public Pose pose() {
+        PioneerScene shown = scene;
+        return shown == null ? Pose.START : shown.state().pose();
+    }
+
+    @Override
+    public Rectangle2D extent() {
+        Rectangle2D extent = new Rectangle2D.Double(pose().xMm(), pose().yMm(), 0, 0);
+        extent.add(0, 0);
+        trail.extend(extent);
+        echoes.all().forEach(echo -> extent.add(echo.xMm(), echo.yMm()));
+        return new Rectangle2D.Double(
+                extent.getX() - MARGIN_MM,
+                extent.getY() - MARGIN_MM,
+                extent.getWidth() + 2 * MARGIN_MM,
+                extent.getHeight() + 2 * MARGIN_MM);
+    }
+
+    @Override
+    public double nearPxPerMm(int sidePx) {
+        double reach = Math.max(LEAST_REACH_MM, Math.min(MOST_REACH_MM, sidePx / 2.0 / PX_PER_MM));
+        return sidePx / 2.0 / reach;
+    }
+
+    @Override
+    public void clear() {
+        trail.clear();
+        echoes.clear();
+    }
+
+    @Override
+    public void paint(Graphics2D pen, MapView view) {
         PioneerScene shown = scene;
         if (shown == null) {
+            paintNothing(pen, view);
             return;
         }
-        Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
-        pen.translate(getWidth() / 2.0, getHeight() / 2.0);
-        double side = Math.max(1, Math.min(getWidth(), getHeight()));
-        double reach = Math.max(LEAST_REACH_MM, Math.min(MOST_REACH_MM, side / 2 / PX_PER_MM));
-        double pxPerMm = side / 2 / reach;
-        Ink ink = shown.connected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
-        paintWorld(pen, shown, ink, pxPerMm);
-        new RingsDrawing(ink, pxPerMm).paint(pen, reach);
-        paintRobot(pen, shown, ink, pxPerMm);
-        pen.dispose();
+        Ink ink = shown.isConnected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
+        paintStart(pen, view, ink);
+        Graphics2D robot = inRobotFrame(pen, view, shown.state().pose());
+        if (shown.isConnected() && shown.state().sonarOn()) {
+            new ConesDrawing(shown.state(), ink, view.pxPerMm())
+                    .paint(robot, shown.model().discs());
+        }
+        paintWay(pen, view, ink);
+        Graphics2D echoPen = (Graphics2D) pen.create();
+        new EchoesDrawing(ink, view).paint(echoPen, echoes.all(), shown.state().atNanos());
+        echoPen.dispose();
+        new BodyDrawing(shown, ink, view.pxPerMm()).paint(robot);
+        robot.dispose();
     }
 
-    private static void paintWorld(Graphics2D pen, PioneerScene shown, Ink ink, double pxPerMm) {
-        Graphics2D robotFrame = robotFrame(pen, pxPerMm);
-        new ConesDrawing(shown.state().sonar(), ink, pxPerMm)
-                .paint(robotFrame, shown.model().discs());
-        robotFrame.dispose();
+    private static void paintNothing(Graphics2D pen, MapView view) {
+        String text = "no reading yet";
+        FontMetrics metrics = pen.getFontMetrics();
+        pen.setColor(Ink.ofTheLook().grey(0.7));
+        pen.drawString(text, (view.width() - metrics.stringWidth(text)) / 2, view.height() / 2);
     }
 
-    private static void paintRobot(Graphics2D pen, PioneerScene shown, Ink ink, double pxPerMm) {
-        Graphics2D robotFrame = robotFrame(pen, pxPerMm);
-        new BodyDrawing(shown, ink, pxPerMm).paint(robotFrame);
-        robotFrame.dispose();
+    private static void paintStart(Graphics2D pen, MapView view, Ink ink) {
+        Point2D start = view.pixel(0, 0);
+        pen.setColor(ink.grey(0.85));
+        pen.setStroke(Ink.stroke(1.5));
+        pen.draw(new Ellipse2D.Double(start.getX() - START_PX, start.getY() - START_PX, 2 * START_PX, 2 * START_PX));
+        pen.fill(new Ellipse2D.Double(start.getX() - 1.5, start.getY() - 1.5, 3, 3));
+        pen.drawString("start", (float) (start.getX() + START_PX + 4), (float) (start.getY() + START_PX + 8));
     }
 
-    /** The robot's own axes in mm: x up, y to the left. */
-    private static Graphics2D robotFrame(Graphics2D pen, double pxPerMm) {
-        Graphics2D robotFrame = (Graphics2D) pen.create();
-        robotFrame.rotate(-Math.PI / 2);
-        robotFrame.scale(pxPerMm, -pxPerMm);
-        return robotFrame;
+    private void paintWay(Graphics2D pen, MapView view, Ink ink) {
+        trail.trace(way, WAY_STEP_PX / view.pxPerMm());
+        AffineTransform floor = view.transform();
+        pen.setColor(ink.grey(0.6));
+        pen.setStroke(WAY);
+        pen.draw(floor.createTransformedShape(way));
+    }
+
+    /** x ahead, y to the left, mm. */
+    private static Graphics2D inRobotFrame(Graphics2D pen, MapView view, Pose pose) {
+        Graphics2D robot = (Graphics2D) pen.create();
+        robot.transform(view.transform());
+        robot.translate(pose.xMm(), pose.yMm());
+        robot.rotate(Math.toRadians(pose.headingDeg()));
+        return robot;
     }
 }

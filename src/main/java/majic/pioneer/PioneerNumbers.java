@@ -13,27 +13,20 @@ import majic.panel.NumbersPanel;
 final class PioneerNumbers extends NumbersPanel {
     private static final long serialVersionUID = 1;
     private static final String NONE = "–";
-    private static final String LONGEST = "-888.8 deg/s";
+    private static final String LONGEST = "-88888.8 mm";
 
     private static final List<String> SHOWN = List.of(
-            "voltage",
-            "motors",
             "distanceFront",
             "distanceLeft",
             "distanceRight",
             "distanceBack",
-            "speed",
-            "turnRate",
-            "bumped",
-            "stopButton",
-            "sonarPower",
             "x",
             "y",
             "heading",
-            "stallLeft",
-            "stallRight",
             "packetRate",
-            "model");
+            "model",
+            "robotName",
+            "firmware");
 
     private final transient Map<String, JLabel> shown = new LinkedHashMap<>();
 

@@ -1,23 +1,34 @@
 package majic.pioneer;
 
 import javax.swing.JComponent;
+import majic.bot.BotState;
+import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
-import majic.panel.NumbersBeside;
+import majic.panel.ZoomableMap;
 
-/** Shows one Pioneer from above with what its sonars hear, and its readings in numbers. */
+/**
+ * Shows one Pioneer: a map with the robot, its sonar cones, what they met and the way it came; gauges, lights and readings.
+ * It only shows: nothing in it sends the robot anything, so nothing can be switched by a slip of the mouse.
+ */
 final class PioneerPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
     private final transient MajicPioneer bot;
+    private final transient PioneerDrawing drawing = new PioneerDrawing();
+    private final ZoomableMap map = new ZoomableMap(drawing);
+    private final GaugesPanel gauges = new GaugesPanel();
+    private final transient PioneerLights lights = new PioneerLights();
     private final PioneerNumbers numbers = new PioneerNumbers();
-    private final PioneerDrawing drawing = new PioneerDrawing();
 
     private PioneerPanel(MajicPioneer bot) {
         super(bot);
         this.bot = bot;
-        add(drawing);
+        map.getAccessibleContext().setAccessibleName("Map of the Pioneer, its sonar echoes and its way");
+        add(map);
+        add(gauges);
+        add(lights.panel());
         add(numbers);
-        setLayout(new NumbersBeside(drawing, numbers));
+        setLayout(new Dashboard(map, gauges, lights.panel(), numbers));
     }
 
     /** Makes the panel; on the event dispatch thread. */
@@ -28,11 +39,25 @@ final class PioneerPanel extends NewsPanel {
     }
 
     @Override
+    protected void heard(BotState state) {
+        Session session = bot.session();
+        if (session != null && session.hasSpoken()) {
+            drawing.hear(session.model(), session.state());
+        }
+    }
+
+    @Override
     protected void refresh() {
         numbers.show(bot);
         Session session = bot.session();
-        if (session != null && session.hasSpoken()) {
-            drawing.show(PioneerScene.of(session, bot.isConnected()));
+        if (session == null || !session.hasSpoken()) {
+            lights.show(bot.connection());
+            return;
         }
+        PioneerScene scene = PioneerScene.of(bot, session);
+        drawing.show(scene);
+        map.repaint();
+        gauges.show(scene);
+        lights.show(scene);
     }
 }

@@ -1,19 +1,42 @@
 package majic.pioneer;
 
+import majic.bot.MajicBot;
+import majic.bot.Range;
+
 /**
- * What is drawn of a Pioneer, taken at one moment. Immutable.
+ * What is shown of a Pioneer, taken at one moment. Immutable.
  *
  * @param model its hull and where its sonars sit
  * @param state what it last said
- * @param touchedFront whether a front bumper is touched
- * @param touchedRear whether a rear bumper is touched
- * @param connected whether that is how things are now
+ * @param bumpers the segments it really has
+ * @param connection how the link stands
+ * @param silenceMs since its last word
+ * @param speedLimits mm/s, both signs
+ * @param turnLimits deg/s, both signs
  */
-record PioneerScene(Model model, PioneerState state, boolean touchedFront, boolean touchedRear, boolean connected) {
+record PioneerScene(
+        Model model,
+        PioneerState state,
+        Bumpers bumpers,
+        MajicBot.Connection connection,
+        double silenceMs,
+        Range speedLimits,
+        Range turnLimits) {
 
-    static PioneerScene of(Session session, boolean connected) {
+    /** Of a robot that has spoken. */
+    static PioneerScene of(MajicPioneer bot, Session session) {
         PioneerState state = session.state();
-        Bumpers bumpers = Bumpers.of(session.model(), session.config());
-        return new PioneerScene(session.model(), state, bumpers.front(state) != 0, bumpers.rear(state) != 0, connected);
+        return new PioneerScene(
+                session.model(),
+                state,
+                Bumpers.of(session.model(), session.config()),
+                bot.connection(),
+                bot.get("age").number(),
+                bot.profile().speed(),
+                bot.profile().turn());
+    }
+
+    boolean isConnected() {
+        return connection == MajicBot.Connection.CONNECTED;
     }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.geom.Point2D;
 import java.util.List;
 import majic.bot.LabAccess.Wall;
+import majic.panel.Lengths;
 import org.junit.jupiter.api.Test;
 
 class MapViewTest {

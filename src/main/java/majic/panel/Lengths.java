@@ -1,24 +1,30 @@
-package majic.gui;
+package majic.panel;
 
 import majic.bot.Value;
 
-/** Lengths for scale bars. */
-final class Lengths {
+/** Lengths for grids and scale bars. */
+public final class Lengths {
     private Lengths() {}
 
     /**
      * The nearest length of the series 1, 2, 5, 10 that is not longer.
      *
      * @param mm positive
+     * @return mm
      */
-    static double round(double mm) {
+    public static double round(double mm) {
         double decade = Math.pow(10, Math.floor(Math.log10(mm)));
         double lead = mm / decade;
         return decade * (lead >= 5 ? 5 : lead >= 2 ? 2 : 1);
     }
 
-    /** A length as people say it: {@code 20 mm}, {@code 50 cm}, {@code 1 m}. */
-    static String text(double mm) {
+    /**
+     * A length as people say it: {@code 20 mm}, {@code 50 cm}, {@code 1 m}.
+     *
+     * @param mm positive
+     * @return with its unit
+     */
+    public static String text(double mm) {
         if (mm >= 1000) {
             return Value.plain(mm / 1000) + " m";
         }

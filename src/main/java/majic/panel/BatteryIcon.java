@@ -1,0 +1,80 @@
+package majic.panel;
+
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
+import java.util.OptionalInt;
+import javax.swing.Icon;
+
+/**
+ * A battery, filled as far as it is charged and crossed by a flash while it is charged; strokes where the charge is not
+ * known.
+ *
+ * @param percent its charge, 0 to 100; empty when it is not known
+ * @param charging whether it is being charged
+ */
+public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon {
+    private static final int WIDTH = 24;
+    private static final int HEIGHT = 12;
+    private static final int INNER_WIDTH = WIDTH - 6;
+    private static final int LOW_PERCENT = 20;
+
+    @Override
+    public void paintIcon(Component component, Graphics graphics, int x, int y) {
+        Graphics2D pen = (Graphics2D) graphics.create();
+        Ink.prepare(pen);
+        pen.translate(x, y);
+        Ink ink = Ink.ofTheLook();
+        pen.setColor(ink.grey(0.7));
+        pen.setStroke(Ink.stroke(1.2));
+        pen.draw(new RoundRectangle2D.Double(0.6, 0.6, WIDTH - 3.6, HEIGHT - 1.2, 4, 4));
+        pen.fill(new Rectangle2D.Double(WIDTH - 2.4, 3.5, 2.2, HEIGHT - 7));
+        paintCharge(pen, ink);
+        if (charging) {
+            paintFlash(pen, ink);
+        }
+        pen.dispose();
+    }
+
+    private void paintCharge(Graphics2D pen, Ink ink) {
+        if (percent.isEmpty()) {
+            pen.setColor(ink.grey(0.4));
+            for (double left = 4; left < INNER_WIDTH; left += 4) {
+                pen.draw(new java.awt.geom.Line2D.Double(left, HEIGHT - 3.5, left + 2, 3.5));
+            }
+            return;
+        }
+        pen.setColor(percent.getAsInt() < LOW_PERCENT ? ink.alarm() : ink.grey(0.55));
+        double width = (INNER_WIDTH - 1) * percent.getAsInt() / 100.0;
+        pen.fill(new Rectangle2D.Double(2.4, 2.4, width, HEIGHT - 4.8));
+    }
+
+    private static void paintFlash(Graphics2D pen, Ink ink) {
+        Path2D flash = new Path2D.Double();
+        flash.moveTo(12, 0);
+        flash.lineTo(7, 7);
+        flash.lineTo(10, 7);
+        flash.lineTo(8.5, 12);
+        flash.lineTo(14, 5);
+        flash.lineTo(11, 5);
+        flash.closePath();
+        pen.setColor(ink.paper());
+        pen.setStroke(Ink.stroke(2));
+        pen.draw(flash);
+        pen.setColor(ink.line());
+        pen.fill(flash);
+    }
+
+    @Override
+    public int getIconWidth() {
+        return WIDTH;
+    }
+
+    @Override
+    public int getIconHeight() {
+        return HEIGHT;
+    }
+}

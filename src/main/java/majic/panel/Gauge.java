@@ -1,0 +1,151 @@
+package majic.panel;
+
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
+import java.util.Locale;
+import javax.swing.JPanel;
+import javax.swing.UIManager;
+import majic.bot.Range;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A value between two limits around zero: its name, the figure with its sign, and a bar that grows from zero to the side
+ * the value points to, with the limits at its ends. For the event dispatch thread.
+ */
+public final class Gauge extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int BAR_PX = 9;
+    private static final int GAP = 5;
+
+    /** Bars of gauges below each other begin at the same place. */
+    private static final String LONGEST_LIMIT = "+1000";
+
+    private final String title;
+    private final String unit;
+    private final boolean positiveLeft;
+    private transient Range limits = new Range(-1, 1);
+    private transient @Nullable Double value;
+
+    /**
+     * A gauge that shows nothing yet.
+     *
+     * @param title what it shows; a parameter's name
+     * @param unit behind the figure
+     * @param positiveLeft whether positive values point to the left, as turns do
+     */
+    public Gauge(String title, String unit, boolean positiveLeft) {
+        this.title = title;
+        this.unit = unit;
+        this.positiveLeft = positiveLeft;
+        setName(title);
+        setOpaque(false);
+    }
+
+    /**
+     * Shows a value.
+     *
+     * @param newValue in the gauge's unit; null when it is not known
+     * @param newLimits the lowest below zero, the highest above; a value beyond fills the bar
+     */
+    public void show(@Nullable Double newValue, Range newLimits) {
+        value = newValue;
+        limits = newLimits;
+        getAccessibleContext().setAccessibleName(title + " " + figure());
+        repaint();
+    }
+
+    /**
+     * The figure as it is written.
+     *
+     * @return with sign and unit; a dash when the value is not known
+     */
+    public String figure() {
+        Double now = value;
+        return now == null ? "\u2013" : signed(now) + " " + unit;
+    }
+
+    /** Zero has no sign, nor has what is rounded to it. */
+    private static String signed(double amount) {
+        long rounded = Math.round(amount);
+        return rounded == 0 ? "0" : String.format(Locale.ROOT, "%+d", rounded).replace('-', '\u2212');
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setFont(UIManager.getFont("Label.font"));
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        int width = getFontMetrics(getFont()).stringWidth(title + LONGEST_LIMIT + " " + unit);
+        return new Dimension(width + 2 * GAP, 2 * textHeight() - 2);
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
+    }
+
+    private int textHeight() {
+        return getFontMetrics(getFont()).getHeight();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D pen = (Graphics2D) graphics.create();
+        Ink ink = isEnabled() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
+        Ink.prepare(pen);
+        pen.setFont(getFont());
+        FontMetrics metrics = pen.getFontMetrics();
+        pen.setColor(Ink.ofTheLook().line());
+        pen.drawString(title, 0, metrics.getAscent());
+        pen.drawString(figure(), getWidth() - metrics.stringWidth(figure()), metrics.getAscent());
+        Ink.prepare(pen);
+        paintScale(pen, ink);
+        pen.dispose();
+    }
+
+    private void paintScale(Graphics2D pen, Ink ink) {
+        FontMetrics metrics = pen.getFontMetrics();
+        String left = signed(positiveLeft ? limits.max() : limits.min());
+        String right = signed(positiveLeft ? limits.min() : limits.max());
+        double middle = textHeight() + (textHeight() - 2) / 2.0;
+        float base = (float) (middle + metrics.getAscent() / 2.0 - 1);
+        pen.setColor(Ink.ofTheLook().grey(0.8));
+        pen.drawString(left, 0, base);
+        pen.drawString(right, getWidth() - metrics.stringWidth(right), base);
+        int ends = Math.max(metrics.stringWidth(LONGEST_LIMIT), metrics.stringWidth(left + right) / 2) + GAP;
+        paintBar(pen, ink, new Rectangle2D.Double(ends, middle - BAR_PX / 2.0, getWidth() - 2 * ends, BAR_PX));
+    }
+
+    private void paintBar(Graphics2D pen, Ink ink, Rectangle2D bar) {
+        pen.setColor(ink.grey(0.1));
+        pen.fill(new RoundRectangle2D.Double(bar.getX(), bar.getY(), bar.getWidth(), BAR_PX, 4, 4));
+        double zero = bar.getCenterX();
+        double tip = zero + share() * bar.getWidth() / 2;
+        pen.setColor(ink.accent());
+        pen.fill(new Rectangle2D.Double(Math.min(zero, tip), bar.getY() + 1, Math.abs(tip - zero), BAR_PX - 2));
+        pen.setColor(ink.grey(0.35));
+        pen.setStroke(Ink.stroke(1));
+        pen.draw(new RoundRectangle2D.Double(bar.getX(), bar.getY(), bar.getWidth(), BAR_PX, 4, 4));
+        pen.setColor(ink.grey(0.85));
+        pen.draw(new Line2D.Double(zero, bar.getY() - 2, zero, bar.getMaxY() + 2));
+    }
+
+    /** How far the bar reaches, −1 all the way to the left to 1 all the way to the right. */
+    private double share() {
+        Double now = value;
+        if (now == null) {
+            return 0;
+        }
+        double limit = now < 0 ? -limits.min() : limits.max();
+        double share = Math.max(-1, Math.min(1, now / Math.max(1e-9, limit)));
+        return positiveLeft ? -share : share;
+    }
+}

@@ -1,0 +1,94 @@
+package majic.panel;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import javax.swing.Icon;
+import javax.swing.UIManager;
+
+/**
+ * The shape of a light.
+ *
+ * @param kind which one
+ */
+record LightIcon(Light.Kind kind) implements Icon {
+    private static final int SIZE = 12;
+
+    static LightIcon of(Light.Kind kind) {
+        return new LightIcon(kind);
+    }
+
+    @Override
+    public void paintIcon(Component component, Graphics graphics, int x, int y) {
+        Graphics2D pen = (Graphics2D) graphics.create();
+        Ink.prepare(pen);
+        pen.translate(x, y);
+        switch (kind) {
+            case QUIET -> ring(pen);
+            case GOOD -> fill(pen, "Actions.Green", new Ellipse2D.Double(1, 1, 10, 10));
+            case WARNING -> warning(pen);
+            case ALARM -> alarm(pen);
+        }
+        pen.dispose();
+    }
+
+    private static void ring(Graphics2D pen) {
+        pen.setColor(Ink.ofTheLook().grey(0.6));
+        pen.setStroke(Ink.stroke(1.6));
+        pen.draw(new Ellipse2D.Double(2, 2, 8, 8));
+    }
+
+    private static void warning(Graphics2D pen) {
+        Path2D triangle = new Path2D.Double();
+        triangle.moveTo(6, 0.5);
+        triangle.lineTo(12, 11.5);
+        triangle.lineTo(0, 11.5);
+        triangle.closePath();
+        fill(pen, "Actions.Yellow", triangle);
+        pen.setColor(Color.BLACK);
+        pen.setStroke(Ink.stroke(1.4));
+        pen.draw(new Line2D.Double(6, 4.5, 6, 7.5));
+        pen.draw(new Line2D.Double(6, 9.6, 6, 9.7));
+    }
+
+    private static void alarm(Graphics2D pen) {
+        Path2D octagon = new Path2D.Double();
+        for (int corner = 0; corner < 8; corner++) {
+            double angle = Math.PI / 8 + corner * Math.PI / 4;
+            double x = 6 + 6.2 * Math.cos(angle);
+            double y = 6 + 6.2 * Math.sin(angle);
+            if (corner == 0) {
+                octagon.moveTo(x, y);
+            } else {
+                octagon.lineTo(x, y);
+            }
+        }
+        octagon.closePath();
+        fill(pen, "Actions.Red", octagon);
+        pen.setColor(Color.WHITE);
+        pen.setStroke(Ink.stroke(1.7));
+        pen.draw(new Line2D.Double(3.8, 3.8, 8.2, 8.2));
+        pen.draw(new Line2D.Double(3.8, 8.2, 8.2, 3.8));
+    }
+
+    private static void fill(Graphics2D pen, String key, Shape shape) {
+        Color color = UIManager.getColor(key);
+        pen.setColor(color == null ? Ink.ofTheLook().line() : color);
+        pen.fill(shape);
+    }
+
+    @Override
+    public int getIconWidth() {
+        return SIZE;
+    }
+
+    @Override
+    public int getIconHeight() {
+        return SIZE;
+    }
+}

@@ -1,0 +1,76 @@
+package majic.panel;
+
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.util.List;
+import javax.swing.JPanel;
+
+/** Lights in rows, one, two or more beside each other. None is ever left out. For the event dispatch thread. */
+public final class LightsPanel extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int GAP = 6;
+    private static final int SLACK = 4;
+
+    private final transient List<Light> lights;
+    private final String longest;
+    private int columns = 1;
+
+    /**
+     * Lights in the order of reading.
+     *
+     * @param longest what each must have room for
+     * @param lights all that there will be
+     */
+    public LightsPanel(String longest, List<Light> lights) {
+        super(null);
+        this.longest = longest;
+        this.lights = List.copyOf(lights);
+        setOpaque(false);
+        lights.forEach(this::add);
+    }
+
+    /** How wide it must be at least. */
+    int widthOf(int sideBySide) {
+        return sideBySide * (lightWidth() + GAP) - GAP;
+    }
+
+    /** How high it must be. */
+    int heightOf(int sideBySide) {
+        return (lights.size() + sideBySide - 1) / sideBySide * rowHeight();
+    }
+
+    void arrange(int sideBySide) {
+        columns = sideBySide;
+        revalidate();
+    }
+
+    @Override
+    public void doLayout() {
+        int width = (getWidth() + GAP) / columns;
+        for (int index = 0; index < lights.size(); index++) {
+            lights.get(index)
+                    .setBounds(index % columns * width, index / columns * rowHeight(), width - GAP, rowHeight());
+        }
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(widthOf(columns), heightOf(columns));
+    }
+
+    private int lightWidth() {
+        Light light = lights.get(0);
+        return light.getIcon().getIconWidth()
+                + light.getIconTextGap()
+                + metrics().stringWidth(longest)
+                + SLACK;
+    }
+
+    private int rowHeight() {
+        return metrics().getHeight() + 1;
+    }
+
+    private FontMetrics metrics() {
+        return getFontMetrics(lights.get(0).getFont());
+    }
+}

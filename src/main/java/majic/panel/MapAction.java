@@ -1,0 +1,108 @@
+package majic.panel;
+
+import java.awt.event.ActionEvent;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import javax.swing.AbstractAction;
+import javax.swing.KeyStroke;
+
+/** What can be done to a map: each by a key while the map has the focus, most by a button too. */
+enum MapAction {
+    /** Larger. */
+    ZOOM_IN("Zoom in", List.of("typed +"), map -> map.zoom(1.25)),
+    /** Smaller. */
+    ZOOM_OUT("Zoom out", List.of("typed -"), map -> map.zoom(0.8)),
+    /** Everything. */
+    FIT("Show everything", List.of("typed 0"), ZoomableMap::fit),
+    /** Robot in the middle. */
+    FOLLOW("Keep the robot in the middle", List.of("typed f"), ZoomableMap::toggleFollow, ZoomableMap::follows),
+    /** Robot in the middle, looking up. */
+    AHEAD_UP("Turn the map with the robot", List.of("typed u"), ZoomableMap::toggleAheadUp, ZoomableMap::hasAheadUp),
+    /** Forget; by button alone, for what is forgotten does not come back. */
+    CLEAR("Clear trail and echoes", List.of(), ZoomableMap::clear),
+    /** What lies left of it. */
+    LEFT("Look left", List.of("LEFT"), map -> map.drag(MapAction.STEP_PX, 0)),
+    /** What lies right of it. */
+    RIGHT("Look right", List.of("RIGHT"), map -> map.drag(-MapAction.STEP_PX, 0)),
+    /** What lies above. */
+    UP("Look up", List.of("UP"), map -> map.drag(0, MapAction.STEP_PX)),
+    /** What lies below. */
+    DOWN("Look down", List.of("DOWN"), map -> map.drag(0, -MapAction.STEP_PX));
+
+    /** Those that have a button, in their order; the last one stands apart. */
+    static final List<MapAction> WITH_BUTTON = List.of(ZOOM_IN, ZOOM_OUT, FIT, FOLLOW, AHEAD_UP, CLEAR);
+
+    private static final int STEP_PX = 40;
+
+    private final String title;
+    private final List<String> keys;
+    private final Consumer<ZoomableMap> deed;
+    private final Predicate<ZoomableMap> state;
+    private final boolean toggles;
+
+    MapAction(String title, List<String> keys, Consumer<ZoomableMap> deed) {
+        this(title, keys, deed, map -> false, false);
+    }
+
+    MapAction(String title, List<String> keys, Consumer<ZoomableMap> deed, Predicate<ZoomableMap> state) {
+        this(title, keys, deed, state, true);
+    }
+
+    MapAction(
+            String title,
+            List<String> keys,
+            Consumer<ZoomableMap> deed,
+            Predicate<ZoomableMap> state,
+            boolean toggles) {
+        this.title = title;
+        this.keys = keys;
+        this.deed = deed;
+        this.state = state;
+        this.toggles = toggles;
+    }
+
+    String title() {
+        return title;
+    }
+
+    /** With the key that does the same. */
+    String tip() {
+        return keys.isEmpty() ? title : title + " (" + keys.get(0).replace("typed ", "") + ")";
+    }
+
+    boolean toggles() {
+        return toggles;
+    }
+
+    boolean isOn(ZoomableMap map) {
+        return state.test(map);
+    }
+
+    void perform(ZoomableMap map) {
+        deed.accept(map);
+    }
+
+    static void bindKeys(ZoomableMap map) {
+        for (MapAction action : values()) {
+            action.keys.forEach(key -> map.getInputMap().put(KeyStroke.getKeyStroke(key), action));
+            map.getActionMap().put(action, new Performing(map, action));
+        }
+    }
+
+    private static final class Performing extends AbstractAction {
+        private static final long serialVersionUID = 1;
+        private final transient ZoomableMap map;
+        private final MapAction action;
+
+        Performing(ZoomableMap map, MapAction action) {
+            this.map = map;
+            this.action = action;
+        }
+
+        @Override
+        public void actionPerformed(ActionEvent event) {
+            action.perform(map);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+package majic.panel;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.RoundRectangle2D;
+
+/** The lines of a floor at round distances, and a bar as long as they are apart. */
+final class MapGrid {
+    private static final double WANTED_PX = 90;
+    private static final int INSET = 10;
+    private static final int TICK = 4;
+
+    private final Graphics2D pen;
+    private final MapView view;
+    private final Ink ink;
+    private final double stepMm;
+
+    MapGrid(Graphics2D pen, MapView view, Ink ink) {
+        this.pen = pen;
+        this.view = view;
+        this.ink = ink;
+        this.stepMm = Lengths.round(WANTED_PX / view.pxPerMm());
+    }
+
+    /** All lines that can be seen, however the floor is turned; upright ones are sharp. */
+    void paintLines() {
+        double reach = Math.hypot(view.width(), view.height()) / 2 / view.pxPerMm();
+        pen.setColor(ink.grey(0.13));
+        pen.setStroke(new BasicStroke(1));
+        Object smooth = pen.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
+        if (view.upDeg() == MapView.Y_UP) {
+            pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
+        }
+        for (double x = first(view.xMm() - reach); x <= view.xMm() + reach; x += stepMm) {
+            line(x, view.yMm() - reach, x, view.yMm() + reach);
+        }
+        for (double y = first(view.yMm() - reach); y <= view.yMm() + reach; y += stepMm) {
+            line(view.xMm() - reach, y, view.xMm() + reach, y);
+        }
+        pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, smooth);
+    }
+
+    private double first(double fromMm) {
+        return Math.ceil(fromMm / stepMm) * stepMm;
+    }
+
+    private void line(double x1, double y1, double x2, double y2) {
+        Point2D from = view.pixel(x1, y1);
+        Point2D to = view.pixel(x2, y2);
+        pen.draw(new Line2D.Double(from, to));
+    }
+
+    /** At the lower left, with a little of the floor's colour around it so that it can be read on anything. */
+    void paintScale(Color floor) {
+        String text = Lengths.text(stepMm);
+        FontMetrics metrics = pen.getFontMetrics();
+        double length = stepMm * view.pxPerMm();
+        double y = view.height() - INSET;
+        double width = Math.max(length, metrics.stringWidth(text)) + 2 * TICK;
+        double height = metrics.getAscent() + 3 * TICK;
+        pen.setColor(Ink.translucent(floor, 0.75));
+        pen.fill(new RoundRectangle2D.Double(INSET - TICK, y + TICK + 1 - height, width, height, 6, 6));
+        pen.setColor(ink.grey(0.85));
+        pen.setStroke(Ink.stroke(1.5));
+        pen.draw(new Line2D.Double(INSET, y, INSET + length, y));
+        pen.draw(new Line2D.Double(INSET, y - TICK, INSET, y + TICK));
+        pen.draw(new Line2D.Double(INSET + length, y - TICK, INSET + length, y + TICK));
+        pen.drawString(text, INSET + TICK, (float) y - TICK - 1);
+    }
+}

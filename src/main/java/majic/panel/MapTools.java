@@ -1,0 +1,58 @@
+package majic.panel;
+
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Insets;
+import java.util.EnumMap;
+import java.util.Map;
+import javax.swing.AbstractButton;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import net.miginfocom.swing.MigLayout;
+
+/** The buttons in a map's corner. */
+final class MapTools extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int ICON_PX = 14;
+
+    private final transient ZoomableMap map;
+    private final transient Map<MapAction, AbstractButton> toggles = new EnumMap<>(MapAction.class);
+
+    MapTools(ZoomableMap map) {
+        super(new MigLayout("insets 1, gap 0, novisualpadding"));
+        this.map = map;
+        setOpaque(false);
+        MapAction.WITH_BUTTON.forEach(this::addButton);
+        showState();
+    }
+
+    private void addButton(MapAction action) {
+        AbstractButton button = action.toggles() ? new JToggleButton() : new JButton();
+        button.setName("map " + action.name().toLowerCase(java.util.Locale.ROOT));
+        button.setIcon(new MapIcon(action, ICON_PX));
+        button.setMargin(new Insets(3, 3, 3, 3));
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.setToolTipText(action.tip());
+        button.getAccessibleContext().setAccessibleName(action.title());
+        button.addActionListener(pressed -> action.perform(map));
+        if (action.toggles()) {
+            toggles.put(action, button);
+        }
+        add(button, action == MapAction.CLEAR ? "gapleft 6" : "");
+    }
+
+    /** Presses the buttons in whose state the map is. */
+    void showState() {
+        toggles.forEach((action, button) -> button.setSelected(action.isOn(map)));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D pen = (Graphics2D) graphics.create();
+        Ink.prepare(pen);
+        pen.setColor(Ink.translucent(ZoomableMap.floor(), 0.8));
+        pen.fillRoundRect(0, 0, getWidth(), getHeight(), 8, 8);
+        pen.dispose();
+    }
+}

@@ -1,0 +1,130 @@
+package majic.panel;
+
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+
+/**
+ * How a floor lies on a component: which place is in the middle, how large it is, what points up. On the floor x and y are
+ * mm, counterclockwise positive; pixels go right and down. Immutable.
+ *
+ * @param pxPerMm the scale, {@value #SMALLEST} to {@value #LARGEST}; a value outside is brought inside
+ * @param xMm what is in the middle
+ * @param yMm what is in the middle
+ * @param upDeg the direction on the floor that points up; 90 has x to the right
+ * @param width of the component, pixels
+ * @param height of the component, pixels
+ */
+public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int width, int height) {
+    /** x to the right, y up. */
+    public static final double Y_UP = 90;
+
+    private static final double SMALLEST = 0.002;
+    private static final double LARGEST = 2;
+
+    /** Keeps the scale within its limits. */
+    public MapView {
+        pxPerMm = Math.max(SMALLEST, Math.min(LARGEST, pxPerMm));
+    }
+
+    /**
+     * The largest view, y up, that shows all of a piece of floor.
+     *
+     * @param extent of the floor, mm
+     * @param width of the component, pixels
+     * @param height of the component, pixels
+     * @return with the piece of floor in the middle
+     */
+    public static MapView fitting(Rectangle2D extent, int width, int height) {
+        double scale = Math.min(width / extent.getWidth(), height / extent.getHeight());
+        return new MapView(scale, extent.getCenterX(), extent.getCenterY(), Y_UP, width, height);
+    }
+
+    /**
+     * From the floor to the component.
+     *
+     * @return a new one, for the caller to keep
+     */
+    public AffineTransform transform() {
+        AffineTransform transform = AffineTransform.getTranslateInstance(width / 2.0, height / 2.0);
+        transform.scale(pxPerMm, -pxPerMm);
+        transform.rotate(Math.toRadians(Y_UP - upDeg));
+        transform.translate(-xMm, -yMm);
+        return transform;
+    }
+
+    /**
+     * Where a place is seen.
+     *
+     * @param placeXMm on the floor
+     * @param placeYMm on the floor
+     * @return pixels
+     */
+    public Point2D pixel(double placeXMm, double placeYMm) {
+        return transform().transform(new Point2D.Double(placeXMm, placeYMm), null);
+    }
+
+    /**
+     * What is seen at a pixel.
+     *
+     * @param x to the right
+     * @param y down
+     * @return a place on the floor, mm
+     */
+    public Point2D place(double x, double y) {
+        double right = (x - width / 2.0) / pxPerMm;
+        double up = (height / 2.0 - y) / pxPerMm;
+        double turn = Math.toRadians(upDeg - Y_UP);
+        return new Point2D.Double(
+                xMm + right * Math.cos(turn) - up * Math.sin(turn), yMm + right * Math.sin(turn) + up * Math.cos(turn));
+    }
+
+    /**
+     * Larger by a factor, with the same place under a pixel.
+     *
+     * @param factor positive; below 1 makes it smaller
+     * @param x of the pixel
+     * @param y of the pixel
+     * @return another view
+     */
+    public MapView zoomed(double factor, double x, double y) {
+        Point2D fixed = place(x, y);
+        MapView zoomed = new MapView(pxPerMm * factor, xMm, yMm, upDeg, width, height);
+        Point2D slipped = zoomed.place(x, y);
+        return zoomed.centred(xMm + fixed.getX() - slipped.getX(), yMm + fixed.getY() - slipped.getY());
+    }
+
+    /**
+     * Moved as if dragged.
+     *
+     * @param rightPx pixels
+     * @param downPx pixels
+     * @return another view
+     */
+    public MapView moved(double rightPx, double downPx) {
+        Point2D middle = place(width / 2.0 - rightPx, height / 2.0 - downPx);
+        return centred(middle.getX(), middle.getY());
+    }
+
+    /**
+     * The same with another place in the middle.
+     *
+     * @param newXMm mm
+     * @param newYMm mm
+     * @return another view
+     */
+    public MapView centred(double newXMm, double newYMm) {
+        return new MapView(pxPerMm, newXMm, newYMm, upDeg, width, height);
+    }
+
+    /**
+     * The same on a component of another size.
+     *
+     * @param newWidth pixels
+     * @param newHeight pixels
+     * @return another view
+     */
+    public MapView sized(int newWidth, int newHeight) {
+        return new MapView(pxPerMm, xMm, yMm, upDeg, newWidth, newHeight);
+    }
+}

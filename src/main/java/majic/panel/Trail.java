@@ -1,0 +1,105 @@
+package majic.panel;
+
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import majic.bot.Pose;
+
+/**
+ * Where a robot has been, from its first pose on, in bounded memory: when it is full, every other point is left out, so that
+ * old and long ways get coarser and none gets shorter. Thread-safe; nobody waits for it.
+ */
+public final class Trail {
+    private static final int CAPACITY = 2048;
+    private static final double FIRST_STEP_MM = 20;
+
+    /** No robot goes this far from one word to the next: its pose was set anew. */
+    private static final double JUMP_MM = 1000;
+
+    private final float[] xs = new float[CAPACITY];
+    private final float[] ys = new float[CAPACITY];
+    private final boolean[] jumps = new boolean[CAPACITY];
+    private int size;
+    private double stepMm = FIRST_STEP_MM;
+
+    /**
+     * Takes in where the robot is; less than a step from the last point is left out.
+     *
+     * @param pose now
+     */
+    public synchronized void add(Pose pose) {
+        double way =
+                size == 0 ? Double.POSITIVE_INFINITY : Math.hypot(pose.xMm() - xs[size - 1], pose.yMm() - ys[size - 1]);
+        if (way < stepMm) {
+            return;
+        }
+        if (size == CAPACITY) {
+            thin();
+        }
+        xs[size] = (float) pose.xMm();
+        ys[size] = (float) pose.yMm();
+        jumps[size] = way > JUMP_MM + stepMm;
+        size++;
+    }
+
+    /** A jump that goes to a point left out goes to the one after it. */
+    private void thin() {
+        int kept = 0;
+        for (int index = 0; index < size; index += 2) {
+            xs[kept] = xs[index];
+            ys[kept] = ys[index];
+            jumps[kept] = jumps[index] || index > 0 && jumps[index - 1];
+            kept++;
+        }
+        size = kept;
+        stepMm *= 2;
+    }
+
+    /** Forgets everything. */
+    public synchronized void clear() {
+        size = 0;
+        stepMm = FIRST_STEP_MM;
+    }
+
+    /**
+     * How many points there are.
+     *
+     * @return 0 to 2048
+     */
+    public synchronized int size() {
+        return size;
+    }
+
+    /**
+     * Draws the way.
+     *
+     * @param path emptied first; then the way on the floor, mm
+     * @param leastMm points closer than this to the one before are left out
+     */
+    public synchronized void trace(Path2D path, double leastMm) {
+        path.reset();
+        double lastX = 0;
+        double lastY = 0;
+        for (int index = 0; index < size; index++) {
+            if (jumps[index]) {
+                path.moveTo(xs[index], ys[index]);
+            } else if (index < size - 1 && Math.hypot(xs[index] - lastX, ys[index] - lastY) < leastMm) {
+                continue;
+            } else {
+                path.lineTo(xs[index], ys[index]);
+            }
+            lastX = xs[index];
+            lastY = ys[index];
+        }
+    }
+
+    /**
+     * Makes a piece of floor so large that it holds the way.
+     *
+     * @param extent mm; grows
+     */
+    public synchronized void extend(Rectangle2D extent) {
+        for (int index = 0; index < size; index++) {
+            extent.add(xs[index], ys[index]);
+        }
+    }
+}

@@ -1,0 +1,209 @@
+package majic.panel;
+
+import java.awt.Color;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
+import java.util.Locale;
+import javax.swing.JPanel;
+import javax.swing.UIManager;
+import majic.bot.Pose;
+
+/**
+ * A floor with a grid and a scale bar, which follows a robot, shows everything, or shows what somebody chose with mouse,
+ * keys or buttons. The wheel zooms, dragging moves, a double click shows everything. Little room takes the buttons away;
+ * wheel and keys stay. For the event dispatch thread.
+ */
+public final class ZoomableMap extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int TOOLS_INSET = 6;
+
+    private final transient MapContent content;
+    private final MapTools tools;
+    private Mode mode = Mode.FOLLOW;
+    private double zoom = 1;
+    private boolean aheadUp;
+    private transient MapView chosen = new MapView(1, 0, 0, MapView.Y_UP, 1, 1);
+
+    /** Who decides what is seen. */
+    enum Mode {
+        /** The robot stays in the middle. */
+        FOLLOW,
+        /** Everything is seen. */
+        FIT,
+        /** Somebody chose. */
+        FREE
+    }
+
+    /**
+     * A map that follows.
+     *
+     * @param content what lies on it
+     */
+    public ZoomableMap(MapContent content) {
+        super(null);
+        this.content = content;
+        setName("map");
+        setFocusable(true);
+        setToolTipText("");
+        getAccessibleContext().setAccessibleName("Map");
+        tools = new MapTools(this);
+        add(tools);
+        MapMouse mouse = new MapMouse(this);
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addMouseWheelListener(mouse);
+        addFocusListener(new Frame());
+        MapAction.bindKeys(this);
+    }
+
+    /**
+     * How the floor lies on the component now.
+     *
+     * @return of the present size
+     */
+    public MapView view() {
+        int width = Math.max(1, getWidth());
+        int height = Math.max(1, getHeight());
+        return switch (mode) {
+            case FIT -> MapView.fitting(content.extent(), width, height);
+            case FREE -> chosen.sized(width, height);
+            case FOLLOW -> {
+                Pose pose = content.pose();
+                double scale = content.nearPxPerMm(Math.min(width, height)) * zoom;
+                yield new MapView(
+                        scale, pose.xMm(), pose.yMm(), aheadUp ? pose.headingDeg() : MapView.Y_UP, width, height);
+            }
+        };
+    }
+
+    boolean follows() {
+        return mode == Mode.FOLLOW;
+    }
+
+    boolean hasAheadUp() {
+        return follows() && aheadUp;
+    }
+
+    void fit() {
+        become(Mode.FIT);
+    }
+
+    void toggleFollow() {
+        if (follows()) {
+            choose(view());
+        } else {
+            zoom = 1;
+            become(Mode.FOLLOW);
+        }
+    }
+
+    void toggleAheadUp() {
+        aheadUp = !hasAheadUp();
+        become(Mode.FOLLOW);
+    }
+
+    void clear() {
+        content.clear();
+        repaint();
+    }
+
+    /** Larger by a factor; a map that follows goes on following. */
+    void zoom(double factor, double x, double y) {
+        if (follows()) {
+            double now = view().pxPerMm();
+            MapView zoomed = view().zoomed(factor, x, y);
+            zoom *= zoomed.pxPerMm() / now;
+            repaint();
+        } else {
+            choose(view().zoomed(factor, x, y));
+        }
+    }
+
+    void zoom(double factor) {
+        zoom(factor, getWidth() / 2.0, getHeight() / 2.0);
+    }
+
+    void drag(double rightPx, double downPx) {
+        choose(view().moved(rightPx, downPx));
+    }
+
+    private void choose(MapView view) {
+        chosen = view;
+        become(Mode.FREE);
+    }
+
+    private void become(Mode newMode) {
+        mode = newMode;
+        tools.showState();
+        repaint();
+    }
+
+    @Override
+    public void doLayout() {
+        Rectangle wanted = new Rectangle(new java.awt.Point(TOOLS_INSET, TOOLS_INSET), tools.getPreferredSize());
+        boolean fits = getWidth() >= wanted.width + 2 * TOOLS_INSET && getHeight() >= 4 * wanted.height;
+        tools.setVisible(fits);
+        tools.setBounds(wanted);
+    }
+
+    @Override
+    public String getToolTipText(MouseEvent event) {
+        Point2D place = view().place(event.getX(), event.getY());
+        return String.format(
+                Locale.ROOT,
+                "x %.0f mm, y %.0f mm \u2013 wheel zooms, dragging moves, double click shows everything",
+                place.getX(),
+                place.getY());
+    }
+
+    /** The colour of the floor in the present look. */
+    static Color floor() {
+        Color floor = UIManager.getColor("TextArea.background");
+        return floor == null ? Color.WHITE : floor;
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D pen = (Graphics2D) graphics.create();
+        Ink.prepare(pen);
+        pen.setColor(floor());
+        pen.fillRect(0, 0, getWidth(), getHeight());
+        MapView view = view();
+        MapGrid grid = new MapGrid(pen, view, Ink.ofTheLook());
+        grid.paintLines();
+        Graphics2D inside = (Graphics2D) pen.create();
+        content.paint(inside, view);
+        inside.dispose();
+        grid.paintScale(floor());
+        paintFrame(pen);
+        pen.dispose();
+    }
+
+    private void paintFrame(Graphics2D pen) {
+        boolean focused = isFocusOwner();
+        Color color = UIManager.getColor(focused ? "Component.focusedBorderColor" : "Component.borderColor");
+        int width = focused ? 2 : 1;
+        pen.setColor(color == null ? Color.GRAY : color);
+        for (int inset = 0; inset < width; inset++) {
+            pen.drawRect(inset, inset, getWidth() - 1 - 2 * inset, getHeight() - 1 - 2 * inset);
+        }
+    }
+
+    /** Shows by the frame who has the keys. */
+    private final class Frame implements FocusListener {
+        @Override
+        public void focusGained(FocusEvent event) {
+            repaint();
+        }
+
+        @Override
+        public void focusLost(FocusEvent event) {
+            repaint();
+        }
+    }
+}

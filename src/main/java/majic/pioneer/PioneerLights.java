@@ -1,0 +1,80 @@
+package majic.pioneer;
+
+import java.util.List;
+import java.util.Locale;
+import majic.bot.MajicBot;
+import majic.panel.Light;
+import majic.panel.Light.Kind;
+import majic.panel.LightsPanel;
+
+/** What is on, what is in the way and how the link stands, each by word and shape. For the event thread. */
+final class PioneerLights {
+    private static final String LONGEST = "STOP pressed";
+    private static final double SILENT_MS = 500;
+
+    private final Light motors = new Light("motors", "Whether the motors are on; the first motion switches them on");
+    private final Light sonars = new Light("sonars", "Whether the sonars fire; without them it has no distances");
+    private final Light stallLeft = new Light("stallLeft", "Whether the left wheel's motor is stalled");
+    private final Light stallRight = new Light("stallRight", "Whether the right wheel's motor is stalled");
+    private final Light bumpers = new Light("bumpers", "Touched segments, counted clockwise: F front, R rear");
+    private final Light button = new Light("stopButton", "The STOP button on the robot itself");
+    private final Light link = new Light("link", "Packets of the robot a second, or since when it has been silent");
+
+    private final LightsPanel panel =
+            new LightsPanel(LONGEST, List.of(motors, sonars, stallLeft, stallRight, bumpers, button, link));
+
+    /** All of them. */
+    LightsPanel panel() {
+        return panel;
+    }
+
+    /** Of a robot that has said nothing yet. */
+    void show(MajicBot.Connection connection) {
+        switch (connection) {
+            case NEW, CONNECTING -> link.show(Kind.QUIET, "connecting");
+            case CONNECTED -> link.show(Kind.WARNING, "no packet yet");
+            case LOST, CLOSED -> link.show(Kind.ALARM, "link lost");
+        }
+    }
+
+    void show(PioneerScene scene) {
+        PioneerState state = scene.state();
+        motors.show(state.motorsOn() ? Kind.GOOD : Kind.QUIET, state.motorsOn() ? "motors on" : "motors off");
+        sonars.show(state.sonarOn() ? Kind.GOOD : Kind.WARNING, state.sonarOn() ? "sonars on" : "sonars off");
+        showAlarm(stallLeft, state.stallLeft(), "left stalled", "left free");
+        showAlarm(stallRight, state.stallRight(), "right stalled", "right free");
+        showAlarm(button, state.stopButton(), "STOP pressed", "STOP free");
+        showBumpers(scene.bumpers(), state);
+        showLink(scene);
+    }
+
+    private static void showAlarm(Light light, boolean alarm, String so, String otherwise) {
+        light.show(alarm ? Kind.ALARM : Kind.QUIET, alarm ? so : otherwise);
+    }
+
+    private void showBumpers(Bumpers fitted, PioneerState state) {
+        int front = fitted.front(state);
+        int rear = fitted.rear(state);
+        int count = Integer.bitCount(front) + Integer.bitCount(rear);
+        String touched = count > 1 ? count + " bumpers" : "bumper " + (front != 0 ? "F" : "R") + first(front | rear);
+        boolean none = fitted.frontSegments() + fitted.rearSegments() == 0;
+        showAlarm(bumpers, count > 0, touched, none ? "no bumpers" : "bumpers free");
+    }
+
+    /** Counted from 1. */
+    private static int first(int segments) {
+        return Integer.numberOfTrailingZeros(segments) + 1;
+    }
+
+    private void showLink(PioneerScene scene) {
+        if (!scene.isConnected()) {
+            show(scene.connection());
+        } else if (scene.silenceMs() > SILENT_MS) {
+            link.show(Kind.WARNING, String.format(Locale.ROOT, "silent %.1f s", scene.silenceMs() / 1000));
+        } else {
+            link.show(
+                    Kind.GOOD,
+                    String.format(Locale.ROOT, "link %.0f/s", scene.state().sipsPerSec()));
+        }
+    }
+}
