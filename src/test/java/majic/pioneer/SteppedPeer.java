@@ -88,6 +88,11 @@ final class SteppedPeer implements AutoCloseable {
         return "//" + address;
     }
 
+    /** As the driver sees this end. */
+    String where() {
+        return address;
+    }
+
     TimeSource time() {
         return clock.time();
     }
