@@ -29,6 +29,7 @@ final class ArcosLine {
     private final TimeSource time;
     private final FrameDecoder decoder = new FrameDecoder();
     private final FirstWords firstWords = new FirstWords();
+    private volatile int baud = Rates.POWER_UP;
     private volatile long sentNanos;
     private volatile @Nullable LinkLost end;
 
@@ -148,9 +149,9 @@ final class ArcosLine {
         return decoder.reception();
     }
 
-    /** Whether there is room for more than SIPs: a serial port runs at 9600 baud from power-up (ARCOS sheet 1). */
+    /** Whether there is room for more than SIPs: not on a serial port as it is after power-up (ARCOS sheet 1). */
     boolean isFast() {
-        return !link.address().startsWith("serial:");
+        return baud > Rates.POWER_UP || !link.address().startsWith("serial:");
     }
 
     /**
@@ -161,6 +162,7 @@ final class ArcosLine {
      */
     boolean setBaud(int baud) {
         try {
+            this.baud = baud;
             return link.setBaud(baud);
         } catch (IOException e) {
             throw new LinkLost("connection lost: " + e.getMessage(), e);

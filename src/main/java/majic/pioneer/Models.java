@@ -33,7 +33,7 @@ final class Models {
      * taken for granted: it counts as large and slow, and without sonars whose place is known.
      */
     static Model of(String subclass) {
-        String plain = subclass.toLowerCase(Locale.ROOT).replaceFirst("-lms\\d.*$", "");
+        String plain = subclass.strip().toLowerCase(Locale.ROOT).replaceFirst("-lms\\d.*$", "");
         Model model = BY_SUBCLASS.get(plain);
         return model != null ? model : unknown(subclass);
     }

@@ -2,7 +2,11 @@ package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.Config;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ModelsTest {
 
@@ -26,6 +30,61 @@ class ModelsTest {
     @Test
     void laserVariantsAreThePlainModel() {
         assertThat(Models.of("pioneer-lx-lms500")).isEqualTo(Models.of("pioneer-lx"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "P3DX-SH",
+                "p3dx-sh-lms1xx",
+                "p3at-sh-lms500",
+                "p3at-sh-LMS1XX",
+                " amigo-sh ",
+                "seekurjr",
+                "pioneer-lx-lms500",
+                "p2at8"
+            })
+    void spellingsAndLasersMakeNoOtherModel(String subclass) {
+        assertThat(Models.of(subclass).known()).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "p2df",
+                "p2d8+",
+                "p2at8+",
+                "p2it",
+                "p2pb",
+                "p2pp",
+                "perfpb",
+                "perfpb+",
+                "pion1m",
+                "pion1x",
+                "pionat",
+                "psos1m",
+                "psos1x",
+                "psos43m",
+                "powerbot",
+                "wheelchair-sh",
+                ""
+            })
+    void modelsOfWhichOnlyTheNameIsKnownAreDrivenCarefully(String subclass) {
+        Model model = Models.of(subclass);
+
+        assertThat(model.known()).isFalse();
+        assertThat(Ramps.careful(Limits.of(model, null)).topSpeedMmPerSec()).isEqualTo(300);
+        assertThat(Ramps.careful(Limits.of(model, null)).topTurnDegPerSec()).isEqualTo(50);
+    }
+
+    @Test
+    void whatTheRobotSaysOfItselfLimitsItsModel() {
+        Limits limits = Limits.of(Models.of("p3dx"), Config.decode(Bytes.packet(Bytes.CONFIG)));
+
+        assertThat(limits.speedMmPerSec()).isEqualTo(2200);
+        assertThat(limits.setTurnDegPerSec()).isEqualTo(150);
+        assertThat(Ramps.careful(limits).topSpeedMmPerSec()).isEqualTo(1000);
+        assertThat(Ramps.careful(limits).topTurnDegPerSec()).isEqualTo(100);
     }
 
     @Test
