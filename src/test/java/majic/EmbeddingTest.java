@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -13,24 +15,34 @@ import org.junit.jupiter.api.Timeout;
 class EmbeddingTest {
     @Test
     void anEmbeddedRobotLoadsNoSwing() throws Exception {
-        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1)) {
-            Process embedding = new ProcessBuilder(
-                            Path.of(System.getProperty("java.home"), "bin", "java")
-                                    .toString(),
-                            "-verbose:class",
-                            "-Xshare:off",
-                            "-cp",
-                            System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
-                            "TenLines",
-                            lab.address("pioneer").orElseThrow().toString())
-                    .redirectErrorStream(true)
-                    .start();
-            String loaded = new String(embedding.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String loaded = run("-verbose:class", "TenLines");
 
+        assertThat(loaded).contains("majic.pioneer.MajicPioneer ", "ahead: ");
+        assertThat(loaded.lines().filter(line -> line.contains(" javax.swing.") || line.contains(" java.awt.")))
+                .isEmpty();
+    }
+
+    @Test
+    void theWandererTurnsWhereItsWayEnds() throws Exception {
+        assertThat(run("-Xshare:auto", "Wanderer", "1")).containsPattern("ahead \\d+ mm.*\\nturned -?\\d+");
+    }
+
+    /** Runs an example with the Pioneer of an exact lab, and returns what it printed. */
+    private static String run(String option, String example, String... further) throws Exception {
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1)) {
+            List<String> command = new ArrayList<>(List.of(
+                    Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                    option,
+                    "-cp",
+                    System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
+                    example,
+                    lab.address("pioneer").orElseThrow().toString()));
+            command.addAll(List.of(further));
+            Process embedding =
+                    new ProcessBuilder(command).redirectErrorStream(true).start();
+            String printed = new String(embedding.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
             assertThat(embedding.waitFor()).isZero();
-            assertThat(loaded).contains("majic.pioneer.MajicPioneer ", "ahead: ");
-            assertThat(loaded.lines().filter(line -> line.contains(" javax.swing.") || line.contains(" java.awt.")))
-                    .isEmpty();
+            return printed;
         }
     }
 }
