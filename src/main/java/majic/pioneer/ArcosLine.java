@@ -82,7 +82,8 @@ final class ArcosLine {
                 firstWords.heard(chunk, count);
                 decoder.feed(chunk, count, packet -> hand(packet, sink));
             }
-            return new LinkLost("connection lost: the robot closed it");
+            return new LinkLost("connection lost: "
+                    + (link.address().startsWith("serial:") ? "the serial port is gone" : "the robot closed it"));
         } catch (IOException e) {
             return new LinkLost("connection lost: " + e.getMessage(), e);
         }
