@@ -76,7 +76,8 @@ public final class MajicPioneer extends MajicBot {
         }
     }
 
-    private void describe(Equipment equipment) {
+    /** Describes what a robot with this equipment has and takes. */
+    void describe(Equipment equipment) {
         parameters.describe(equipment);
         PioneerCommands.NAMES.forEach(this::removeCommand);
         commands.with(equipment).forEach(this::add);
