@@ -58,18 +58,18 @@ final class SonarParameters implements Theme {
                         Parameter.onOff("sonarPower", "whether the sonars fire"),
                         access.state(state -> Value.onOff(state.sonarOn())))
                 .writes(values -> switches.sonar(values.get(0).isYes()));
-        table.add(
-                        Parameter.number("sonarCycle", Unit.MS, "from one disc of an array to the next")
-                                .within(FASTEST_MS, SLOWEST_MS),
-                        cycle.reader(access.config(config -> Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS))))
-                .writes(values ->
-                        cycle.tell(Command.SONARCYCLE.packet(Whole.of("sonarCycle", values.get(0))), values.get(0)));
         if (arrays.size() > 1) {
             arrays.forEach(array -> table.add(
                             Parameter.onOff("sonarPower" + array, "whether this array of eight discs fires"),
                             access.state(state -> Value.onOff(state.sonarOn(array))))
                     .writes(values -> switches.sonar(array, values.get(0).isYes())));
         }
+        table.add(
+                        Parameter.number("sonarCycle", Unit.MS, "from one disc of an array to the next")
+                                .within(FASTEST_MS, SLOWEST_MS),
+                        cycle.reader(access.config(config -> Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS))))
+                .writes(values ->
+                        cycle.tell(Command.SONARCYCLE.packet(Whole.of("sonarCycle", values.get(0))), values.get(0)));
     }
 
     private static Value range(int disc, PioneerState state) {
