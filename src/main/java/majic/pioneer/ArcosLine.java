@@ -29,6 +29,7 @@ final class ArcosLine {
     private final TimeSource time;
     private final FrameDecoder decoder = new FrameDecoder();
     private final FirstWords firstWords = new FirstWords();
+    private final Slumber slumber = new Slumber();
     private volatile int baud = Rates.POWER_UP;
     private volatile long sentNanos;
     private volatile @Nullable LinkLost end;
@@ -65,9 +66,9 @@ final class ArcosLine {
 
     private void read(Listener listener) {
         LinkLost cause = readToTheEnd(listener::received);
-        end(cause);
+        LinkLost first = end(cause);
         link.close();
-        listener.ended(cause);
+        listener.ended(first);
     }
 
     private LinkLost readToTheEnd(Consumer<Packet> sink) {
@@ -102,10 +103,11 @@ final class ArcosLine {
     /**
      * Sends packets, each in a write of its own.
      *
-     * @throws LinkLost if the line is dead or takes nothing for a second
+     * @throws LinkLost if the line is dead, takes nothing for a second, or the computer has slept meanwhile
      */
     void send(byte[]... packets) {
         for (byte[] packet : packets) {
+            refuseAfterSlumber();
             LOG.log(Level.TRACE, () -> "> " + HexFormat.of().formatHex(packet));
             try {
                 link.write(packet);
@@ -113,6 +115,15 @@ final class ArcosLine {
                 throw new LinkLost("connection lost: " + e.getMessage(), e);
             }
             sentNanos = time.nanos();
+        }
+    }
+
+    /** A robot that its watchdog has stopped would take up its last speed at the next packet. */
+    private void refuseAfterSlumber() {
+        if (slumber.isOver()) {
+            LinkLost cause = new LinkLost("connection lost: this computer was asleep");
+            abort(cause);
+            throw cause;
         }
     }
 
@@ -187,7 +198,9 @@ final class ArcosLine {
     }
 
     /** Only the first cause counts. */
-    private synchronized void end(LinkLost cause) {
-        end = end == null ? cause : end;
+    private synchronized LinkLost end(LinkLost cause) {
+        LinkLost first = end == null ? cause : end;
+        end = first;
+        return first;
     }
 }
