@@ -6,14 +6,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Parameters that differ in nothing but the number at the end of their names, such as {@code sonar0} to {@code sonar15},
+ * Parameters that differ in nothing but the number at the end of their names, one higher each, such as {@code sonar0} to {@code sonar15},
  * so that lists for people need one line for them. Immutable.
  *
  * @param first the one with the first number
  * @param last the one with the last number; the first where it stands alone
  */
 public record ParameterGroup(Parameter first, Parameter last) {
-    private static final Pattern NUMBERED = Pattern.compile("(.*\\D)(\\d+)");
+    private static final Pattern NUMBERED = Pattern.compile("(.*\\D)(\\d{1,9})");
 
     /**
      * Groups what follows one another.
@@ -40,6 +40,7 @@ public record ParameterGroup(Parameter first, Parameter last) {
         return before.matches()
                 && after.matches()
                 && before.group(1).equals(after.group(1))
+                && Integer.parseInt(before.group(2)) + 1 == Integer.parseInt(after.group(2))
                 && last.named(next.name()).equals(next);
     }
 

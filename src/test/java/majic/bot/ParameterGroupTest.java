@@ -14,11 +14,12 @@ class ParameterGroupTest {
                 range("sonar1"),
                 range("sonar2"),
                 Parameter.number("sonar3", Unit.DEG, "another thing"),
-                range("light1"));
+                range("light1"),
+                range("light3"));
 
         assertThat(ParameterGroup.of(table))
                 .extracting(ParameterGroup::name)
-                .containsExactly("sonar", "sonar0 … sonar2", "sonar3", "light1");
+                .containsExactly("sonar", "sonar0 … sonar2", "sonar3", "light1", "light3");
     }
 
     private static Parameter range(String name) {
