@@ -341,6 +341,8 @@ public final class Team implements AutoCloseable {
         public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
             if (connection == MajicBot.Connection.LOST) {
                 bot.lostReason().ifPresent(reason -> tell(listener -> listener.lost(member, reason)));
+            } else if (connection == MajicBot.Connection.CONNECTED) {
+                tell(listener -> listener.regained(member));
             }
             changes.raise();
         }

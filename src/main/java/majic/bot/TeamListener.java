@@ -26,6 +26,13 @@ public interface TeamListener {
     default void lost(Member member, String reason) {}
 
     /**
+     * A robot whose connection was lost is connected again.
+     *
+     * @param member who
+     */
+    default void regained(Member member) {}
+
+    /**
      * A robot joined.
      *
      * @param member who

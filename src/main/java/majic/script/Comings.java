@@ -33,7 +33,8 @@ final class Comings {
         }
         Optional<Member> lost = lost(address, number);
         if (lost.isPresent()) {
-            return reconnect(lost.get(), address);
+            connect(lost.get().bot(), address);
+            return lost.get();
         }
         session.team().checkRoom(number);
         MajicBot bot = session.factory().create(address);
@@ -68,13 +69,6 @@ final class Comings {
     private Stream<Member> at(String address) {
         return session.team().members().stream()
                 .filter(member -> address.equalsIgnoreCase(addresses.get(member.number())));
-    }
-
-    private Member reconnect(Member member, String address) {
-        connect(member.bot(), address);
-        String label = member.bot().type().label();
-        session.say(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected again");
-        return member;
     }
 
     /** Says and keeps that a robot was taken in. */

@@ -187,6 +187,14 @@ public final class Session {
         }
 
         @Override
+        public void regained(Member member) {
+            String where =
+                    comings.address(member).map(address -> " at " + address).orElse("");
+            String label = member.bot().type().label();
+            say(Line.Kind.ANSWER, member.number() + ": " + label + where + " connected again");
+        }
+
+        @Override
         public void removed(Member member) {
             say(Line.Kind.ANSWER, "Bot " + member.number() + " is dead");
         }

@@ -63,4 +63,10 @@ class ReconnectTest {
         desk.aibo.prepare(second -> second.refuse(new BotException("closed at once")));
         assertThat(desk.runPipe("add sim:aibo")).contains("sim:aibo: robot 1 is connected to it already");
     }
+
+    @Test
+    void oneThatIsConnectedAgainPastTheScriptIsToldAsWell() {
+        desk.bot(1).connect();
+        assertThat(desk.said()).contains("1: Aibo at sim:aibo connected again");
+    }
 }
