@@ -5,7 +5,7 @@ import java.awt.FontMetrics;
 import java.util.List;
 import javax.swing.JPanel;
 
-/** Lights in rows, one, two or more beside each other. None is ever left out. For the event dispatch thread. */
+/** Lights in rows, one, two or more beside each other. None is ever left out; the last one has the rest of its row. For the event dispatch thread. */
 public final class LightsPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int GAP = 6;
@@ -29,6 +29,15 @@ public final class LightsPanel extends JPanel {
         lights.forEach(this::add);
     }
 
+    /**
+     * All of them.
+     *
+     * @return in the order of reading
+     */
+    public List<Light> lights() {
+        return lights;
+    }
+
     /** How wide it must be at least. */
     int widthOf(int sideBySide) {
         return sideBySide * (lightWidth() + GAP) - GAP;
@@ -48,8 +57,10 @@ public final class LightsPanel extends JPanel {
     public void doLayout() {
         int width = (getWidth() + GAP) / columns;
         for (int index = 0; index < lights.size(); index++) {
+            int x = index % columns * width;
+            boolean last = index == lights.size() - 1;
             lights.get(index)
-                    .setBounds(index % columns * width, index / columns * rowHeight(), width - GAP, rowHeight());
+                    .setBounds(x, index / columns * rowHeight(), last ? getWidth() - x : width - GAP, rowHeight());
         }
     }
 

@@ -25,9 +25,10 @@ final class PioneerDrawing implements MapContent {
     /** The robot is drawn at least this large, as long as that leaves {@link #LEAST_REACH_MM} around it. */
     private static final double PX_PER_MM = 0.065;
 
-    private static final double LEAST_REACH_MM = 1500;
+    private static final double LEAST_REACH_MM = 2000;
     private static final double MOST_REACH_MM = 4200;
     private static final double MARGIN_MM = 900;
+    private static final String START = "start";
     private static final double START_PX = 5;
     private static final double WAY_STEP_PX = 2;
 
@@ -130,7 +131,9 @@ final class PioneerDrawing implements MapContent {
         pen.setStroke(Ink.stroke(1.5));
         pen.draw(new Ellipse2D.Double(start.getX() - START_PX, start.getY() - START_PX, 2 * START_PX, 2 * START_PX));
         pen.fill(new Ellipse2D.Double(start.getX() - 1.5, start.getY() - 1.5, 3, 3));
-        pen.drawString("start", (float) (start.getX() + START_PX + 4), (float) (start.getY() + START_PX + 8));
+        FontMetrics metrics = pen.getFontMetrics();
+        float left = (float) (start.getX() - metrics.stringWidth(START) / 2.0);
+        pen.drawString(START, left, (float) (start.getY() + START_PX + metrics.getAscent()));
     }
 
     private void paintWay(Graphics2D pen, MapView view, Ink ink) {

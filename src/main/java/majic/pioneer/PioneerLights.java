@@ -6,11 +6,15 @@ import majic.bot.MajicBot;
 import majic.panel.Light;
 import majic.panel.Light.Kind;
 import majic.panel.LightsPanel;
+import majic.pioneer.arcos.Reception;
 
 /** What is on, what is in the way and how the link stands, each by word and shape. For the event thread. */
 final class PioneerLights {
     private static final String LONGEST = "STOP pressed";
     private static final double SILENT_MS = 500;
+
+    /** More damaged packets than one in so many are worth a look. */
+    private static final long DAMAGED_ONE_IN = 200;
 
     private final Light motors = new Light("motors", "Whether the motors are on; the first motion switches them on");
     private final Light sonars = new Light("sonars", "Whether the sonars fire; without them it has no distances");
@@ -18,7 +22,8 @@ final class PioneerLights {
     private final Light stallRight = new Light("stallRight", "Whether the right wheel's motor is stalled");
     private final Light bumpers = new Light("bumpers", "Touched segments, counted clockwise: F front, R rear");
     private final Light button = new Light("stopButton", "The STOP button on the robot itself");
-    private final Light link = new Light("link", "Packets of the robot a second, or since when it has been silent");
+    private final Light link = new Light(
+            "link", "Packets a second from the robot, and how many came damaged; or since when it has been silent");
 
     private final LightsPanel panel =
             new LightsPanel(LONGEST, List.of(motors, sonars, stallLeft, stallRight, bumpers, button, link));
@@ -72,9 +77,14 @@ final class PioneerLights {
         } else if (scene.silenceMs() > SILENT_MS) {
             link.show(Kind.WARNING, String.format(Locale.ROOT, "silent %.1f s", scene.silenceMs() / 1000));
         } else {
-            link.show(
-                    Kind.GOOD,
-                    String.format(Locale.ROOT, "link %.0f/s", scene.state().sipsPerSec()));
+            showRate(scene.state().sipsPerSec(), scene.reception());
         }
+    }
+
+    private void showRate(double perSecond, Reception reception) {
+        long damaged = reception.damagedPackets();
+        String rate = String.format(Locale.ROOT, "link %.0f/s", perSecond);
+        boolean bad = damaged * DAMAGED_ONE_IN > reception.packets();
+        link.show(bad ? Kind.WARNING : Kind.GOOD, damaged == 0 ? rate : rate + ", " + damaged + " bad");
     }
 }

@@ -2,6 +2,7 @@ package majic.pioneer;
 
 import majic.bot.MajicBot;
 import majic.bot.Range;
+import majic.pioneer.arcos.Reception;
 
 /**
  * What is shown of a Pioneer, taken at one moment. Immutable.
@@ -11,6 +12,7 @@ import majic.bot.Range;
  * @param bumpers the segments it really has
  * @param connection how the link stands
  * @param silenceMs since its last word
+ * @param reception how well its packets arrived
  * @param speedLimits mm/s, both signs
  * @param turnLimits deg/s, both signs
  */
@@ -20,6 +22,7 @@ record PioneerScene(
         Bumpers bumpers,
         MajicBot.Connection connection,
         double silenceMs,
+        Reception reception,
         Range speedLimits,
         Range turnLimits) {
 
@@ -32,6 +35,7 @@ record PioneerScene(
                 Bumpers.of(session.model(), session.config()),
                 bot.connection(),
                 bot.get("age").number(),
+                session.reception(),
                 bot.profile().speed(),
                 bot.profile().turn());
     }

@@ -1,0 +1,75 @@
+package majic.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import majic.bot.BotEnvironment;
+import majic.bot.BotState;
+import majic.bot.FakeBot;
+import majic.bot.FakeType;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class NewsPanelWindowTest {
+    private final FakeBot bot = new FakeBot(new FakeType(), BotEnvironment.plain());
+    private final Counting panel = new Counting(bot);
+    private JFrame frame;
+
+    @AfterEach
+    void close() throws Exception {
+        bot.close();
+        SwingUtilities.invokeAndWait(frame::dispose);
+    }
+
+    @Test
+    void newsAreShownOnceHoweverManyThereWere() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            frame = new JFrame();
+            frame.add(panel);
+            frame.pack();
+            panel.refreshOnNews();
+        });
+        bot.connect();
+        SwingUtilities.invokeAndWait(() -> {
+            panel.refreshOnNews();
+            panel.refreshOnNews();
+        });
+        assertThat(panel.refreshed).isEqualTo(2);
+    }
+
+    @Test
+    void aPanelThatLeftTheWindowHearsNothing() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            frame = new JFrame();
+            frame.add(panel);
+            frame.pack();
+            panel.refreshOnNews();
+            frame.remove(panel);
+        });
+        bot.connect();
+        SwingUtilities.invokeAndWait(panel::refreshOnNews);
+        assertThat(panel.refreshed).isEqualTo(1);
+        assertThat(panel.states).isZero();
+    }
+
+    private static final class Counting extends NewsPanel {
+        private static final long serialVersionUID = 1;
+        private int refreshed;
+        private volatile int states;
+
+        Counting(FakeBot bot) {
+            super(bot);
+        }
+
+        @Override
+        protected void refresh() {
+            refreshed++;
+        }
+
+        @Override
+        protected void heard(BotState state) {
+            states++;
+        }
+    }
+}
