@@ -4,9 +4,13 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.attribute.PosixFileAttributes;
+import java.util.Set;
 
 /** Why the system does not open a serial port, in a sentence for the person. */
 final class SerialRefusal {
+    private static final String USUAL = "dialout";
+    private static final Set<String> ADMINISTRATORS = Set.of("root", "wheel");
+
     private SerialRefusal() {}
 
     /**
@@ -28,13 +32,15 @@ final class SerialRefusal {
         return "cannot open the serial port " + name + "; does another program use it?";
     }
 
+    /** The administrators' own group is not for anybody to join. */
     private static String group(File device) {
         try {
-            return Files.readAttributes(device.toPath(), PosixFileAttributes.class)
+            String group = Files.readAttributes(device.toPath(), PosixFileAttributes.class)
                     .group()
                     .getName();
+            return ADMINISTRATORS.contains(group) ? USUAL : group;
         } catch (IOException | UnsupportedOperationException e) {
-            return "dialout";
+            return USUAL;
         }
     }
 }
