@@ -22,9 +22,9 @@ final class DogGuard {
     private final String alive;
     private final String tag;
     private volatile boolean installed;
-    private volatile boolean armed;
     private volatile double clockAheadMs;
-    private volatile long renewedNanos;
+    private boolean armed;
+    private long renewedNanos;
 
     DogGuard(AiboLinks links, Tags tags, Watch watch) {
         this.links = links;
@@ -56,8 +56,8 @@ final class DogGuard {
         }
     }
 
-    /** Arms it, or renews it: to be sent before anything walks. */
-    void renew() {
+    /** Arms it, or renews it: to be sent before anything walks. It then stays armed for as long as one renewal holds. */
+    synchronized void renew() {
         if (installed) {
             armed = true;
             renewedNanos = watch.time().nanos();
@@ -66,11 +66,12 @@ final class DogGuard {
         }
     }
 
-    /** Renews it in time while the dog walks, disarms it while it does not. */
-    void tend(boolean walking) {
-        if (walking && watch.time().secondsSince(renewedNanos) >= RENEWAL_S) {
+    /** Renews it in time while the dog walks; disarms it once it does not, unless a walk is just about to begin. */
+    synchronized void tend(boolean walking) {
+        boolean due = !armed || watch.time().secondsSince(renewedNanos) >= RENEWAL_S;
+        if (walking && due) {
             renew();
-        } else if (armed && !walking) {
+        } else if (armed && due) {
             armed = false;
             links.sensors().send(alive + " = " + FAR_AHEAD + ",");
         }
