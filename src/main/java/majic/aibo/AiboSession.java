@@ -157,6 +157,15 @@ final class AiboSession {
         runner.halt(sweep.halt());
     }
 
+    /**
+     * Sends that stop on the stop connection while a command may be stuck on another. The sweep is not taken for ended,
+     * for a command that begins it may be on its way.
+     */
+    void haltAhead() {
+        driving.forget();
+        runner.halt(sweep.stopCommand());
+    }
+
     /** The duties that come round ten times a second, on the keeper's thread. */
     void tend() {
         tendSilence();

@@ -70,6 +70,12 @@ final class HeadSweep {
         return " stop " + tag + ",";
     }
 
+    /** What stops it, for now: it still counts as sweeping. */
+    String stopCommand() {
+        String tag = sweeping.get();
+        return tag == null ? "" : " stop " + tag + ",";
+    }
+
     /** Makes sure that what was halted is over. */
     void tend() {
         String tag = halted.getAndSet(null);

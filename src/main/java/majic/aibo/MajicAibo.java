@@ -148,6 +148,14 @@ public final class MajicAibo extends MajicBot {
     }
 
     @Override
+    protected void haltAhead() {
+        AiboSession open = session;
+        if (open != null) {
+            open.haltAhead();
+        }
+    }
+
+    @Override
     protected void confirmHalt() {
         session().runner().confirm();
     }
@@ -162,7 +170,8 @@ public final class MajicAibo extends MajicBot {
         return dog;
     }
 
-    private AiboSession session() {
+    /** What there is while it is connected. */
+    AiboSession session() {
         AiboSession open = session;
         if (open == null) {
             throw new LinkLost("not connected");

@@ -155,13 +155,25 @@ final class Helm {
         }
     }
 
-    /** Tells the robot to stand and waits until it has confirmed it. */
+    /**
+     * Tells the robot to stand and waits until it has confirmed it. The early stop waits for nobody; the ordinary one
+     * queues for the lock and so comes behind whatever was being sent under a permit that has been revoked meanwhile.
+     */
     void sendStop() {
+        haltAhead();
         synchronized (commandLock) {
             driving = false;
             bot.halt();
         }
         bot.confirmHalt();
+    }
+
+    private void haltAhead() {
+        try {
+            bot.haltAhead();
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, "no early stop for " + bot.name(), e);
+        }
     }
 
     /** The link is gone, and with it the leave of everybody who moves the robot. */

@@ -412,6 +412,19 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     protected abstract void halt();
 
     /**
+     * Sends the stop ahead of {@link #halt()}, over a line that no command ever uses. For robots whose stop has a
+     * connection of its own: {@code halt()} has to wait for the command that is being sent, up to the deadline of a stuck
+     * link. Called for every stop once all permits are revoked, on the thread that stops, perhaps on several at a time
+     * and while another thread is inside any other hook; must wait for none of them.
+     *
+     * <p>It replaces nothing. A command whose permit was looked at before the stop may still go out behind this one;
+     * {@code halt()} follows as soon as that has been sent, and has to stop that too. So what {@code halt()} needs to
+     * know must not be forgotten here. Does nothing unless overridden; what it throws is logged and {@code halt()} follows
+     * all the same.
+     */
+    protected void haltAhead() {}
+
+    /**
      * Waits until the robot has confirmed the stop that {@link #halt()} sent, sending it again where that helps. Called
      * without any lock, on the thread that stops.
      *

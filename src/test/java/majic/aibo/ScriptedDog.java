@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
@@ -109,6 +110,11 @@ final class ScriptedDog implements AutoCloseable {
         return walk != null && !walk.isDone();
     }
 
+    /** Reads nothing more on one of the connections, which come in the order stop, sensors, motion. */
+    void stopReading(int connection) {
+        lines.get(connection).deaf = true;
+    }
+
     void hangUp() {
         lines.forEach(Line::close);
     }
@@ -141,6 +147,8 @@ final class ScriptedDog implements AutoCloseable {
     /** One connection. */
     private final class Line {
         private final Socket socket;
+        private final CountDownLatch closed = new CountDownLatch(1);
+        private volatile boolean deaf;
         private boolean late;
 
         Line(Socket socket) {
@@ -156,6 +164,7 @@ final class ScriptedDog implements AutoCloseable {
                 }
                 StringBuilder pending = new StringBuilder();
                 for (int next = in.read(); next >= 0; next = in.read()) {
+                    awaitEndIfDeaf();
                     pending.append((char) next);
                     boolean whole = next == '\n';
                     if (whole) {
@@ -165,6 +174,16 @@ final class ScriptedDog implements AutoCloseable {
                 }
             } catch (IOException e) {
                 close();
+            }
+        }
+
+        private void awaitEndIfDeaf() {
+            try {
+                if (deaf) {
+                    closed.await();
+                }
+            } catch (InterruptedException e) {
+                throw new IllegalStateException("nobody interrupts a scripted dog", e);
             }
         }
 
@@ -270,6 +289,7 @@ final class ScriptedDog implements AutoCloseable {
         }
 
         void close() {
+            closed.countDown();
             try {
                 socket.close();
             } catch (IOException e) {

@@ -23,6 +23,8 @@ public final class FakeBot extends MajicBot {
     private volatile double connectSeconds;
     private volatile boolean stuck;
     private volatile Pose pose = Pose.START;
+    private volatile Runnable lineIsSlow = () -> {};
+    private volatile Runnable toldAhead = () -> {};
 
     /** A robot on a clock. */
     public FakeBot(BotType type, BotEnvironment environment) {
@@ -124,6 +126,16 @@ public final class FakeBot extends MajicBot {
         stuck = true;
     }
 
+    /** Makes the sending of a drive take as long as this does. */
+    public void sendDrivesThrough(Runnable line) {
+        lineIsSlow = line;
+    }
+
+    /** Called at each stop that comes ahead of the ordinary one. */
+    public void whenStoppedAhead(Runnable told) {
+        toldAhead = told;
+    }
+
     /** Cuts the robot's line. */
     public void cut() {
         lost(new LinkLost("connection lost"));
@@ -179,12 +191,18 @@ public final class FakeBot extends MajicBot {
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
+        lineIsSlow.run();
         sent.add("drive " + Value.plain(mmPerSec) + " " + Value.plain(degPerSec));
     }
 
     @Override
     protected void halt() {
         sent.add("halt");
+    }
+
+    @Override
+    protected void haltAhead() {
+        toldAhead.run();
     }
 
     @Override

@@ -1,0 +1,96 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.Settings;
+import majic.bot.Signal;
+import majic.bot.TimeSource;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class StopPathTest {
+    private static final int MOTION = 2;
+
+    private final TimeSource time = TimeSource.system();
+    private ScriptedDog dog;
+    private MajicAibo aibo;
+
+    @BeforeEach
+    void connect() throws IOException {
+        dog = new ScriptedDog();
+        dog.set("robot.MyguessPosition()", "\"stand\"");
+        dog.set("legLF1.load", "1.000000");
+        aibo = new MajicAibo(dog.address(), new BotEnvironment(time, Settings.inMemory()));
+        aibo.connect();
+    }
+
+    @AfterEach
+    void close() throws IOException {
+        aibo.close();
+        dog.close();
+    }
+
+    @Test
+    void aStopArrivesAtOnceThoughACommandIsStuckOnTheMotionConnection() throws InterruptedException {
+        dog.stopReading(MOTION);
+        fill(aibo.session().links().motion());
+        CompletableFuture<Void> drive = CompletableFuture.runAsync(() -> aibo.drive(50, 0));
+        until(() -> aibo.session().runner().current() != null);
+
+        long startedNanos = time.nanos();
+        CompletableFuture<Void> stop = CompletableFuture.runAsync(this::stop);
+        dog.awaitReceived("stop walk");
+
+        assertThat(time.secondsSince(startedNanos)).isLessThan(0.4);
+        assertThat(drive).isNotDone();
+        stop.join();
+    }
+
+    /** Writes until nothing more goes out. */
+    private void fill(UrbiConnection connection) throws InterruptedException {
+        AtomicLong written = new AtomicLong();
+        time.thread("filler", () -> fill(connection, written)).start();
+        long before;
+        do {
+            before = written.get();
+            time.signal().await(() -> false, 0.1);
+        } while (written.get() != before || before == 0);
+    }
+
+    private static void fill(UrbiConnection connection, AtomicLong written) {
+        try {
+            while (true) {
+                connection.send("/*" + "x".repeat(30_000) + "*/");
+                written.incrementAndGet();
+            }
+        } catch (LinkLost e) {
+            written.set(-1);
+        }
+    }
+
+    private void until(BooleanSupplier so) throws InterruptedException {
+        Signal never = time.signal();
+        while (!never.await(so, 0.01)) {
+            assertThat(aibo.isConnected()).isTrue();
+        }
+    }
+
+    /** The dog never confirms it: its motion connection is dead a moment later. */
+    private void stop() {
+        try {
+            aibo.stop();
+        } catch (BotException e) {
+            assertThat(e).isInstanceOf(LinkLost.class);
+        }
+    }
+}

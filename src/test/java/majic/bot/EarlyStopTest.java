@@ -1,0 +1,67 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class EarlyStopTest {
+    private final FakeBot bot = FakeBot.on(TimeSource.system());
+    private final CountDownLatch sending = new CountDownLatch(1);
+    private final CountDownLatch stuck = new CountDownLatch(1);
+    private final CountDownLatch toldAhead = new CountDownLatch(1);
+
+    @BeforeEach
+    void connect() {
+        bot.connect();
+        bot.sendDrivesThrough(() -> {
+            sending.countDown();
+            await(stuck);
+        });
+        bot.whenStoppedAhead(toldAhead::countDown);
+    }
+
+    @AfterEach
+    void close() {
+        stuck.countDown();
+        bot.close();
+    }
+
+    @Test
+    void aStopGoesAheadOfACommandThatIsStuckAndOnceMoreBehindIt() {
+        CompletableFuture<Void> drive = CompletableFuture.runAsync(() -> bot.drive(100, 0));
+        await(sending);
+
+        CompletableFuture<Void> stop = CompletableFuture.runAsync(bot::stop);
+
+        await(toldAhead);
+        assertThat(bot.sent()).isEmpty();
+        stuck.countDown();
+        CompletableFuture.allOf(drive, stop).join();
+        assertThat(bot.sent()).containsExactly("drive 100 0", "halt");
+    }
+
+    @Test
+    void theOrdinaryStopFollowsAlsoWhenTheEarlyOneFails() {
+        bot.whenStoppedAhead(() -> {
+            throw new LinkLost("the stop's own line is gone");
+        });
+
+        bot.stop();
+
+        assertThat(bot.sent()).containsExactly("halt");
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}
