@@ -23,6 +23,12 @@ final class Rays {
         return ray.hit();
     }
 
+    Hit castAtWalls(Pose from, double maxMm) {
+        Ray ray = new Ray(from, maxMm);
+        meetWalls(ray);
+        return ray.hit();
+    }
+
     /** Goes along the ray cell by cell and ends with the first cell that holds the hit. */
     private void meetWalls(Ray ray) {
         double pieceMm = room.index().cellMm();

@@ -101,6 +101,18 @@ public final class World {
     }
 
     /**
+     * The first wall that a ray meets, as if there were no bodies.
+     *
+     * @param from start of the ray in the room
+     * @param directionDeg degrees counter-clockwise from the room's x axis
+     * @param maxMm length of the ray, above 0
+     * @return the hit; nothing met is a hit that is not {@link Hit#found()}
+     */
+    public Hit wallRay(Point from, double directionDeg, double maxMm) {
+        return rays.castAtWalls(new Pose(from.xMm(), from.yMm(), directionDeg), maxMm);
+    }
+
+    /**
      * Infra-red light that shines on a place without a robot's doing.
      *
      * @param xMm place in the room
