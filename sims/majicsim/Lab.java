@@ -9,6 +9,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import majicsim.aibo.AiboRobot;
+import majicsim.aibo.Keeper;
 import majicsim.net.Faults;
 import majicsim.net.LineCount;
 import majicsim.net.Port;
@@ -178,14 +180,17 @@ public final class Lab implements AutoCloseable {
      * @param deed what to do; must not wait for anything
      */
     public void besidePioneer(Consumer<Bystander> deed) {
-        locked(() -> {
-            stations.stream()
-                    .map(station -> station.wiring().firmware())
-                    .filter(PioneerRobot.class::isInstance)
-                    .map(PioneerRobot.class::cast)
-                    .forEach(pioneer -> deed.accept(pioneer.bystander()));
-            return deed;
-        });
+        beside(PioneerRobot.class, pioneer -> deed.accept(pioneer.bystander()));
+    }
+
+    /**
+     * Does something at the Aibo itself: touches it, turns it over, lays a ball before it, listens to it. The lab stands still
+     * meanwhile.
+     *
+     * @param deed what to do; must not wait for anything
+     */
+    public void besideAibo(Consumer<Keeper> deed) {
+        beside(AiboRobot.class, aibo -> deed.accept(aibo.keeper()));
     }
 
     /**
@@ -231,6 +236,17 @@ public final class Lab implements AutoCloseable {
             Map<String, T> all = new LinkedHashMap<>();
             stations.forEach(station -> all.put(station.name(), what.apply(station)));
             return all;
+        });
+    }
+
+    private <R> void beside(Class<R> robot, Consumer<R> deed) {
+        locked(() -> {
+            stations.stream()
+                    .map(station -> station.wiring().firmware())
+                    .filter(robot::isInstance)
+                    .map(robot::cast)
+                    .forEach(deed);
+            return deed;
         });
     }
 

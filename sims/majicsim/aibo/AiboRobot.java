@@ -23,6 +23,9 @@ public final class AiboRobot implements Firmware {
     private final Devices devices;
     private final Sensors sensors;
     private final Gait gait;
+    private final Attitude attitude;
+    private final Keeper keeper;
+    private final Camera camera;
     private double stepMs = 4;
     private double nextCycleMs = Kernel.CYCLE_MS;
 
@@ -38,8 +41,13 @@ public final class AiboRobot implements Firmware {
         body = Body.box("aibo", FRONT_MM, REAR_MM, HALF_WIDTH_MM, start);
         world.add(body);
         devices = new Devices(kernel.variables(), kernel.groups());
-        sensors = new Sensors(world, body, own.fork("sensors"));
         gait = new Gait(body, devices.legs(), own.fork("gait"));
+        attitude = new Attitude(devices.legs());
+        Head head = new Head(world, body, devices.joints(), attitude);
+        sensors = new Sensors(world, body, head, attitude, gait, own.fork("sensors"));
+        Ball ball = new Ball();
+        keeper = new Keeper(sensors, attitude, ball);
+        camera = new Camera(new Eye(world, body, head, ball, own.fork("camera")), kernel);
         install(own);
     }
 
@@ -53,14 +61,12 @@ public final class AiboRobot implements Firmware {
     }
 
     /**
-     * Touches the dog, or lets go of it.
+     * What can be done beside it.
      *
-     * @param sensor a touch sensor's URBI name, such as backSensorM
-     * @param value what it feels from now on, in its own unit; 0 is nothing
-     * @throws IllegalArgumentException if there is no such touch sensor; nothing changes
+     * @return the same object always; to be used with the lab's lock held
      */
-    public void touch(String sensor, double value) {
-        sensors.touch(sensor, value);
+    public Keeper keeper() {
+        return keeper;
     }
 
     @Override
@@ -91,6 +97,7 @@ public final class AiboRobot implements Firmware {
         battery.drain(seconds);
         if (kernel.nowMs() >= nextCycleMs - ROUNDING_MS) {
             nextCycleMs += Kernel.CYCLE_MS;
+            camera.cycle();
             kernel.cycle();
         }
         gait.drive(kernel.nowMs(), stepMs);
@@ -98,17 +105,16 @@ public final class AiboRobot implements Firmware {
 
     private void install(Noise noise) {
         BuiltIns.install(kernel, noise.fork("random"));
-        sensors.install(kernel.variables(), devices.joints(), devices.legs());
+        sensors.install(kernel.variables());
         Functions functions = kernel.functions();
         functions.lasting("robot.walk", 1, GaitTask.function(gait, false));
         functions.lasting("robot.turn", 1, GaitTask.function(gait, true));
         functions.lasting("robot.stepwalk", 1, GaitTask.steps(gait, false));
         functions.lasting("robot.stepturn", 1, GaitTask.steps(gait, true));
-        functions.builtIn(
-                "robot.MyguessPosition", arguments -> Value.of(devices.legs().guess()));
+        functions.builtIn("robot.MyguessPosition", arguments -> Value.of(attitude.guess()));
         functions.builtIn("power", arguments -> Value.of(battery.percent() / 100.0));
         new Speaker().install(kernel);
-        new Camera().install(kernel.variables());
+        camera.install();
         kernel.load(StickScript.PROGRAM);
     }
 }

@@ -1,57 +1,104 @@
 package majicsim.aibo;
 
-import java.awt.Color;
-import java.awt.Graphics2D;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import javax.imageio.ImageIO;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.DoubleSupplier;
 import org.jspecify.annotations.Nullable;
 
-/** The camera: for now one plain picture of floor and wall as JPEG, 208 by 160 (URBI sheet, sections 12 and 13). */
+/**
+ * The camera and the ball tracking behind it (URBI sheet, sections 12 and 13). It takes 30 pictures a second, of which only those
+ * are made that somebody asks for; settings act from the next cycle on.
+ */
 final class Camera {
-    private static final int WIDTH = 208;
-    private static final int HEIGHT = 160;
+    private static final double PICTURE_MS = 1000.0 / 30;
 
-    private Value.@Nullable Binary picture;
+    private final Eye eye;
+    private final Kernel kernel;
+    private final Map<String, Variable> fields = new LinkedHashMap<>();
+    private CameraSettings settings = CameraSettings.DEFAULT;
+    private @Nullable Shot last;
 
-    void install(Variables variables) {
-        variables.put(new Variable("camera.val", Value.VOID, this::picture));
-        variables.put(new Variable("camera.format", Value.of(1)));
-        variables.put(new Variable("camera.resolution", Value.of(0)));
-        variables.put(new Variable("camera.jpegfactor", Value.of(80)));
-        variables.put(new Variable("camera.width", Value.of(WIDTH)));
-        variables.put(new Variable("camera.height", Value.of(HEIGHT)));
-        variables.put(new Variable("camera.xfov", Value.of(56.9)));
-        variables.put(new Variable("camera.yfov", Value.of(44.0)));
+    Camera(Eye eye, Kernel kernel) {
+        this.eye = eye;
+        this.kernel = kernel;
     }
 
-    /** The kernel repeats the last parameter of pictures it makes itself (sheet, section 12). */
-    private Value picture() {
-        Value.Binary taken = picture;
-        if (taken == null) {
-            taken = new Value.Binary(jpeg(), "jpeg " + WIDTH + " " + HEIGHT + " " + HEIGHT);
-            picture = taken;
+    void install() {
+        put("camera.val", () -> settings.isJpeg() ? jpeg() : raw());
+        put("camera.raw", this::raw);
+        CameraSettings start = CameraSettings.DEFAULT;
+        field("format", start.format(), 0, 1);
+        field("resolution", start.resolution(), 0, 2);
+        field("jpegfactor", start.jpegFactor(), 0, 100);
+        field("shutter", start.shutter(), 1, 3);
+        field("gain", start.gain(), 1, 3);
+        field("wb", start.whiteBalance(), 1, 3);
+        field("reconstruct", 0, 0, 1);
+        number("camera.width", () -> settings.width());
+        number("camera.height", () -> settings.height());
+        number("camera.xfov", () -> Eye.XFOV_DEG);
+        number("camera.yfov", () -> Eye.YFOV_DEG);
+        number("ball.visible", () -> eye.spot() == null ? 0 : 1);
+        number("ball.x", () -> spot().x());
+        number("ball.y", () -> spot().y());
+        number("ball.ratio", () -> spot().ratio());
+    }
+
+    /** To be called once a kernel cycle. */
+    void cycle() {
+        settings = new CameraSettings(
+                get("format"), get("resolution"), get("jpegfactor"), get("shutter"), get("gain"), get("wb"));
+    }
+
+    /** The kernel repeats the last parameter of pictures that it makes itself (sheet, section 12). */
+    private Value jpeg() {
+        return binary("jpeg", shot().picture().jpeg(settings.jpegFactor()));
+    }
+
+    private Value raw() {
+        return binary("YCbCr", shot().picture().yCbCr());
+    }
+
+    private Value binary(String type, String bytes) {
+        String size = settings.width() + " " + settings.height() + " " + settings.height();
+        return new Value.Binary(bytes, type + " " + size);
+    }
+
+    private Shot shot() {
+        long number = (long) Math.floor(kernel.nowMs() / PICTURE_MS);
+        Shot shot = last;
+        if (shot == null || shot.number() != number || !shot.settings().equals(settings)) {
+            shot = new Shot(number, settings, eye.take(settings));
+            last = shot;
         }
-        return taken;
+        return shot;
     }
 
-    private static String jpeg() {
-        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        Graphics2D pen = image.createGraphics();
-        pen.setColor(Color.LIGHT_GRAY);
-        pen.fillRect(0, 0, WIDTH, HEIGHT / 2);
-        pen.setColor(new Color(120, 100, 80));
-        pen.fillRect(0, HEIGHT / 2, WIDTH, HEIGHT / 2);
-        pen.dispose();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try {
-            ImageIO.write(image, "jpeg", bytes);
-        } catch (IOException e) {
-            throw new UncheckedIOException("cannot write to memory", e);
-        }
-        return bytes.toString(StandardCharsets.ISO_8859_1);
+    private Eye.Spot spot() {
+        Eye.Spot spot = eye.spot();
+        return spot == null ? new Eye.Spot(0, 0, 0) : spot;
     }
+
+    private void field(String name, double start, double min, double max) {
+        Variable variable = new Variable("camera." + name, Value.of(start));
+        variable.properties().range(min, max);
+        fields.put(name, variable);
+        kernel.variables().put(variable);
+    }
+
+    private int get(String name) {
+        Variable field = Objects.requireNonNull(fields.get(name), name);
+        return field.target() instanceof Value.Num num ? (int) num.number() : 0;
+    }
+
+    private void number(String name, DoubleSupplier reading) {
+        put(name, () -> Value.of(reading.getAsDouble()));
+    }
+
+    private void put(String name, Variable.Hardware hardware) {
+        kernel.variables().put(new Variable(name, Value.VOID, hardware));
+    }
+
+    private record Shot(long number, CameraSettings settings, Picture picture) {}
 }

@@ -46,6 +46,11 @@ final class Gait {
         active.remove(task);
     }
 
+    /** Whether its legs go. */
+    boolean isWalking() {
+        return !active.isEmpty() && legs.carry();
+    }
+
     /** How far into its gait cycles the dog is. */
     double cycles() {
         return cycles;

@@ -10,6 +10,10 @@ final class Legs {
     private static final double CARRYING_LOAD = 0.5;
 
     private static final double GUESS_TOLERANCE_DEG = 12;
+    /** Square degrees within which a posture counts as taken, so that the blend stays finite. */
+    private static final double CLOSE_SQUARE_DEG = 0.1;
+
+    private static final double LIFTING_DEG = 12;
     private static final double GAIT_TOLERANCE_DEG = 35;
     private static final double SECOND_HARMONIC = 0.2;
     private static final double[][] WALK_SWING_DEG = {{29, 4.4, 27}, {29, 4.7, 23}};
@@ -42,6 +46,14 @@ final class Legs {
         return angles;
     }
 
+    /** Whether the knee of a leg, such as LF, is bent further than any standing posture has it. */
+    boolean isLifted(String leg) {
+        String knee = "leg" + leg + "3";
+        return joints.stream()
+                .filter(joint -> joint.type().name().equals(knee))
+                .anyMatch(joint -> joint.degrees() > Posture.WALKING.angleDeg(isFront(joint), 3) + LIFTING_DEG);
+    }
+
     /** {@code stand}, {@code sit}, {@code lay} or {@code unknown}, by the measured angles. */
     String guess() {
         for (Posture posture : Posture.values()) {
@@ -53,10 +65,36 @@ final class Legs {
         return "unknown";
     }
 
-    private static boolean isNear(Joint joint, Posture posture, double toleranceDeg) {
+    /** How the dog's front is held: that of the postures, the nearer one by its angles the more. */
+    Stance stance() {
+        double weights = 0;
+        double shoulderMm = 0;
+        double pitchDeg = 0;
+        for (Posture posture : Posture.values()) {
+            double weight = 1 / (distance(posture) + CLOSE_SQUARE_DEG);
+            weights += weight * weight;
+            shoulderMm += weight * weight * posture.stance().shoulderMm();
+            pitchDeg += weight * weight * posture.stance().pitchDeg();
+        }
+        return new Stance(shoulderMm / weights, pitchDeg / weights);
+    }
+
+    /** Mean square of the angles to a posture. */
+    private double distance(Posture posture) {
+        return joints.stream()
+                .mapToDouble(joint -> joint.degrees() - reachable(joint, posture))
+                .map(error -> error * error)
+                .average()
+                .orElse(0);
+    }
+
+    private static double reachable(Joint joint, Posture posture) {
         double asked = posture.angleDeg(isFront(joint), number(joint));
-        double reachable = Math.max(joint.type().minDeg(), Math.min(joint.type().maxDeg(), asked));
-        return Math.abs(joint.degrees() - reachable) <= toleranceDeg;
+        return Math.max(joint.type().minDeg(), Math.min(joint.type().maxDeg(), asked));
+    }
+
+    private static boolean isNear(Joint joint, Posture posture, double toleranceDeg) {
+        return Math.abs(joint.degrees() - reachable(joint, posture)) <= toleranceDeg;
     }
 
     /** Left and right go in antiphase, and so do front and hind of one side. */

@@ -23,21 +23,26 @@ final class Bench {
     private final World world;
     private double nowMs;
 
-    private Bench(Noise noise) {
+    private Bench(String map, Noise noise) {
         try {
-            world = new World(Room.parse(new StringReader(EMPTY), "empty"));
+            world = new World(Room.parse(new StringReader(map), "the test's room"));
         } catch (IOException e) {
-            throw new UncheckedIOException("cannot read the empty room", e);
+            throw new UncheckedIOException("cannot read the room", e);
         }
         dog = new AiboRobot(world, new Pose(0, 0, 0), noise);
     }
 
     static Bench exact() {
-        return new Bench(Noise.exact());
+        return new Bench(EMPTY, Noise.exact());
+    }
+
+    /** In a room of its own. */
+    static Bench in(String map) {
+        return new Bench(map, Noise.exact());
     }
 
     static Bench noisy(long seed) {
-        return new Bench(Noise.seeded(seed));
+        return new Bench(EMPTY, Noise.seeded(seed));
     }
 
     AiboRobot dog() {

@@ -2,7 +2,11 @@ package majicsim.aibo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.util.HashSet;
+import java.util.Set;
 import majicsim.world.Body;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
@@ -47,18 +51,75 @@ class SensorTest {
 
     @Test
     void aTouchIsFeltUntilItEnds() {
-        bench.dog().touch("backSensorM", 22);
+        bench.dog().keeper().touch("backSensorM", 22);
         assertThat(client.ask("backSensorM.val;")).containsExactly("[notag] 22.000000");
 
-        bench.dog().touch("backSensorM", 0);
+        bench.dog().keeper().touch("backSensorM", 0);
 
         assertThat(client.ask("backSensorM.val;")).containsExactly("[notag] 0.000000");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"90, side, 0.000000, -9.806650, 0.000000", "180, back, 0.000000, 0.000000, 9.806650"})
+    void aDogThatIsTurnedOverKnowsIt(double roll, String guess, String x, String y, String z) {
+        bench.dog().keeper().roll(roll);
+
+        assertThat(client.ask("robot.MyguessPosition(); accelX.val; accelY.val; accelZ.val;"))
+                .map(line -> line.replace("-0.000000", "0.000000"))
+                .containsExactly("[notag] \"" + guess + "\"", "[notag] " + x, "[notag] " + y, "[notag] " + z);
+    }
+
+    @Test
+    void sittingItFeelsThatItsFrontIsUp() {
+        client.ask("motors on; robot.sit();", 3300);
+
+        assertThat(number("accelX.val;")).isCloseTo(-9.80665 * Math.sin(Math.toRadians(35)), within(0.2));
+        assertThat(number("accelZ.val;")).isCloseTo(-9.80665 * Math.cos(Math.toRadians(35)), within(0.2));
+    }
+
+    @Test
+    void theHeadSeesTheFloorWhenItLooksDown() {
+        client.ask("motors on; robot.stand(); headTilt.val = -16; neck.val = -20;", 3700);
+
+        assertThat(number("distance.val;")).isBetween(30.0, 45.0);
+    }
+
+    @Test
+    void aNoseThatTouchesAWallDoesNotSeeThroughIt() throws IOException {
+        Bench room = Bench.in(
+                "2D-Map\nLineMinPos: 200 -900\nLineMaxPos: 200 900\nNumLines: 1\nLINES\n200 -900 200 900\nDATA\n");
+        Bench.Client guest = room.client();
+
+        assertThat(guest.ask("motors on; neck.val = -79; headTilt.val = 44; wait(700); distanceNear.val;", 1000))
+                .containsExactly("[notag] 5.700000");
+    }
+
+    @Test
+    void aWalkingDogLiftsItsPawsInTurn() {
+        client.ask("motors on; robot.stand(); robot.walk(4000),", 3500);
+        Set<String> seen = new HashSet<>();
+        for (int i = 0; i < 20; i++) {
+            seen.addAll(client.ask("string(pawLF.val) + string(pawRF.val);", 100));
+        }
+
+        assertThat(seen).contains("[notag] \"10\"", "[notag] \"01\"");
+    }
+
+    @Test
+    void aPawThatIsPressedIsFelt() {
+        bench.dog().keeper().touch("pawRH", 1);
+
+        assertThat(client.ask("pawRH.val; pawLH.val;")).containsExactly("[notag] 1.000000", "[notag] 0.000000");
     }
 
     @Test
     void onlyTouchSensorsCanBeTouched() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> bench.dog().touch("nose", 1))
+                .isThrownBy(() -> bench.dog().keeper().touch("nose", 1))
                 .withMessageContaining("nose");
+    }
+
+    private double number(String question) {
+        return Double.parseDouble(client.ask(question).get(0).substring(8));
     }
 }

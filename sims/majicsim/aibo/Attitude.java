@@ -1,0 +1,44 @@
+package majicsim.aibo;
+
+/** How the dog lies in space: by its legs, and turned over by whoever does that. */
+final class Attitude {
+    private static final double ON_ITS_SIDE_DEG = 45;
+    private static final double ON_ITS_BACK_DEG = 135;
+
+    private final Legs legs;
+    private double rollDeg;
+
+    Attitude(Legs legs) {
+        this.legs = legs;
+    }
+
+    Stance stance() {
+        return legs.stance();
+    }
+
+    /** 0 on its feet, 90 lying on its right side, 180 on its back. */
+    double rollDeg() {
+        return rollDeg;
+    }
+
+    void roll(double degrees) {
+        rollDeg = degrees;
+    }
+
+    boolean isUpright() {
+        return Math.abs(Math.IEEEremainder(rollDeg, 360)) < ON_ITS_SIDE_DEG;
+    }
+
+    /** Whether a leg, such as LF, stands: all do unless a gait bends its knee to lift it. */
+    boolean isOnGround(String leg) {
+        return guess().equals("stand") && !legs.isLifted(leg);
+    }
+
+    /** What MyguessPosition calls it (URBI sheet, section 15). */
+    String guess() {
+        if (isUpright()) {
+            return legs.guess();
+        }
+        return Math.abs(Math.IEEEremainder(rollDeg, 360)) < ON_ITS_BACK_DEG ? "side" : "back";
+    }
+}

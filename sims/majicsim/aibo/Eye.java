@@ -1,0 +1,100 @@
+package majicsim.aibo;
+
+import majicsim.world.Body;
+import majicsim.world.Noise;
+import majicsim.world.World;
+import org.jspecify.annotations.Nullable;
+
+/** The lens and the chip of the camera: makes a picture of what is before the head. */
+final class Eye {
+    static final double XFOV_DEG = 56.9;
+    static final double YFOV_DEG = 44.0;
+    private static final double TAN_X = Math.tan(Math.toRadians(XFOV_DEG / 2));
+    private static final double TAN_Y = Math.tan(Math.toRadians(YFOV_DEG / 2));
+    private static final double GRAIN = 4;
+
+    private final World world;
+    private final Body body;
+    private final Head head;
+    private final Ball ball;
+    private final Noise noise;
+    private final Colours colours;
+
+    Eye(World world, Body body, Head head, Ball ball, Noise noise) {
+        this.world = world;
+        this.body = body;
+        this.head = head;
+        this.ball = ball;
+        this.noise = noise;
+        this.colours = new Colours(world);
+    }
+
+    Picture take(CameraSettings settings) {
+        View view = head.view();
+        Scene scene = new Scene(world, body, view.at());
+        double[] exposure = settings.exposure();
+        int width = settings.width();
+        int height = settings.height();
+        int[] rgb = new int[width * height];
+        for (int row = 0; row < height; row++) {
+            double tanUp = TAN_Y * (1 - (2 * row + 1.0) / height);
+            for (int column = 0; column < width; column++) {
+                double tanLeft = TAN_X * (1 - (2 * column + 1.0) / width);
+                int seen = colour(scene, view.at(), view.ray(tanLeft, tanUp));
+                rgb[row * width + column] = exposed(seen, exposure, settings.gain());
+            }
+        }
+        return new Picture(width, height, rgb);
+    }
+
+    /** Where the ball is seen, or null where it is not: hidden, outside the picture, or nowhere. */
+    @Nullable
+    Spot spot() {
+        Vector centre = ball.centre();
+        if (centre == null) {
+            return null;
+        }
+        View view = head.view();
+        Vector to = centre.minus(view.at());
+        double aheadMm = to.dot(view.ahead());
+        double left = to.dot(view.left()) / aheadMm / TAN_X / 2;
+        double up = to.dot(view.up()) / aheadMm / TAN_Y / 2;
+        boolean inside = aheadMm > 0 && Math.abs(left) <= 0.5 && Math.abs(up) <= 0.5;
+        if (!inside || new Scene(world, body, view.at()).look(to).levelMm() < to.level() * 0.9) {
+            return null;
+        }
+        double size = Ball.size(to.length());
+        return new Spot(left, up, Math.min(1, Math.PI * size * size / (4 * TAN_X * TAN_Y)));
+    }
+
+    private int colour(Scene scene, Vector at, Vector ray) {
+        Sight sight = scene.look(ray);
+        double toBall = ball.met(at, ray);
+        double level = ray.level();
+        if (toBall * level <= sight.levelMm()) {
+            return colours.ball(ball.slant(at, ray, toBall));
+        }
+        double reach = sight.levelMm() / Math.max(1e-6, level);
+        return colours.of(sight, at.x() + ray.x() * reach, at.y() + ray.y() * reach);
+    }
+
+    private int exposed(int rgb, double[] exposure, int gain) {
+        double grain = noise.isExact() ? 0 : noise.uniform(-GRAIN * gain / 3, GRAIN * gain / 3);
+        int red = level((rgb >> 16 & 0xFF) * exposure[0] + grain);
+        int green = level((rgb >> 8 & 0xFF) * exposure[1] + grain);
+        return red << 16 | green << 8 | level((rgb & 0xFF) * exposure[2] + grain);
+    }
+
+    private static int level(double value) {
+        return (int) Math.max(0, Math.min(255, value));
+    }
+
+    /**
+     * The ball in the picture.
+     *
+     * @param x from -0.5 (right edge) to 0.5 (left edge)
+     * @param y from -0.5 (lower edge) to 0.5 (upper edge)
+     * @param ratio how much of the picture it fills
+     */
+    record Spot(double x, double y, double ratio) {}
+}

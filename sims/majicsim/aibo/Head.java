@@ -1,0 +1,61 @@
+package majicsim.aibo;
+
+import java.util.Map;
+import majicsim.world.Body;
+import majicsim.world.Hit;
+import majicsim.world.Point;
+import majicsim.world.Pose;
+import majicsim.world.World;
+
+/** The head, which carries camera and distance sensors: where it is in the room, by its joints and by how the body is held. */
+final class Head {
+    private static final double NECK_AHEAD_MM = 90;
+    private static final double NECK_MM = 80;
+    private static final double NOSE_MM = 60;
+    private static final double LEAST_HEIGHT_MM = 20;
+    private static final double FROM_A_WALL_MM = 5;
+
+    private final World world;
+    private final Body body;
+    private final Map<String, Joint> joints;
+    private final Attitude attitude;
+
+    Head(World world, Body body, Map<String, Joint> joints, Attitude attitude) {
+        this.world = world;
+        this.body = body;
+        this.joints = joints;
+        this.attitude = attitude;
+    }
+
+    /** From the nose, in the room. */
+    View view() {
+        Pose pose = body.pose();
+        Stance stance = attitude.stance();
+        View view = View.from(new Vector(NOSE_MM, 0, 0))
+                .pitched(degrees("headTilt"))
+                .turned(degrees("headPan"))
+                .moved(0, 0, NECK_MM)
+                .pitched(degrees("neck") + stance.pitchDeg())
+                .rolled(attitude.rollDeg())
+                .moved(NECK_AHEAD_MM, 0, stance.shoulderMm())
+                .turned(pose.headingDeg())
+                .moved(pose.xMm(), pose.yMm(), 0);
+        return view.at(inFreeAir(view.at()));
+    }
+
+    /** The body stops at a wall, the nose before it would reach through: then it sees what is right before the wall. */
+    private Vector inFreeAir(Vector nose) {
+        Point neck = body.pose().toWorld(NECK_AHEAD_MM, 0);
+        Vector way = nose.minus(new Vector(neck.xMm(), neck.yMm(), nose.z()));
+        double heightMm = Math.max(LEAST_HEIGHT_MM, nose.z());
+        Hit wall = world.wallRay(neck, way.azimuthDeg(), way.level() + FROM_A_WALL_MM);
+        double reachMm = wall.found() ? Math.max(0, wall.distanceMm() - FROM_A_WALL_MM) : way.level();
+        Vector reached = way.times(way.level() > 0 ? reachMm / way.level() : 0);
+        return new Vector(neck.xMm() + reached.x(), neck.yMm() + reached.y(), heightMm);
+    }
+
+    private double degrees(String name) {
+        Joint joint = joints.get(name);
+        return joint == null ? 0 : joint.degrees();
+    }
+}

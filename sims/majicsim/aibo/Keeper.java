@@ -1,0 +1,49 @@
+package majicsim.aibo;
+
+/** What a person beside the dog can do to it, and hear and see of it. All calls with the lab's lock held. */
+public final class Keeper {
+    private final Sensors sensors;
+    private final Attitude attitude;
+    private final Ball ball;
+
+    Keeper(Sensors sensors, Attitude attitude, Ball ball) {
+        this.sensors = sensors;
+        this.attitude = attitude;
+        this.ball = ball;
+    }
+
+    /**
+     * Touches the dog, presses a paw or the switch, or lets go of it.
+     *
+     * @param sensor a touch sensor's URBI name, such as backSensorM, chinSensor, pawLF or WIFIswitch
+     * @param value what it feels from now on, in its own unit and clipped to its range; 0 is nothing
+     * @throws IllegalArgumentException if there is no such touch sensor; nothing changes
+     */
+    public void touch(String sensor, double value) {
+        sensors.touch(sensor, value);
+    }
+
+    /**
+     * Turns the dog over about its long axis. Off its feet it does not get anywhere.
+     *
+     * @param degrees 0 on its feet, 90 on its right side, 180 on its back, any finite angle
+     */
+    public void roll(double degrees) {
+        attitude.roll(degrees);
+    }
+
+    /**
+     * Lays the pink ball, 10 cm across, on the floor. The camera sees it; nobody bumps into it.
+     *
+     * @param xMm place in the room
+     * @param yMm place in the room
+     */
+    public void layBall(double xMm, double yMm) {
+        ball.lay(xMm, yMm);
+    }
+
+    /** Takes the ball out of the room. */
+    public void takeBall() {
+        ball.takeAway();
+    }
+}
