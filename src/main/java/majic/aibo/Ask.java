@@ -45,6 +45,10 @@ final class Ask {
         return tag;
     }
 
+    boolean expectsPong() {
+        return expects == Expects.PONG;
+    }
+
     /** Takes a message under its tag. */
     void accept(UrbiMessage message) {
         if (message.body() instanceof UrbiMessage.Failure wrong) {

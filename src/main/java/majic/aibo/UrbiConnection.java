@@ -4,12 +4,9 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
-import java.util.LinkedHashMap;
-import java.util.Map;
-import java.util.regex.Pattern;
+import java.util.Arrays;
 import majic.bot.LinkLost;
 import majic.link.Link;
-import org.jspecify.annotations.Nullable;
 
 /**
  * One connection to an URBI server: writes commands, hands each answer to whoever asked, and everything else to its
@@ -18,8 +15,8 @@ import org.jspecify.annotations.Nullable;
 final class UrbiConnection {
     private static final Logger LOG = System.getLogger(UrbiConnection.class.getName());
 
-    /** A syntax error names a place; other troubles under the same tag answer no command (URBI sheet 11). */
-    private static final Pattern ANSWERS_A_COMMAND = Pattern.compile("\\d+\\.\\d.*|Receive buffer.*");
+    /** The largest binary that fits with its header into the server's queue of 32 KiB (URBI sheet 2). */
+    static final int LARGEST_BINARY = 24 * 1024;
 
     /** Who hears what nobody asked for. Called on the reader's thread. */
     interface Owner {
@@ -34,7 +31,7 @@ final class UrbiConnection {
     private final Link link;
     private final Owner owner;
     private final Watch watch;
-    private final Map<String, Ask> unanswered = new LinkedHashMap<>();
+    private final Unanswered unanswered = new Unanswered();
     private volatile boolean identified;
     private volatile boolean ended;
     private volatile boolean leaving;
@@ -75,15 +72,12 @@ final class UrbiConnection {
 
     private void handle(UrbiMessage message) {
         lastTimeMs = Math.max(lastTimeMs, message.timeMs());
-        Ask ask = answered(message);
-        if (ask != null) {
-            ask.accept(message);
-            forgetIfDone(ask);
+        Ask answered = unanswered.answer(message, dialect);
+        if (answered != null) {
+            raiseIfDone(answered);
         } else if (message.tag().equals("ident")) {
             identified = true;
             watch.changes().raise();
-        } else if (message.tag().equals("error")) {
-            handleError(message);
         } else {
             handleUnasked(message);
         }
@@ -96,54 +90,55 @@ final class UrbiConnection {
         owner.heard(message);
     }
 
-    /** A syntax error carries the tag {@code error} whatever the command's was, so the oldest open one is meant. */
-    private void handleError(UrbiMessage message) {
-        Ask oldest = oldestUnanswered();
-        boolean answers = message.body() instanceof UrbiMessage.Failure wrong
-                && ANSWERS_A_COMMAND.matcher(wrong.text()).matches();
-        if (oldest != null && answers) {
-            oldest.accept(message);
-            forgetIfDone(oldest);
-        } else {
-            owner.heard(message);
-        }
-    }
-
-    private @Nullable Ask answered(UrbiMessage message) {
-        synchronized (unanswered) {
-            return unanswered.get(message.tag());
-        }
-    }
-
-    private @Nullable Ask oldestUnanswered() {
-        synchronized (unanswered) {
-            return unanswered.values().stream().findFirst().orElse(null);
-        }
-    }
-
-    private void forgetIfDone(Ask ask) {
+    private void raiseIfDone(Ask ask) {
         if (ask.isDone()) {
-            forget(ask);
             watch.changes().raise();
         }
     }
 
     /** Expects nothing more for a command. */
     void forget(Ask ask) {
-        synchronized (unanswered) {
-            unanswered.remove(ask.tag());
-        }
+        unanswered.remove(ask);
     }
 
     /**
      * Writes commands, in one piece.
      *
      * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws UrbiRefusal if they are too long or harmful; nothing was sent
      */
     void send(String commands) {
+        Forbidden.check(commands);
         LOG.log(Level.TRACE, "{0} > {1}", purpose, commands);
+        write((commands + "\n").getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    /**
+     * Assigns a binary to a variable. It has neither tag nor flag, and its bytes follow the separator at once, for
+     * anything else makes the server read them as a program (URBI sheet 12). Nobody hears of its end.
+     *
+     * @param variable such as {@code speaker.val}
+     * @param format what the server is to know of the bytes, such as {@code raw 1 16000 16 1}
+     * @param bytes at most {@value #LARGEST_BINARY}
+     * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws UrbiRefusal if it is too long or harmful; nothing was sent
+     */
+    void upload(String variable, String format, byte[] bytes) {
+        String header = variable + " = BIN " + bytes.length + " " + format + ";";
+        Forbidden.check(header);
+        if (bytes.length > LARGEST_BINARY) {
+            throw new UrbiRefusal("the dog takes " + LARGEST_BINARY + " bytes at once, not " + bytes.length);
+        }
+        LOG.log(Level.TRACE, "{0} > {1}…", purpose, header);
+        byte[] start = header.getBytes(StandardCharsets.ISO_8859_1);
+        byte[] message = Arrays.copyOf(start, start.length + bytes.length);
+        System.arraycopy(bytes, 0, message, start.length, bytes.length);
+        write(message);
+    }
+
+    private void write(byte[] message) {
         try {
-            link.write((commands + "\n").getBytes(StandardCharsets.ISO_8859_1));
+            link.write(message);
         } catch (IOException e) {
             breakDown(String.valueOf(e.getMessage()));
             throw new LinkLost("connection lost: " + e.getMessage(), e);
@@ -152,9 +147,8 @@ final class UrbiConnection {
 
     /** Writes commands of which one is tagged with the ask's tag. */
     Ask send(Ask ask, String commands) {
-        synchronized (unanswered) {
-            unanswered.put(ask.tag(), ask);
-        }
+        Forbidden.check(commands);
+        unanswered.add(ask);
         send(commands);
         return ask;
     }

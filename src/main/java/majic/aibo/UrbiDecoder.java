@@ -129,7 +129,7 @@ final class UrbiDecoder {
         if (known != null) {
             UrbiMessage.Body body = UrbiBodies.parse(bytes, bodyStart, length);
             found.add(new UrbiMessage(known.timeMs(), known.tag(), body));
-            lastInfoTag = known.tag();
+            lastInfoTag = body instanceof UrbiMessage.Info ? known.tag() : lastInfoTag;
             lastTimeMs = known.timeMs();
         }
         reset();

@@ -11,6 +11,11 @@ record UrbiMessage(long timeMs, String tag, Body body) {
     /** The tag of answers to commands that had none. */
     static final String NO_TAG = "notag";
 
+    /** Whether it stands under the tag of syntax errors and of the server's own troubles (URBI sheet 11). */
+    boolean isError() {
+        return tag.equals("error");
+    }
+
     /** What a message says. */
     sealed interface Body {}
 

@@ -1,0 +1,44 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** Whatever the driver can send stands in its string literals; what the URBI sheet says never to send does not. */
+class HarmlessTest {
+    private static final Pattern LITERAL = Pattern.compile("\"((?:\\\\.|[^\"\\\\])*)\"");
+    private static final Pattern NEVER =
+            Pattern.compile("\\b(undefall|stopall|reset|reboot|shutdown|disconnect|killall)\\b|stop notag|-> ?unit"
+                    + "|\\.val = \\\\\"");
+
+    @Test
+    void nothingTheDriverCanSayHarmsADog() throws IOException {
+        List<String> literals = literals();
+
+        assertThat(literals).hasSizeGreaterThan(100).contains("stop walk, stop turn,");
+        assertThat(literals).noneMatch(literal -> NEVER.matcher(literal).find());
+    }
+
+    /** All of the package but the list of what is refused. */
+    private static List<String> literals() throws IOException {
+        List<String> literals = new ArrayList<>();
+        try (Stream<Path> files = Files.list(Path.of("src/main/java/majic/aibo"))) {
+            for (Path file :
+                    files.filter(path -> !path.endsWith("Forbidden.java")).toList()) {
+                Matcher literal = LITERAL.matcher(Files.readString(file));
+                while (literal.find()) {
+                    literals.add(literal.group(1));
+                }
+            }
+        }
+        return literals;
+    }
+}
