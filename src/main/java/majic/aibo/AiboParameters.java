@@ -12,7 +12,7 @@ import majic.bot.Value;
 
 /** The Aibo's own parameters, and the shared ones that it can have. Distances in mm, angles in degrees. */
 final class AiboParameters {
-    private static final double ASK_S = 2;
+    private static final double ASK_S = 4;
     private static final double PERCENT = 100;
 
     private final Dog dog;

@@ -3,6 +3,9 @@ package majic.aibo;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
@@ -18,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 final class AiboSession {
     private static final Logger LOG = System.getLogger(AiboSession.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
-    private static final double FIRST_READINGS_S = 3;
+    private static final double FIRST_READINGS_S = 4;
     private static final double FREE_S = 3;
     private static final double SILENCE_S = 1.5;
     private static final double LOST_S = 4;
@@ -46,6 +49,8 @@ final class AiboSession {
     private final HeadSweep sweep;
     private final Feet feet;
     private final Driving driving;
+    private final BatteryWatch battery;
+    private final Map<UrbiConnection, Pulse> pulses = new LinkedHashMap<>();
     private volatile long lastWordNanos;
     private volatile boolean silent;
 
@@ -60,6 +65,7 @@ final class AiboSession {
         Consumer<String> notice = robot::say;
         this.feet = new Feet(this, dog, notice);
         this.driving = new Driving(this, notice);
+        this.battery = new BatteryWatch(notice);
     }
 
     /** Connects, sets up guard and readings; moves nothing. Leaves nothing open when it throws. */
@@ -77,6 +83,9 @@ final class AiboSession {
                         + (int) FIRST_READINGS_S + " s; restart the dog");
             }
             lastWordNanos = watch.time().nanos();
+            for (UrbiConnection quiet : List.of(links.motion(), links.stop())) {
+                pulses.put(quiet, new Pulse(quiet, tags, watch));
+            }
             links.announceOpened();
         } catch (BotException e) {
             links.abort();
@@ -169,6 +178,7 @@ final class AiboSession {
     /** The duties that come round ten times a second, on the keeper's thread. */
     void tend() {
         tendSilence();
+        tendPulses();
         runner.pursue();
         driving.tend();
         Running running = runner.current();
@@ -188,6 +198,14 @@ final class AiboSession {
         }
     }
 
+    private void tendPulses() {
+        pulses.forEach((connection, pulse) -> {
+            if (!pulse.beats()) {
+                links.broken(connection, Pulse.silence());
+            }
+        });
+    }
+
     /** Stops, says goodbye, closes. */
     void close() {
         driving.forget();
@@ -200,7 +218,7 @@ final class AiboSession {
 
     private void lost(LinkLost cause) {
         driving.forget();
-        robot.lost(cause);
+        robot.lost(battery.explained(cause));
         runner.abandon();
     }
 
@@ -216,9 +234,9 @@ final class AiboSession {
     }
 
     private void heardPower(String text) {
-        Matcher battery = BATTERY.matcher(text);
-        if (battery.matches()) {
-            dog.senses().put(Sensor.CHARGE, new UrbiValue.Num(Integer.parseInt(battery.group(1)) / 100.0));
+        Matcher words = BATTERY.matcher(text);
+        if (words.matches()) {
+            sensed(Sensor.CHARGE, new UrbiValue.Num(Integer.parseInt(words.group(1)) / 100.0));
         }
     }
 
@@ -226,13 +244,20 @@ final class AiboSession {
         lastWordNanos = watch.time().nanos();
         silent = false;
         if (message.body() instanceof UrbiMessage.Result result) {
-            dog.senses().put(sensor, result.value());
+            sensed(sensor, result.value());
         } else if (message.body() instanceof UrbiMessage.Failure failure) {
             dog.senses().refuse(sensor, "the dog says: " + failure.text());
         }
         if (sensor == Sensor.HEAD_PAN) {
             dog.sensed(message.timeMs());
             robot.sensed();
+        }
+    }
+
+    private void sensed(Sensor sensor, UrbiValue value) {
+        dog.senses().put(sensor, value);
+        if (sensor == Sensor.CHARGE) {
+            dog.senses().number(sensor).ifPresent(battery::heard);
         }
     }
 }

@@ -14,7 +14,7 @@ final class DogGuard {
     private static final int PATIENCE_MS = 1500;
     private static final double RENEWAL_S = 0.4;
     private static final String FAR_AHEAD = "1000000000000";
-    private static final double ANSWER_S = 2;
+    private static final double ANSWER_S = 4;
 
     private final AiboLinks links;
     private final Tags tags;

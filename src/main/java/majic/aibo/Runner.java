@@ -13,7 +13,7 @@ final class Runner {
     /** The stick's own tags inside of its gaits; this ends the walks of all clients (URBI sheet 15, 19). */
     static final String STOP_GAITS = "stop walk, stop turn,";
 
-    private static final double CONFIRM_S = 2;
+    private static final double CONFIRM_S = 5;
     private static final double AGAIN_S = 0.1;
 
     private final AiboLinks links;
@@ -107,7 +107,8 @@ final class Runner {
         long started = watch.time().nanos();
         while (!watch.await(stands, AGAIN_S)) {
             if (watch.time().secondsSince(started) > CONFIRM_S || links.stop().isEnded()) {
-                throw new BotException("the stop was sent, but the dog has not confirmed it within 2 s");
+                throw new BotException(
+                        "the stop was sent, but the dog has not confirmed it within " + (int) CONFIRM_S + " s");
             }
             pursue();
         }

@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import majic.TestClock;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
@@ -17,6 +19,7 @@ import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Settings;
+import majic.bot.Signal;
 import majic.bot.TimeSource;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -27,6 +30,8 @@ import org.junit.jupiter.api.Timeout;
 
 @Timeout(30)
 class MajicAiboTest {
+    private static final int SENSORS = 1;
+
     private final Settings settings = Settings.inMemory();
     private final List<String> notices = new CopyOnWriteArrayList<>();
     private ScriptedDog dog;
@@ -193,6 +198,47 @@ class MajicAiboTest {
     }
 
     @Test
+    void aDogWithUrbi15IsWalkedReadAndStopped() {
+        dog.speaks15 = true;
+        standing();
+        aibo.connect();
+
+        MotionReport report = aibo.move(50);
+
+        assertThat(report.amount()).isEqualTo(Value.about(50, Unit.MM));
+        assertThat(aibo.get("version")).isEqualTo(Value.text("ERS-7, URBI 1.5"));
+        assertThat(aibo.get("battery")).isEqualTo(Value.of(87, Unit.PERCENT));
+        aibo.stop();
+    }
+
+    @Test
+    void anEngineThatAnswersTwoSecondsLateIsConnectedReadAndStopped() {
+        dog.slownessMs = 2000;
+        standing();
+        aibo.connect();
+
+        assertThat(aibo.get("version")).isEqualTo(Value.text("ERS-7, URBI 1.0"));
+        aibo.stop();
+    }
+
+    @Test
+    void aDyingBatteryIsToldOnceAndNamedWhenTheDogGoesAway() {
+        aibo.connect();
+
+        IntStream.iterate(22, percent -> percent >= 4, percent -> percent - 1).forEach(percent -> {
+            dog.set("power()", percent / 100.0 + "0000");
+            dog.say(SENSORS, "power", "*** Battery at " + percent + " %");
+        });
+        untilBattery(4);
+        dog.hangUp();
+        awaitLost();
+
+        assertThat(notices).containsOnlyOnce("the dog's battery is down to 19 %; it needs charging soon");
+        assertThat(notices).noneMatch(notice -> notice.contains("18 %"));
+        assertThatThrownBy(() -> aibo.move(10)).hasMessageEndingWith("its battery was at 4 %");
+    }
+
+    @Test
     void silenceStopsTheWalkAndThenCountsAsLost() {
         standing();
         aibo.connect();
@@ -236,6 +282,25 @@ class MajicAiboTest {
         assertThatThrownBy(() -> new MajicAibo("pioneer://host"))
                 .hasMessageContaining("it looks like aibo://192.168.1.20");
         assertThatThrownBy(() -> new MajicAibo("aibo:COM3")).hasMessageContaining("not an Aibo's address");
+    }
+
+    private void untilBattery(int percent) {
+        await(() -> aibo.get("battery").equals(Value.of(percent, Unit.PERCENT)));
+    }
+
+    private void awaitLost() {
+        await(() -> !aibo.isConnected());
+    }
+
+    private static void await(BooleanSupplier so) {
+        Signal never = TimeSource.system().signal();
+        try {
+            while (!never.await(so, 0.01)) {
+                assertThat(Thread.currentThread().isInterrupted()).isFalse();
+            }
+        } catch (InterruptedException e) {
+            throw new IllegalStateException("did not come to be so in time", e);
+        }
     }
 
     private void standing() {

@@ -24,7 +24,7 @@ import java.util.regex.Pattern;
  */
 final class ScriptedDog implements AutoCloseable {
     private static final Pattern POLL = Pattern.compile("(\\w+): every\\((\\d+)\\) \\{ (.*) \\}");
-    private static final Pattern READING = Pattern.compile("(\\w+): ([\\w.]+(?:\\(\\))?)");
+    private static final Pattern READING = Pattern.compile("(\\w+)(:| <<) ([\\w.]+(?:\\(\\))?)");
     private static final Pattern ENDING = Pattern.compile("(\\w+)(\\+begin)?\\+end: (.*)", Pattern.DOTALL);
     private static final Pattern GAIT = Pattern.compile("robot\\.(?:walk|turn)\\((-?\\d+)\\)");
     private static final Pattern JOINT = Pattern.compile("(\\w+)\\.val = (-?[\\d.]+)(?: time:(\\d+))?");
@@ -39,6 +39,12 @@ final class ScriptedDog implements AutoCloseable {
     volatile boolean answersPolls = true;
     volatile boolean introducesItself = true;
     volatile boolean refusesGuards;
+
+    /** Whether it leaves tags out as 1.5 does: only flags and channels have one. */
+    volatile boolean speaks15;
+
+    /** How much later than it was said everything is heard of it. */
+    volatile long slownessMs;
 
     /** How much later than others a connection delivers, from the first walk on it. */
     volatile long latenessMs;
@@ -115,6 +121,11 @@ final class ScriptedDog implements AutoCloseable {
         lines.get(connection).deaf = true;
     }
 
+    /** Says something unasked on one of the connections. */
+    void say(int connection, String tag, String body) {
+        lines.get(connection).say(tag, body);
+    }
+
     void hangUp() {
         lines.forEach(Line::close);
     }
@@ -158,7 +169,7 @@ final class ScriptedDog implements AutoCloseable {
         void serve() {
             try (InputStream in = socket.getInputStream()) {
                 if (introducesItself) {
-                    say("start", "*** URBI Kernel version 1.0 rev. 153 ");
+                    say("start", "*** URBI Kernel version " + (speaks15 ? "1.5" : "1.0") + " rev. 153 ");
                     say("ident", "*** ID: U94665654017648");
                     say("power", "*** Battery at 87 %");
                 }
@@ -224,7 +235,7 @@ final class ScriptedDog implements AutoCloseable {
             } else if (ending.matches()) {
                 perform(ending.group(1), ending.group(2) != null, ending.group(3));
             } else if (command.endsWith(": ping")) {
-                say(command.substring(0, command.indexOf(':')), "*** pong time=" + now());
+                say(speaks15 ? "" : command.substring(0, command.indexOf(':')), "*** pong time=" + now());
             } else {
                 tell(command);
             }
@@ -239,9 +250,11 @@ final class ScriptedDog implements AutoCloseable {
         private void tell(String readings) {
             Matcher reading = READING.matcher(readings);
             while (reading.find() && answersPolls) {
-                String expression = reading.group(2);
+                boolean channel = reading.group(2).equals(" <<");
+                String expression = reading.group(3);
                 String fallback = expression.equals("time()") ? now() + ".000000" : "0.000000";
-                say(reading.group(1), values.getOrDefault(expression, fallback));
+                String tag = channel == speaks15 ? reading.group(1) : "";
+                say(tag, channel && !speaks15 ? "!!! syntax error" : values.getOrDefault(expression, fallback));
             }
         }
 
@@ -278,10 +291,18 @@ final class ScriptedDog implements AutoCloseable {
             }
         }
 
-        private synchronized void say(String tag, String body) {
+        private void say(String tag, String body) {
+            String name = tag.isEmpty() ? "" : ":" + tag;
+            String message = String.format("[%08d%s] %s", now(), name, body) + "\n";
+            if (slownessMs > 0) {
+                clock.schedule(() -> write(message), slownessMs, TimeUnit.MILLISECONDS);
+            } else {
+                write(message);
+            }
+        }
+
+        private synchronized void write(String message) {
             try {
-                String message =
-                        String.format("[%08d:%s] %s%n", now(), tag, body).replace("\r", "");
                 socket.getOutputStream().write(message.getBytes(StandardCharsets.ISO_8859_1));
             } catch (IOException e) {
                 close();

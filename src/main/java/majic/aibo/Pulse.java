@@ -1,0 +1,47 @@
+package majic.aibo;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds out whether a connection still reaches the dog that says nothing by itself, so that a stop connection that died
+ * in silence is not noticed by the stop that needed it. One ping at a time (URBI sheet 9). Used by the keeper's thread.
+ */
+final class Pulse {
+    private static final double PERIOD_S = 1;
+
+    /** An engine that takes two seconds to answer is slow, not dead. */
+    private static final double PATIENCE_S = 5;
+
+    private final UrbiConnection connection;
+    private final Tags tags;
+    private final Watch watch;
+    private @Nullable Ask ping;
+    private long sentNanos;
+
+    Pulse(UrbiConnection connection, Tags tags, Watch watch) {
+        this.connection = connection;
+        this.tags = tags;
+        this.watch = watch;
+        this.sentNanos = watch.time().nanos();
+    }
+
+    /** Pings when it is time; false when the dog has owed an answer for too long. */
+    boolean beats() {
+        double seconds = watch.time().secondsSince(sentNanos);
+        Ask open = ping;
+        if (open != null && !open.isDone()) {
+            return seconds <= PATIENCE_S;
+        }
+        if (seconds >= PERIOD_S) {
+            sentNanos = watch.time().nanos();
+            Ask next = new Ask(tags.next(), Ask.Expects.PONG);
+            ping = connection.send(next, next.tag() + ": ping;");
+        }
+        return true;
+    }
+
+    /** Why the connection counts as dead. */
+    static String silence() {
+        return "no answer from the dog for " + (int) PATIENCE_S + " s";
+    }
+}
