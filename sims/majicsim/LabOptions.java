@@ -11,7 +11,7 @@ import majicsim.world.Room;
  * @param seed of the noise
  * @param ports where the robots listen
  * @param jitter whether exchanges take 5 to 50 ms; without effect in an exact lab
- * @param pioneerModel which Pioneer stands in it, one of {@link PioneerRobot#models()}, in lower case
+ * @param pioneerModel which Pioneer stands in it, a name as {@link PioneerRobot#modelNamed} gives it back
  */
 public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, boolean jitter, String pioneerModel) {
     /**
@@ -74,7 +74,7 @@ public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, bo
     /**
      * The same lab with another Pioneer.
      *
-     * @param newModel one of {@link PioneerRobot#models()}, in upper or lower case
+     * @param newModel a name as {@link PioneerRobot#modelNamed} takes it
      * @return the options
      * @throws IllegalArgumentException if there is no such Pioneer; the message lists those there are
      */

@@ -18,7 +18,27 @@ record Equipment(
         int charger,
         boolean hasCompass,
         int smartBatteries) {
+    private static final int PIONEER_3_CHARGER = 1;
+
     boolean hasCharger() {
         return charger != 0;
+    }
+
+    Equipment withGripper() {
+        return new Equipment(generation, true, hasGyro, charger, hasCompass, smartBatteries);
+    }
+
+    Equipment withGyro() {
+        return new Equipment(generation, hasGripper, true, charger, hasCompass, smartBatteries);
+    }
+
+    Equipment withCharger() {
+        return hasCharger()
+                ? this
+                : new Equipment(generation, hasGripper, hasGyro, PIONEER_3_CHARGER, hasCompass, smartBatteries);
+    }
+
+    Equipment withCompass() {
+        return new Equipment(generation, hasGripper, hasGyro, charger, true, smartBatteries);
     }
 }

@@ -33,6 +33,7 @@ record PioneerModel(
         int rearBumpers,
         List<SonarDisc> sonars,
         Equipment equipment) {
+    private static final int FITTED_SEGMENTS = 5;
 
     /** Copies the list of discs. */
     PioneerModel {
@@ -40,12 +41,17 @@ record PioneerModel(
     }
 
     /**
-     * The model that goes by this subclass, without regard to case.
+     * The model that goes by this subclass, with the extras that follow it behind plus signs, without regard to case.
      *
-     * @throws IllegalArgumentException if there is none; the message lists those there are
+     * @throws IllegalArgumentException if there is no such model or extra; the message lists those there are
      */
-    static PioneerModel of(String subclass) {
-        return ModelTable.find(subclass);
+    static PioneerModel of(String name) {
+        String[] parts = name.split("\\+", -1);
+        PioneerModel model = ModelTable.find(parts[0]);
+        for (int i = 1; i < parts.length; i++) {
+            model = Extra.named(parts[i]).fitTo(model);
+        }
+        return model;
     }
 
     /** The subclasses of all models, in the order of the table. */
@@ -55,5 +61,35 @@ record PioneerModel(
 
     boolean hasSonarArray(int array) {
         return sonars.stream().anyMatch(disc -> disc.array() == array);
+    }
+
+    PioneerModel with(Equipment newEquipment) {
+        return fitted(frontBumpers, rearBumpers, newEquipment);
+    }
+
+    /** With as many bumper segments as the vendor fits (ARCOS sheet 12), unless it has its own. */
+    PioneerModel withBumpers() {
+        return fitted(orFitted(frontBumpers), orFitted(rearBumpers), equipment);
+    }
+
+    private static int orFitted(int segments) {
+        return segments == 0 ? FITTED_SEGMENTS : segments;
+    }
+
+    private PioneerModel fitted(int newFrontBumpers, int newRearBumpers, Equipment newEquipment) {
+        return new PioneerModel(
+                subclass,
+                className,
+                frontMm,
+                rearMm,
+                halfWidthMm,
+                topSpeedMmPerSec,
+                topTurnDegPerSec,
+                scaling,
+                hasMove,
+                newFrontBumpers,
+                newRearBumpers,
+                sonars,
+                newEquipment);
     }
 }

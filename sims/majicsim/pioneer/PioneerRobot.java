@@ -1,6 +1,7 @@
 package majicsim.pioneer;
 
 import java.util.List;
+import java.util.Locale;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
 import majicsim.world.Body;
@@ -17,10 +18,10 @@ import org.jspecify.annotations.Nullable;
 public final class PioneerRobot implements Firmware {
     private static final System.Logger LOG = System.getLogger(PioneerRobot.class.getName());
 
-    /** A Pioneer 3-DX with its present controller: the model unless told otherwise. */
+    /** A plain Pioneer 3-DX with its present controller, as most labs have it: the model unless told otherwise. */
     public static final String STANDARD_MODEL = "p3dx-sh";
 
-    private static final String NAME = "MajicSim";
+    private static final String OWNERS_NAME = "MajicSim";
 
     private final Body body;
     private final Board board;
@@ -46,14 +47,15 @@ public final class PioneerRobot implements Firmware {
      * @param world where it lives
      * @param start where it stands first
      * @param noise the lab's source of chance; exact: wheels, sonar and odometry without error
-     * @param subclass the model by the name it has in the handshake, one of {@link #models()}
+     * @param name the model by the name it has in the handshake, one of {@link #models()}, with its extras as in
+     *     {@link #modelNamed}
      * @throws IllegalArgumentException if there is no such model, or no room at the start; nothing was added
      */
-    public PioneerRobot(World world, Pose start, Noise noise, String subclass) {
-        PioneerModel model = PioneerModel.of(subclass);
+    public PioneerRobot(World world, Pose start, Noise noise, String name) {
+        PioneerModel model = PioneerModel.of(name);
         body = Body.box("pioneer", model.frontMm(), model.rearMm(), model.halfWidthMm(), start);
         world.add(body);
-        board = new Board(world, body, model, NAME, noise.fork("pioneer"));
+        board = new Board(world, body, model, OWNERS_NAME, noise.fork("pioneer"));
         serialPort = new SerialPort(!noise.isExact());
         bystander = new Bystander(board.devices(), this::restart);
     }
@@ -68,14 +70,16 @@ public final class PioneerRobot implements Firmware {
     }
 
     /**
-     * The model of this name.
+     * Checks the name of a model, behind which extras may be named after plus signs: {@code gripper}, {@code gyro},
+     * {@code charger}, {@code compass}, {@code bumpers}.
      *
-     * @param subclass a name in upper or lower case
-     * @return the same as its handshake has it
-     * @throws IllegalArgumentException if there is no such model; the message lists those there are
+     * @param name such as {@code p3dx-sh} or {@code P3DX-SH+gripper}
+     * @return the same in lower case, as the handshake has it
+     * @throws IllegalArgumentException if there is no such model or extra; the message lists those there are
      */
-    public static String modelNamed(String subclass) {
-        return PioneerModel.of(subclass).subclass();
+    public static String modelNamed(String name) {
+        PioneerModel.of(name);
+        return name.toLowerCase(Locale.ROOT);
     }
 
     /**

@@ -67,7 +67,10 @@ final class LabChoice {
             scope = ScopeType.INHERIT,
             paramLabel = "MODEL",
             completionCandidates = PioneerModels.class,
-            description = "Which Pioneer stands in the lab (p3dx-sh): ${COMPLETION-CANDIDATES}.")
+            description = {
+                "Which Pioneer stands in the lab (p3dx-sh): ${COMPLETION-CANDIDATES}.",
+                "With extras: p3dx-sh+gripper+gyro+charger+compass+bumpers."
+            })
     private String pioneerModel = PioneerRobot.STANDARD_MODEL;
 
     /** Whether any lab but the usual one is chosen. */

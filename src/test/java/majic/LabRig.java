@@ -54,6 +54,11 @@ public final class LabRig implements AutoCloseable {
         return new LabRig(LabOptions.exactOnFreePorts());
     }
 
+    /** As {@link #exact()}, with this Pioneer and its extras, as {@code p3dx-sh+gripper}. */
+    public static LabRig exactWithPioneer(String model) {
+        return new LabRig(LabOptions.exactOnFreePorts().withPioneer(model));
+    }
+
     /** A lab with noise and jitter, nobody connected yet. */
     public static LabRig noisy(long seed) {
         return new LabRig(LabOptions.exactOnFreePorts().withNoise(seed));

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 /** Parameters and commands of the Pioneer's driver against the lab's well equipped Pioneer, in MAJIC Script. */
 @Timeout(120)
 class PioneerParametersInLabTest {
-    private final LabRig rig = LabRig.exact();
+    private final LabRig rig = LabRig.exactWithPioneer("p3dx-sh+gripper+gyro+charger");
     private final MajicBot bot = rig.add("pioneer");
 
     @AfterEach

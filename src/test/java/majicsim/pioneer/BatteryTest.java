@@ -10,7 +10,7 @@ class BatteryTest {
     private static final int CHARGE = 68;
     private static final int POWER_GOOD = 1 << 10;
 
-    private final Rig rig = Rig.open();
+    private final Rig rig = Rig.open(Rig.EQUIPPED);
 
     @Test
     void itFallsSlowlyWithUse() {
@@ -80,7 +80,7 @@ class BatteryTest {
 
     @Test
     void aModelWithoutDockingMechanismKnowsNothingOfThePlug() {
-        Rig bare = Rig.open("p3dx");
+        Rig bare = Rig.open();
         bare.robot.bystander().plugCharger(true);
         SipView sip = bare.nextSip();
         assertThat(sip.chargeState()).isZero();

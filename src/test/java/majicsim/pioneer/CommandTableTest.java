@@ -163,7 +163,7 @@ class CommandTableTest {
     @MethodSource({"obeyed", "obeyedWithMoreThanANumber", "stored"})
     void commandsOfTheTableDoWhatItSays(Row row) {
         assertThat(Command.of(row.number).map(Enum::name)).contains(row.name);
-        Rig rig = Rig.ready();
+        Rig rig = Rig.ready(Rig.EQUIPPED);
         rig.line.take();
         row.client.accept(rig);
         assertThat(row.seen.applyAsInt(rig)).isEqualTo(row.expected);

@@ -20,7 +20,7 @@ class FirmwareGenerationTest {
 
     @Test
     void theNewestTellsAllItsFields() {
-        ConfigView config = Rig.open().command(48, 50).config();
+        ConfigView config = Rig.open(Rig.EQUIPPED).command(48, 50).config();
         assertThat(config.numbers()).containsAllEntriesOf(Map.of("GRIPPER", 1, "FRONTSONAR", 1, "REARSONAR", 1));
         assertThat(config.numbers()).containsAllEntriesOf(Map.of("LOWBATTERY", 115, "TICKSMM", 128, "SONARCYCLE", 50));
         assertThat(config.numbers()).containsAllEntriesOf(Map.of("CHARGER", 1, "HASGYRO", 1, "AUTOBAUD", 2));

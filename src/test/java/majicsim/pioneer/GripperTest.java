@@ -18,7 +18,7 @@ class GripperTest {
     private static final int DOWN = 0b010_0000;
     private static final int LIFT_MOVES = 0b100_0000;
 
-    private final Rig rig = Rig.open();
+    private final Rig rig = Rig.open(Rig.EQUIPPED);
 
     @Test
     void itBeginsStoredAwayWithPaddlesClosedAndLiftUp() {
@@ -82,7 +82,7 @@ class GripperTest {
 
     @Test
     void aRobotWithoutGripperSaysSo() {
-        Rig bare = Rig.open("p3dx").command(GRIPPER, 1).command(GRIPREQUEST, 1);
+        Rig bare = Rig.open().command(GRIPPER, 1).command(GRIPREQUEST, 1);
         assertThat(bare.packets(0xE0, 0.1))
                 .singleElement()
                 .satisfies(bytes -> assertThat(bytes[4]).isZero());

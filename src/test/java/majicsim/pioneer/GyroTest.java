@@ -15,28 +15,28 @@ class GyroTest {
 
     @Test
     void atRestEverySampleIs512() {
-        Rig rig = Rig.ready().command(GYRO, 1);
+        Rig rig = Rig.ready(Rig.EQUIPPED).command(GYRO, 1);
         assertThat(rates(rig)).containsExactly(512, 512, 512, 512);
         assertThat(rig.packets(0x98, 0.1).get(0)[7]).isEqualTo((byte) 25);
     }
 
     @Test
     void turningAsFastAsTheScaleSaysShowsInEverySample() {
-        Rig rig = Rig.ready().command(GYRO, 1).command(RVEL, 65).pulse(2);
+        Rig rig = Rig.ready(Rig.EQUIPPED).command(GYRO, 1).command(RVEL, 65).pulse(2);
         assertThat(rates(rig)).containsOnly(512 + 40);
         assertThat(rates(rig.command(RVEL, -65).pulse(4))).containsOnly(512 - 40);
     }
 
     @Test
     void packetsComeWithEverySipUntilSwitchedOff() {
-        Rig rig = Rig.open().command(GYRO, 1);
+        Rig rig = Rig.open(Rig.EQUIPPED).command(GYRO, 1);
         assertThat(rig.packets(0x98, 1)).hasSize(10);
         assertThat(rig.command(GYRO, 0).packets(0x98, 1)).isEmpty();
     }
 
     @Test
     void aNoisyOneTremblesAndItsRestValueWanders() {
-        Rig rig = new Rig(new Pose(0, 0, 0), Noise.seeded(7), PioneerRobot.STANDARD_MODEL).shakeHands();
+        Rig rig = new Rig(new Pose(0, 0, 0), Noise.seeded(7), Rig.EQUIPPED).shakeHands();
         double early = meanOver(rig, 30);
         rig.pulse(600);
         assertThat(rates(rig.command(GYRO, 1))).hasSize(4);
@@ -45,7 +45,7 @@ class GyroTest {
 
     @Test
     void aRobotWithoutGyroSendsNone() {
-        Rig rig = Rig.open("p3dx").command(GYRO, 1);
+        Rig rig = Rig.open().command(GYRO, 1);
         assertThat(rig.packets(0x98, 0.5)).isEmpty();
         assertThat(rig.config().number("HASGYRO")).isZero();
     }

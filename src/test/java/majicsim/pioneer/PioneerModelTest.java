@@ -6,12 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PioneerModelTest {
     static List<String> models() {
@@ -47,5 +49,36 @@ class PioneerModelTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("p9zz")
                 .hasMessageContaining("p3at-sh, p3atiw-sh");
+    }
+
+    @Test
+    void theUsualModelIsPlainAndCarriesWhatItsOwnerHasFitted() {
+        ConfigView plain = Rig.open().config();
+        assertThat(plain.numbers()).containsAllEntriesOf(Map.of("GRIPPER", 0, "CHARGER", 0, "HASGYRO", 0));
+        assertThat(plain.numbers()).containsAllEntriesOf(Map.of("FRONTBUMPS", 0, "REARBUMPS", 0));
+        ConfigView fitted = Rig.open("P3DX-SH+bumpers+Gripper+gyro+charger").config();
+        assertThat(fitted.texts()).containsEntry("SUBCLASS", "p3dx-sh");
+        assertThat(fitted.numbers()).containsAllEntriesOf(Map.of("GRIPPER", 1, "CHARGER", 1, "HASGYRO", 1));
+        assertThat(fitted.numbers()).containsAllEntriesOf(Map.of("FRONTBUMPS", 5, "REARBUMPS", 5));
+    }
+
+    @Test
+    void whatAModelHasAnywayIsNotFittedAgain() {
+        PioneerModel powerbot = PioneerModel.of("powerbot-sh");
+        assertThat(PioneerModel.of("powerbot-sh+charger+bumpers+gyro")).isEqualTo(powerbot);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"p3dx-sh+wings", "p3dx-sh+", "p3dx-sh++gyro"})
+    void anUnknownExtraIsRefusedWithTheKnownOnes(String name) {
+        assertThatThrownBy(() -> PioneerModel.of(name))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageEndingWith("'; known are gripper, gyro, charger, compass, bumpers");
+    }
+
+    @Test
+    void aFittedCompassShowsInTheSip() {
+        assertThat(Rig.open("p3dx-sh+compass").nextSip().compass()).isNotZero();
+        assertThat(Rig.open().nextSip().compass()).isZero();
     }
 }

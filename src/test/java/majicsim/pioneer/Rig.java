@@ -27,6 +27,9 @@ final class Rig {
             DATA
             """;
 
+    /** The usual model with all that its owner can have fitted, but for bumpers. */
+    static final String EQUIPPED = PioneerRobot.STANDARD_MODEL + "+gripper+gyro+charger";
+
     final World world = new World(tenByEight());
     final PioneerRobot robot;
     FakeLine line = new FakeLine();
@@ -53,7 +56,12 @@ final class Rig {
 
     /** As {@link #open()}, with motors on. */
     static Rig ready() {
-        return open().command(4, 1);
+        return ready(PioneerRobot.STANDARD_MODEL);
+    }
+
+    /** As {@link #ready()}, of another model. */
+    static Rig ready(String model) {
+        return open(model).command(4, 1);
     }
 
     Rig shakeHands() {
