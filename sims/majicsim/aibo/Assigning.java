@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 final class Assigning {
     private Assigning() {}
 
-    static Task start(Context context, Statement.Assign assignment) {
+    static Task start(Context context, Action.Assign assignment) {
         List<Expr> exprs = new ArrayList<>(List.of(assignment.value()));
         assignment.modifiers().stream()
                 .filter(modifier -> !modifier.name().equals("getphase"))
@@ -18,8 +18,7 @@ final class Assigning {
         return new Prepared(context, exprs, values -> assign(context, assignment, values));
     }
 
-    private static @Nullable Task assign(Context context, Statement.Assign assignment, List<Value> values)
-            throws Failure {
+    private static @Nullable Task assign(Context context, Action.Assign assignment, List<Value> values) throws Failure {
         Map<String, Double> modifiers = modifiers(assignment, values);
         Value value = values.get(0);
         if (assignment.declares() && context.frame() != null) {
@@ -39,7 +38,7 @@ final class Assigning {
         return tasks.isEmpty() ? null : BothTask.of(context, tasks);
     }
 
-    private static Map<String, Double> modifiers(Statement.Assign assignment, List<Value> values) throws Failure {
+    private static Map<String, Double> modifiers(Action.Assign assignment, List<Value> values) throws Failure {
         Map<String, Double> numbers = new HashMap<>();
         int next = 1;
         for (Modifier modifier : assignment.modifiers()) {
@@ -52,11 +51,7 @@ final class Assigning {
     }
 
     private static Task number(
-            Context context,
-            Statement.Assign assignment,
-            Variable variable,
-            double value,
-            Map<String, Double> modifiers)
+            Context context, Action.Assign assignment, Variable variable, double value, Map<String, Double> modifiers)
             throws Failure {
         double target = assignment.target().suffix().equals("'n")
                 ? variable.properties().denormalize(variable.name(), value)

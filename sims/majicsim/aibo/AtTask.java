@@ -5,12 +5,12 @@ import java.util.List;
 
 /** An event handler: once for each time that its test becomes true, and again when it becomes false. */
 final class AtTask extends Task {
-    private final Statement.At handler;
+    private final Flow.At handler;
     private final TestTask test;
     private final Runs runs;
     private boolean inside;
 
-    AtTask(Context context, Statement.At handler) {
+    AtTask(Context context, Flow.At handler) {
         super(context);
         this.handler = handler;
         test = new TestTask(context, handler.test());

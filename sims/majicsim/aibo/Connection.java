@@ -23,7 +23,7 @@ final class Connection {
     private final CommandStream stream;
     private final ByteArrayOutputStream output = new ByteArrayOutputStream();
     private Place place = FIRST_PLACE;
-    private Statement.@Nullable AssignBinary binary;
+    private Action.@Nullable AssignBinary binary;
     private boolean closing;
 
     /** @param line the client, or null for the kernel's own connection */
@@ -84,7 +84,7 @@ final class Connection {
         return true;
     }
 
-    private boolean takeBinary(Statement.AssignBinary waiting) {
+    private boolean takeBinary(Action.AssignBinary waiting) {
         byte[] bytes = splitter.take(waiting.size());
         if (bytes == null) {
             return false;
@@ -102,7 +102,7 @@ final class Connection {
         try {
             Step step = parser.command();
             place = lexer.end();
-            if (step.statement() instanceof Statement.AssignBinary announced) {
+            if (step.statement() instanceof Action.AssignBinary announced) {
                 announce(announced);
             } else {
                 run(step);
@@ -115,7 +115,7 @@ final class Connection {
         }
     }
 
-    private void announce(Statement.AssignBinary announced) {
+    private void announce(Action.AssignBinary announced) {
         if (announced.size() > MAX_BINARY) {
             send("error", "!!! Receive buffer full");
         } else {

@@ -20,17 +20,17 @@ final class ControlParser {
         Token word = tokens.next();
         return switch (word.text()) {
             case "if" -> choice();
-            case "while" -> new Statement.While(joined().test("("), parser.tagged(), null);
+            case "while" -> new Flow.While(joined().test("("), parser.tagged(), null);
             case "for" -> count();
-            case "loop" -> new Statement.Loop(null, joined().parser.tagged());
-            case "loopn" -> new Statement.Loop(joined().test("("), parser.tagged());
+            case "loop" -> new Flow.Loop(null, joined().parser.tagged());
+            case "loopn" -> new Flow.Loop(joined().test("("), parser.tagged());
             case "foreach" -> foreach();
-            case "every" -> new Statement.Every(test("("), parser.tagged());
-            case "wait" -> new Statement.Wait(exprs.expr());
-            case "waituntil" -> new Statement.WaitUntil(test("("));
-            case "timeout", "stopif", "freezeif" -> new Statement.Watched(word.text(), test("("), parser.tagged());
-            case "at" -> new Statement.At(joined().test("("), parser.tagged(), otherwise("onleave"));
-            case "whenever" -> new Statement.Whenever(joined().test("("), parser.tagged(), otherwise("else"));
+            case "every" -> new Flow.Every(test("("), parser.tagged());
+            case "wait" -> new Flow.Wait(exprs.expr());
+            case "waituntil" -> new Flow.WaitUntil(test("("));
+            case "timeout", "stopif", "freezeif" -> new Flow.Watched(word.text(), test("("), parser.tagged());
+            case "at" -> new Flow.At(joined().test("("), parser.tagged(), otherwise("onleave"));
+            case "whenever" -> new Flow.Whenever(joined().test("("), parser.tagged(), otherwise("else"));
             case "function" -> definition();
             default -> throw SyntaxError.unexpected(word);
         };
@@ -52,7 +52,7 @@ final class ControlParser {
     }
 
     private Statement choice() throws SyntaxError {
-        return new Statement.If(test("("), parser.tagged(), otherwise("else"));
+        return new Flow.If(test("("), parser.tagged(), otherwise("else"));
     }
 
     private @Nullable Statement otherwise(String word) throws SyntaxError {
@@ -69,7 +69,7 @@ final class ControlParser {
         tokens.expect(";");
         Statement step = parser.tagged();
         tokens.expect(")");
-        return new Statement.Then(first, new Statement.While(test, parser.tagged(), step));
+        return new Statement.Then(first, new Flow.While(test, parser.tagged(), step));
     }
 
     private Statement foreach() throws SyntaxError {
@@ -77,7 +77,7 @@ final class ControlParser {
         String variable = tokens.expect(TokenKind.IDENTIFIER).text();
         tokens.expect("in");
         Expr list = exprs.expr();
-        return new Statement.Foreach(variable, list, parser.tagged());
+        return new Flow.Foreach(variable, list, parser.tagged());
     }
 
     private Statement definition() throws SyntaxError {
@@ -91,6 +91,6 @@ final class ControlParser {
             tokens.match("var");
             parameters.add(tokens.expect(TokenKind.IDENTIFIER).text());
         }
-        return new Statement.Define(function, List.copyOf(parameters), parser.tagged());
+        return new Definition.Define(function, List.copyOf(parameters), parser.tagged());
     }
 }

@@ -15,7 +15,7 @@ final class CountedLoop extends Task {
         turnsLeft = turns;
     }
 
-    static Task start(Context context, Statement.Loop loop) {
+    static Task start(Context context, Flow.Loop loop) {
         Expr times = loop.times();
         if (times == null) {
             return new CountedLoop(context, loop.body(), Double.POSITIVE_INFINITY);

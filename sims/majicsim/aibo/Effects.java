@@ -15,7 +15,7 @@ final class Effects {
         return null;
     }
 
-    static @Nullable Task change(Context context, Statement.Change change, Value amount) throws Failure {
+    static @Nullable Task change(Context context, Action.Change change, Value amount) throws Failure {
         Variable variable = variable(context, change.target());
         double sum = Operators.number(variable.target()) + change.sign() * Operators.number(amount);
         variable.submit(sum, context.kernel().pass());
@@ -31,7 +31,7 @@ final class Effects {
         return null;
     }
 
-    static @Nullable Task power(Context context, Statement.Power power) throws Failure {
+    static @Nullable Task power(Context context, Action.Power power) throws Failure {
         Name load = Name.of(power.device().text() + ".load");
         for (Variable variable : context.kernel().variables().targets(context, load)) {
             boolean isOn = variable.read().isTrue();
@@ -41,12 +41,12 @@ final class Effects {
         return null;
     }
 
-    static @Nullable Task choose(Context context, Statement.If choice, Value test) {
+    static @Nullable Task choose(Context context, Flow.If choice, Value test) {
         Statement chosen = test.isTrue() ? choice.then() : choice.otherwise();
         return chosen == null ? null : chosen.start(context);
     }
 
-    static @Nullable Task define(Context context, Statement.Define definition) throws Failure {
+    static @Nullable Task define(Context context, Definition.Define definition) throws Failure {
         context.kernel().functions().define(context, definition);
         return null;
     }
@@ -65,12 +65,12 @@ final class Effects {
         return null;
     }
 
-    static @Nullable Task alias(Context context, Statement.Alias alias) {
+    static @Nullable Task alias(Context context, Definition.Alias alias) {
         context.kernel().variables().alias(alias.name(), alias.meaning());
         return null;
     }
 
-    static @Nullable Task group(Context context, Statement.Grouping grouping) {
+    static @Nullable Task group(Context context, Definition.Grouping grouping) {
         Groups groups = context.kernel().groups();
         switch (grouping.word()) {
             case "addgroup" -> groups.add(grouping.group(), grouping.members());

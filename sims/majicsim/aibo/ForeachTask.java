@@ -7,11 +7,11 @@ import org.jspecify.annotations.Nullable;
 
 /** A loop over the items of a list, one a cycle. */
 final class ForeachTask extends Task {
-    private final Statement.Foreach loop;
+    private final Flow.Foreach loop;
     private final Deque<Value> items = new ArrayDeque<>();
     private @Nullable Task turn;
 
-    ForeachTask(Context context, Statement.Foreach loop, Value list) throws Failure {
+    ForeachTask(Context context, Flow.Foreach loop, Value list) throws Failure {
         super(context);
         this.loop = loop;
         if (!(list instanceof Value.Items values)) {

@@ -30,7 +30,7 @@ final class Functions {
         lasting.put(name, new Entry(name, arity, function));
     }
 
-    void define(Context context, Statement.Define definition) throws Failure {
+    void define(Context context, Definition.Define definition) throws Failure {
         String name = fullName(context, definition.function().text());
         if (lasting.containsKey(name)) {
             throw Failure.of("function " + name + " already exists");

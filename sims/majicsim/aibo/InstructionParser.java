@@ -40,16 +40,16 @@ final class InstructionParser {
             return word();
         }
         if (SYSTEM_WORDS.contains(tokens.peek().text()) && atEnd(1)) {
-            return new Statement.Command(tokens.next().text());
+            return new Action.Command(tokens.next().text());
         }
         Expr expr = exprs.expr();
         if (expr instanceof Expr.Variable variable) {
             return named(variable.name());
         }
         if (expr instanceof Expr.Property property && tokens.match("=")) {
-            return new Statement.AssignProperty(property.name(), property.property(), exprs.expr());
+            return new Action.AssignProperty(property.name(), property.property(), exprs.expr());
         }
-        return new Statement.Evaluate(expr);
+        return new Action.Evaluate(expr);
     }
 
     private boolean atEnd(int ahead) {
@@ -65,7 +65,7 @@ final class InstructionParser {
     private Statement word() throws SyntaxError {
         String word = tokens.peek().text();
         if (SILENT_WORDS.contains(word) && atEnd(1)) {
-            return new Statement.Command(tokens.next().text());
+            return new Action.Command(tokens.next().text());
         }
         return switch (word) {
             case "var" -> declaration();
@@ -81,55 +81,55 @@ final class InstructionParser {
 
     private Statement named(Name name) throws SyntaxError {
         if (tokens.match("=")) {
-            return new Statement.Assign(name, exprs.expr(), modifiers(), false);
+            return new Action.Assign(name, exprs.expr(), modifiers(), false);
         }
         if (tokens.at("+=") || tokens.at("-=")) {
-            return new Statement.Change(name, tokens.next().is("+=") ? 1 : -1, exprs.expr());
+            return new Action.Change(name, tokens.next().is("+=") ? 1 : -1, exprs.expr());
         }
         if (tokens.at("++") || tokens.at("--")) {
-            return new Statement.Change(name, tokens.next().is("++") ? 1 : -1, new Expr.Constant(Value.of(1)));
+            return new Action.Change(name, tokens.next().is("++") ? 1 : -1, new Expr.Constant(Value.of(1)));
         }
         if (tokens.match("switch")) {
-            return new Statement.Power(name, null);
+            return new Action.Power(name, null);
         }
         if (tokens.peek().is(TokenKind.NUMBER)) {
-            return new Statement.Power(name, tokens.next().number());
+            return new Action.Power(name, tokens.next().number());
         }
-        return new Statement.Evaluate(new Expr.Variable(name));
+        return new Action.Evaluate(new Expr.Variable(name));
     }
 
     private Statement declaration() throws SyntaxError {
         tokens.next();
         Name name = exprs.name();
         return tokens.match("=")
-                ? new Statement.Assign(name, exprs.expr(), modifiers(), true)
-                : new Statement.Declare(name);
+                ? new Action.Assign(name, exprs.expr(), modifiers(), true)
+                : new Definition.Declare(name);
     }
 
     private Statement echo() throws SyntaxError {
         tokens.next();
-        return new Statement.Echo(exprs.expr(), modifiers());
+        return new Action.Echo(exprs.expr(), modifiers());
     }
 
     private Statement control() throws SyntaxError {
         String word = tokens.next().text();
-        return new Statement.Control(word, tokens.expectName().text());
+        return new Action.Control(word, tokens.expectName().text());
     }
 
     private Statement giveBack() throws SyntaxError {
         tokens.next();
-        return new Statement.Return(atEnd(0) ? null : exprs.expr());
+        return new Flow.Return(atEnd(0) ? null : exprs.expr());
     }
 
     private Statement undefine() throws SyntaxError {
         tokens.next();
-        return new Statement.Undefine(exprs.name());
+        return new Definition.Undefine(exprs.name());
     }
 
     private Statement alias() throws SyntaxError {
         boolean makes = tokens.next().is("alias");
         String name = tokens.expectName().text();
-        return new Statement.Alias(name, makes ? tokens.expectName().text() : null);
+        return new Definition.Alias(name, makes ? tokens.expectName().text() : null);
     }
 
     private Statement grouping() throws SyntaxError {
@@ -138,14 +138,14 @@ final class InstructionParser {
         String group = tokens.expect(TokenKind.IDENTIFIER).text();
         if (!tokens.match("{")) {
             tokens.reset(mark);
-            return new Statement.Evaluate(exprs.expr());
+            return new Action.Evaluate(exprs.expr());
         }
         List<String> members = new ArrayList<>();
         do {
             members.add(tokens.expectName().text());
         } while (tokens.match(","));
         tokens.expect("}");
-        return new Statement.Grouping(word, group, List.copyOf(members));
+        return new Definition.Grouping(word, group, List.copyOf(members));
     }
 
     private List<Modifier> modifiers() throws SyntaxError {

@@ -6,11 +6,11 @@ import org.jspecify.annotations.Nullable;
 
 /** A while loop. Each turn costs a cycle (URBI sheet, section 8), so no program can hold the kernel up. */
 final class LoopTask extends Task {
-    private final Statement.While loop;
+    private final Flow.While loop;
     private @Nullable Evaluation test;
     private @Nullable Task turn;
 
-    LoopTask(Context context, Statement.While loop) {
+    LoopTask(Context context, Flow.While loop) {
         super(context);
         this.loop = loop;
     }

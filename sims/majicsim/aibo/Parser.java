@@ -141,6 +141,6 @@ final class Parser {
         while (tokens.peek().is(TokenKind.NUMBER) || tokens.peek().is(TokenKind.IDENTIFIER)) {
             parameters.add(tokens.next().text());
         }
-        return new Statement.AssignBinary(target, size, String.join(" ", parameters));
+        return new Action.AssignBinary(target, size, String.join(" ", parameters));
     }
 }

@@ -24,7 +24,7 @@ final class Properties {
     private Blend blend = Blend.NORMAL;
     private String unit = "";
 
-    static Task assigning(Context context, Statement.AssignProperty assignment) {
+    static Task assigning(Context context, Action.AssignProperty assignment) {
         if (assignment.property().equals("blend")
                 && assignment.value() instanceof Expr.Variable word
                 && Blend.named(word.name().text()) != null) {
@@ -96,7 +96,7 @@ final class Properties {
         throw Failure.of("Unknown identifier: " + name, "Invalid blend mode.");
     }
 
-    private static @Nullable Task assign(Context context, Statement.AssignProperty assignment, Value value)
+    private static @Nullable Task assign(Context context, Action.AssignProperty assignment, Value value)
             throws Failure {
         for (Variable variable : context.kernel().variables().targets(context, assignment.target())) {
             variable.properties().write(assignment.property(), value);

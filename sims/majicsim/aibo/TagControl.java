@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 final class TagControl {
     private TagControl() {}
 
-    static @Nullable Task apply(Context context, Statement.Control control) throws Failure {
+    static @Nullable Task apply(Context context, Action.Control control) throws Failure {
         String tag = control.tag();
         Kernel kernel = context.kernel();
         boolean refused = tag.equals(Parser.NO_TAG) && !control.word().equals("stop");

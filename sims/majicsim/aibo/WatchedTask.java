@@ -25,7 +25,7 @@ final class WatchedTask extends Task {
         this.watch = watch;
     }
 
-    static Task start(Context context, Statement.Watched watched) {
+    static Task start(Context context, Flow.Watched watched) {
         if (watched.word().equals("timeout")) {
             return new Prepared(context, List.of(watched.limit()), values -> {
                 double limitMs = Operators.number(values.get(0));

@@ -6,11 +6,11 @@ import org.jspecify.annotations.Nullable;
 
 /** Repeats a command as long as a test holds, and another as long as it does not; a turn a cycle. */
 final class WheneverTask extends Task {
-    private final Statement.Whenever handler;
+    private final Flow.Whenever handler;
     private final TestTask test;
     private @Nullable Task run;
 
-    WheneverTask(Context context, Statement.Whenever handler) {
+    WheneverTask(Context context, Flow.Whenever handler) {
         super(context);
         this.handler = handler;
         test = new TestTask(context, handler.test());
