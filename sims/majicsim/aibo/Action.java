@@ -65,6 +65,14 @@ sealed interface Action extends Statement {
         }
     }
 
+    /** {@code disconnect} or {@code killall} with a connection's name. */
+    record Reach(String word, String connection) implements Action {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(), values -> SystemCommands.reach(context, this));
+        }
+    }
+
     /** {@code echo}. */
     record Echo(Expr value, List<Modifier> options) implements Action {
         @Override

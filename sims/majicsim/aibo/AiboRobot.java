@@ -71,8 +71,7 @@ public final class AiboRobot implements Firmware {
 
     @Override
     public void connected(Line line) {
-        Connection connection = kernel.connect(line);
-        connection.watch(new PowerMonitor(connection.context().inner("power"), battery));
+        kernel.connect(line);
     }
 
     @Override
@@ -103,6 +102,11 @@ public final class AiboRobot implements Firmware {
         gait.drive(kernel.nowMs(), stepMs);
     }
 
+    /** What the stick's CLIENT.INI does in a new connection (URBI sheet, section 2). */
+    private void greet(Connection connection) {
+        connection.watch(new PowerMonitor(connection.context().inner("power"), battery));
+    }
+
     private void install(Noise noise) {
         BuiltIns.install(kernel, noise.fork("random"));
         sensors.install(kernel.variables());
@@ -115,6 +119,8 @@ public final class AiboRobot implements Firmware {
         functions.builtIn("power", arguments -> Value.of(battery.percent() / 100.0));
         new Speaker().install(kernel);
         camera.install();
+        new Stick().install(functions);
+        kernel.greet(this::greet);
         kernel.load(StickScript.PROGRAM);
     }
 }

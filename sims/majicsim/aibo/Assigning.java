@@ -26,7 +26,12 @@ final class Assigning {
             return null;
         }
         List<Task> tasks = new ArrayList<>();
-        for (Variable variable : context.kernel().variables().targets(context, assignment.target())) {
+        Variables variables = context.kernel().variables();
+        boolean make = assignment.declares() || !variables.isStrict();
+        for (Variable variable : variables.targets(context, assignment.target(), make)) {
+            if (!make) {
+                checkType(variable, value);
+            }
             if (value instanceof Value.Num num && !(variable.target() instanceof Value.Text)) {
                 tasks.add(number(context, assignment, variable, num.number(), modifiers));
             } else if (variable.isDevice() && !(value instanceof Value.Binary)) {
@@ -36,6 +41,13 @@ final class Assigning {
             }
         }
         return tasks.isEmpty() ? null : BothTask.of(context, tasks);
+    }
+
+    private static void checkType(Variable variable, Value value) throws Failure {
+        Value old = variable.target();
+        if (!(old instanceof Value.Void) && old.getClass() != value.getClass()) {
+            throw Failure.of("Warning: " + variable.name() + " type mismatch");
+        }
     }
 
     private static Map<String, Double> modifiers(Action.Assign assignment, List<Value> values) throws Failure {

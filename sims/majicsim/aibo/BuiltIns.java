@@ -17,9 +17,6 @@ final class BuiltIns {
         functions.builtIn("cpuload", arguments -> Value.of(0.12));
         functions.builtIn("freemem", arguments -> Value.of(19_000_000));
         functions.builtIn("random", arguments -> random(number(arguments, 0), noise));
-        functions.builtIn("load", arguments -> {
-            throw Failure.inExpression("Cannot load the file " + Operators.text(argument(arguments, 0)));
-        });
         // The evaluator answers these two itself when they are asked of a name; of anything else they are true and
         // false.
         functions.builtIn("isdef", arguments -> Value.of(true));

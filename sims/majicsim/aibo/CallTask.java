@@ -19,13 +19,14 @@ final class CallTask extends Task {
     }
 
     static CallTask of(Context context, Expr.Call call, Evaluator evaluator) throws Failure {
-        Frame frame = new Frame();
+        Functions functions = context.kernel().functions();
+        Frame frame = new Frame(functions.owner(context, call.function()));
         boolean allowed = context.kernel().budget().takeCall(context.kernel().pass());
         if (context.depth() > MAX_DEPTH || !allowed) {
             throw Failure.of("CPU Overload");
         }
         List<Value> arguments = evaluator.values(call.parts());
-        Task body = context.kernel().functions().start(context.withFrame(frame), call.function(), arguments);
+        Task body = functions.start(context, frame, call.function(), arguments);
         return new CallTask(context, call, frame, body);
     }
 

@@ -100,6 +100,6 @@ final class CommandStream extends Task {
     }
 
     private static boolean asksForBackground(Statement statement) {
-        return statement instanceof Statement.Tagged tagged && tagged.flags().contains(new Flag("bg"));
+        return statement instanceof Statement.Tagged tagged && Flag.in(tagged.flags(), "bg");
     }
 }

@@ -19,10 +19,9 @@ final class Connection {
     private final Kernel kernel;
     private final String id;
     private final @Nullable Line line;
-    private final Splitter splitter = new Splitter();
+    private final CommandReader reader = new CommandReader(FIRST_PLACE, problem -> send("error", "!!! " + problem));
     private final CommandStream stream;
     private final ByteArrayOutputStream output = new ByteArrayOutputStream();
-    private Place place = FIRST_PLACE;
     private Action.@Nullable AssignBinary binary;
     private boolean closing;
 
@@ -63,7 +62,7 @@ final class Connection {
 
     /** Takes what the client sent; complete commands start if nothing holds them back. */
     void received(byte[] bytes) {
-        splitter.feed(bytes);
+        reader.feed(bytes);
         boolean more = true;
         while (more && !closing) {
             more = binary != null ? takeBinary(binary) : takeCommand();
@@ -72,20 +71,18 @@ final class Connection {
     }
 
     private boolean takeCommand() {
-        String text = splitter.next();
-        if (splitter.overflowed()) {
-            send("error", "!!! Receive buffer full");
-            send("error", "!!! Receive buffer corrupted");
+        boolean arrived = reader.isAtCommand();
+        Step step = arrived ? reader.take() : null;
+        if (step != null && step.statement() instanceof Action.AssignBinary announced) {
+            announce(announced);
+        } else if (step != null) {
+            run(step);
         }
-        if (text == null) {
-            return false;
-        }
-        parse(text);
-        return true;
+        return arrived;
     }
 
     private boolean takeBinary(Action.AssignBinary waiting) {
-        byte[] bytes = splitter.take(waiting.size());
+        byte[] bytes = reader.take(waiting.size());
         if (bytes == null) {
             return false;
         }
@@ -93,26 +90,6 @@ final class Connection {
         Statement filled = waiting.filled(new String(bytes, StandardCharsets.ISO_8859_1));
         run(new Step(new Statement.Tagged(Parser.NO_TAG, List.of(), filled), false));
         return true;
-    }
-
-    private void parse(String text) {
-        Place start = place;
-        Lexer lexer = new Lexer(text, start, (at, problem) -> send("error", "!!! " + at + ": " + problem));
-        Parser parser = new Parser(lexer.tokens());
-        try {
-            Step step = parser.command();
-            place = lexer.end();
-            if (step.statement() instanceof Action.AssignBinary announced) {
-                announce(announced);
-            } else {
-                run(step);
-            }
-        } catch (SyntaxError error) {
-            // The real kernel goes on counting behind a command only if it had understood a part of it (captures A to
-            // C).
-            place = error.afterCommand() ? lexer.end() : start;
-            send("error", "!!! " + error.span() + ": " + error.getMessage());
-        }
     }
 
     private void announce(Action.AssignBinary announced) {

@@ -9,7 +9,7 @@ sealed interface Definition extends Statement {
     record Declare(Name target) implements Definition {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> Effects.declare(context, target));
+            return new Prepared(context, List.of(), values -> Definitions.declare(context, target));
         }
     }
 
@@ -17,7 +17,7 @@ sealed interface Definition extends Statement {
     record Define(Name function, List<String> parameters, Statement body) implements Definition {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> Effects.define(context, this));
+            return new Prepared(context, List.of(), values -> Definitions.function(context, this));
         }
     }
 
@@ -25,7 +25,7 @@ sealed interface Definition extends Statement {
     record Undefine(Name name) implements Definition {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> Effects.undefine(context, name));
+            return new Prepared(context, List.of(), values -> Definitions.undefine(context, name));
         }
     }
 
@@ -33,7 +33,7 @@ sealed interface Definition extends Statement {
     record Grouping(String word, String group, List<String> members) implements Definition {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> Effects.group(context, this));
+            return new Prepared(context, List.of(), values -> Definitions.group(context, this));
         }
     }
 
@@ -41,7 +41,31 @@ sealed interface Definition extends Statement {
     record Alias(String name, @Nullable String meaning) implements Definition {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> Effects.alias(context, this));
+            return new Prepared(context, List.of(), values -> Definitions.alias(context, this));
+        }
+    }
+
+    /** {@code event e}. */
+    record Event(Name name) implements Definition {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(), values -> Definitions.event(context, name));
+        }
+    }
+
+    /** {@code class C { var v; function f(); event e }}; its functions are defined apart. */
+    record ClassOf(String name, List<String> variables, List<String> events) implements Definition {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(), values -> Definitions.classOf(context, this));
+        }
+    }
+
+    /** {@code object = new parent}, with its constructor called if brackets follow. */
+    record New(Name object, String parent, boolean constructs, List<Expr> arguments) implements Definition {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, arguments, values -> Creation.start(context, this, values));
         }
     }
 }

@@ -22,15 +22,6 @@ final class Effects {
         return null;
     }
 
-    static @Nullable Task declare(Context context, Name name) throws Failure {
-        if (context.frame() != null) {
-            context.frame().declare(name.text(), Value.VOID);
-        } else {
-            context.kernel().variables().targets(context, name);
-        }
-        return null;
-    }
-
     static @Nullable Task power(Context context, Action.Power power) throws Failure {
         Name load = Name.of(power.device().text() + ".load");
         for (Variable variable : context.kernel().variables().targets(context, load)) {
@@ -46,11 +37,6 @@ final class Effects {
         return chosen == null ? null : chosen.start(context);
     }
 
-    static @Nullable Task define(Context context, Definition.Define definition) throws Failure {
-        context.kernel().functions().define(context, definition);
-        return null;
-    }
-
     static @Nullable Task giveBack(Context context, List<Value> values) {
         if (context.frame() != null) {
             context.frame().giveBack(values.isEmpty() ? Value.VOID : values.get(0));
@@ -58,25 +44,14 @@ final class Effects {
         return null;
     }
 
-    static @Nullable Task undefine(Context context, Name name) throws Failure {
-        String key = new Evaluator(context, Map.of()).key(name);
-        context.kernel().functions().remove(context, name);
-        context.kernel().variables().remove(context, key);
-        return null;
-    }
-
-    static @Nullable Task alias(Context context, Definition.Alias alias) {
-        context.kernel().variables().alias(alias.name(), alias.meaning());
-        return null;
-    }
-
-    static @Nullable Task group(Context context, Definition.Grouping grouping) {
-        Groups groups = context.kernel().groups();
-        switch (grouping.word()) {
-            case "addgroup" -> groups.add(grouping.group(), grouping.members());
-            case "delgroup" -> groups.remove(grouping.group(), grouping.members());
-            default -> groups.define(grouping.group(), grouping.members());
-        }
+    static @Nullable Task emit(Context context, Flow.Emit emit, List<Value> values) throws Failure {
+        String key = new Evaluator(context, Map.of()).key(emit.event());
+        boolean lasts = emit.durationMs() != null;
+        double durationMs = lasts ? Operators.number(values.get(values.size() - 1)) : 0;
+        List<Value> arguments = values.subList(0, emit.arguments().size());
+        Kernel kernel = context.kernel();
+        kernel.events()
+                .emit(kernel.variables().fullName(context, key), new Events.Event(List.copyOf(arguments), durationMs));
         return null;
     }
 

@@ -3,8 +3,9 @@ package majicsim.aibo;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
-/** Gives expressions their values on behalf of one command; changes nothing. */
+/** Gives expressions their values on behalf of one command; all it changes are the names that take an event's arguments. */
 final class Evaluator {
     private final Context context;
     private final Map<Expr.Call, Value> results;
@@ -25,6 +26,16 @@ final class Evaluator {
 
     Value variable(Name name) throws Failure {
         String key = key(name);
+        Kernel kernel = context.kernel();
+        if (kernel.variables().find(context, key) == null) {
+            String full = kernel.variables().fullName(context, key);
+            if (kernel.events().isKnown(full)) {
+                return Value.of(kernel.events().current(full) != null);
+            }
+            if (kernel.objects().contains(key)) {
+                return new Value.Obj(kernel.variables().fields(key));
+            }
+        }
         return suffixed(known(key, key), name.suffix());
     }
 
@@ -57,6 +68,10 @@ final class Evaluator {
         if (result != null) {
             return result;
         }
+        String event = context.kernel().variables().fullName(context, key(call.function()));
+        if (context.kernel().events().isKnown(event)) {
+            return Value.of(matches(context.kernel().events().current(event), call.parts()));
+        }
         String function = context.kernel().functions().key(context, call.function());
         boolean asksOfName = function.equals("isdef") || function.equals("isvoid");
         if (asksOfName && call.parts().size() == 1 && call.parts().get(0) instanceof Expr.Variable variable) {
@@ -75,6 +90,22 @@ final class Evaluator {
             key.append("__").append(index.join());
         }
         return key.toString();
+    }
+
+    /** Whether an event is seen whose arguments fit; a name among them takes the value that came. */
+    private boolean matches(Events.@Nullable Event event, List<Expr> pattern) throws Failure {
+        if (event == null || event.arguments().size() != pattern.size()) {
+            return false;
+        }
+        for (int i = 0; i < pattern.size(); i++) {
+            Value came = event.arguments().get(i);
+            if (pattern.get(i) instanceof Expr.Variable variable) {
+                context.kernel().variables().assign(context, key(variable.name()), came);
+            } else if (!pattern.get(i).value(this).equals(came)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private Value about(String function, Name name) throws Failure {

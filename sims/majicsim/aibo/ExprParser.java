@@ -42,6 +42,12 @@ final class ExprParser {
         return suffixed(indexed(name));
     }
 
+    /** Expressions in brackets, as behind a function's name. */
+    List<Expr> arguments() throws SyntaxError {
+        tokens.expect("(");
+        return list(")");
+    }
+
     private Expr binary(int level) throws SyntaxError {
         if (level == LEVELS.size()) {
             return negation();

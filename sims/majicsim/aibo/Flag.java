@@ -1,4 +1,19 @@
 package majicsim.aibo;
 
-/** A flag of a tagged command, such as {@code end}. */
-record Flag(String name) {}
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/** A flag of a tagged command, such as {@code end}, with what stands in brackets behind it. */
+record Flag(String name, @Nullable Expr argument) {
+    /** Flags that the language had before 1.0 and that became commands. */
+    private static final Set<String> OBSOLETE = Set.of("timeout", "stop", "freeze");
+
+    static boolean in(List<Flag> flags, String name) {
+        return flags.stream().anyMatch(flag -> flag.name().equals(name));
+    }
+
+    boolean isObsolete() {
+        return OBSOLETE.contains(name);
+    }
+}

@@ -1,5 +1,6 @@
 package majicsim.aibo;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -91,6 +92,18 @@ sealed interface Flow extends Statement {
         public Task start(Context context) {
             return new Prepared(
                     context, value == null ? List.of() : List.of(value), values -> Effects.giveBack(context, values));
+        }
+    }
+
+    /** {@code emit e(…)}, or {@code emit(ms) e(…)} for an event that lasts. */
+    record Emit(Name event, List<Expr> arguments, @Nullable Expr durationMs) implements Flow {
+        @Override
+        public Task start(Context context) {
+            List<Expr> exprs = new ArrayList<>(arguments);
+            if (durationMs != null) {
+                exprs.add(durationMs);
+            }
+            return new Prepared(context, exprs, values -> Effects.emit(context, this, values));
         }
     }
 }

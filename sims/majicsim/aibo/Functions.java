@@ -3,7 +3,7 @@ package majicsim.aibo;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /** The functions of the server: built-in ones, those of the hardware, and those that programs define. */
 final class Functions {
@@ -17,17 +17,23 @@ final class Functions {
         Task start(Context context, List<Value> arguments) throws Failure;
     }
 
-    private record Entry(String name, int arity, Lasting body) {}
+    private record Entry(String name, int arity, boolean resident, Lasting body) {}
 
     private final Map<String, BuiltIn> builtIns = new HashMap<>();
     private final Map<String, Entry> lasting = new HashMap<>();
+    private final Objects objects;
+
+    Functions(Objects objects) {
+        this.objects = objects;
+    }
 
     void builtIn(String name, BuiltIn function) {
         builtIns.put(name, function);
     }
 
+    /** One of the hardware's or the server's own; those without a dot in their name are known to every connection. */
     void lasting(String name, int arity, Lasting function) {
-        lasting.put(name, new Entry(name, arity, function));
+        lasting.put(name, new Entry(name, arity, true, function));
     }
 
     void define(Context context, Definition.Define definition) throws Failure {
@@ -36,17 +42,24 @@ final class Functions {
             throw Failure.of("function " + name + " already exists");
         }
         List<String> parameters = definition.parameters();
-        lasting(name, parameters.size(), (call, arguments) -> {
-            Frame frame = Objects.requireNonNull(call.frame());
+        Lasting body = (call, arguments) -> {
+            Frame frame = java.util.Objects.requireNonNull(call.frame());
             for (int i = 0; i < parameters.size(); i++) {
                 frame.declare(parameters.get(i), arguments.get(i));
             }
             return definition.body().start(call.inner(Parser.NO_TAG));
-        });
+        };
+        lasting.put(name, new Entry(name, parameters.size(), false, body));
     }
 
-    void remove(Context context, Name name) {
-        lasting.remove(fullName(context, name.text()));
+    /** Forgets a function; false if there was none. */
+    boolean remove(Context context, Name name) {
+        return lasting.remove(fullName(context, name.text())) != null;
+    }
+
+    /** Forgets what programs defined. */
+    void forget() {
+        lasting.values().removeIf(entry -> !entry.resident());
     }
 
     void removeAllOf(String connectionId) {
@@ -54,7 +67,14 @@ final class Functions {
     }
 
     boolean takesTime(Context context, Name function) {
-        return lasting.containsKey(fullName(context, function.text()));
+        return find(context, function) != null;
+    }
+
+    /** The object whose function that is, or empty. */
+    String owner(Context context, Name function) {
+        String name = fullName(context, function.text());
+        String object = name.substring(0, Math.max(0, name.indexOf('.')));
+        return objects.contains(object) ? object : "";
     }
 
     /** The name under which a function is looked up. */
@@ -62,17 +82,18 @@ final class Functions {
         return builtIns.containsKey(function.text()) ? function.text() : fullName(context, function.text());
     }
 
-    /** The body of a function that takes time, on behalf of the context's own frame. */
-    Task start(Context context, Name function, List<Value> arguments) throws Failure {
-        Entry entry = lasting.get(fullName(context, function.text()));
+    /** The body of a function that takes time; program text that the server runs has no frame but the caller's. */
+    Task start(Context caller, Frame frame, Name function, List<Value> arguments) throws Failure {
+        Entry entry = find(caller, function);
         if (entry == null) {
-            throw unknown(context, function, arguments);
+            throw unknown(caller, function, arguments);
         }
         if (entry.arity() != arguments.size()) {
             throw Failure.of(
                     "invalid number of arguments for " + entry.name() + " (should be " + entry.arity() + " params)");
         }
-        return entry.body().start(context, arguments);
+        boolean framed = entry.name().indexOf('.') >= 0;
+        return entry.body().start(framed ? caller.withFrame(frame) : caller, arguments);
     }
 
     Value builtIn(Context context, Name function, List<Value> arguments) throws Failure {
@@ -86,8 +107,21 @@ final class Functions {
     /** One line a function, as {@code def} lists them. */
     List<String> listing() {
         return lasting.values().stream()
+                .filter(entry -> entry.name().indexOf('.') >= 0)
                 .map(entry -> entry.name() + " : " + entry.arity() + " param(s)")
                 .toList();
+    }
+
+    private @Nullable Entry find(Context context, Name function) {
+        Entry own = lasting.get(function.text());
+        if (own != null) {
+            return own;
+        }
+        return objects.places(fullName(context, function.text())).stream()
+                .map(lasting::get)
+                .filter(java.util.Objects::nonNull)
+                .findFirst()
+                .orElse(null);
     }
 
     private static Failure unknown(Context context, Name function, List<Value> arguments) {
@@ -95,7 +129,8 @@ final class Functions {
         return Failure.inExpression("Error with function eval: " + fullName(context, function.text()) + " " + count);
     }
 
-    private static String fullName(Context context, String name) {
+    private static String fullName(Context context, String written) {
+        String name = Objects.resolve(context, written);
         return name.indexOf('.') >= 0 ? name : context.connection().id() + "." + name;
     }
 }

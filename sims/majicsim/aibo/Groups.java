@@ -31,6 +31,22 @@ final class Groups {
         return members.keySet();
     }
 
+    /** The members as they were named. */
+    Set<String> members(String group) {
+        return members.getOrDefault(group, Set.of());
+    }
+
+    Map<String, Set<String>> copy() {
+        Map<String, Set<String>> copy = new LinkedHashMap<>();
+        members.forEach((group, names) -> copy.put(group, new LinkedHashSet<>(names)));
+        return copy;
+    }
+
+    void restore(Map<String, Set<String>> copy) {
+        members.clear();
+        copy.forEach((group, names) -> members.put(group, new LinkedHashSet<>(names)));
+    }
+
     /** The members that are no groups, in order; a group inside is replaced by its own. */
     List<String> leaves(String group) {
         Set<String> leaves = new LinkedHashSet<>();

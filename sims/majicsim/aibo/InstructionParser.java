@@ -23,16 +23,19 @@ final class InstructionParser {
             "undefall",
             "motoron",
             "motoroff");
+    private static final Set<String> REACHING_WORDS = Set.of("disconnect", "killall");
     private static final Set<String> SILENT_WORDS = Set.of("noop", "def", "alias", "group");
 
     private final TokenStream tokens;
     private final ExprParser exprs;
     private final ControlParser controls;
+    private final ObjectParser definitions;
 
     InstructionParser(TokenStream tokens, ExprParser exprs, Parser parser) {
         this.tokens = tokens;
         this.exprs = exprs;
         controls = new ControlParser(tokens, exprs, parser);
+        definitions = new ObjectParser(tokens, exprs);
     }
 
     Statement instruction() throws SyntaxError {
@@ -41,6 +44,9 @@ final class InstructionParser {
         }
         if (SYSTEM_WORDS.contains(tokens.peek().text()) && atEnd(1)) {
             return new Action.Command(tokens.next().text());
+        }
+        if (REACHING_WORDS.contains(tokens.peek().text()) && tokens.peek(1).is(TokenKind.IDENTIFIER)) {
+            return new Action.Reach(tokens.next().text(), tokens.next().text());
         }
         Expr expr = exprs.expr();
         if (expr instanceof Expr.Variable variable) {
@@ -73,13 +79,20 @@ final class InstructionParser {
             case "stop", "freeze", "unfreeze", "block", "unblock" -> control();
             case "group", "addgroup", "delgroup" -> grouping();
             case "return" -> giveBack();
-            case "undef" -> undefine();
+            case "undef", "delete" -> undefine();
+            case "class" -> definitions.classOf();
+            case "event" -> definitions.event();
+            case "emit" -> definitions.emission();
+            case "info" -> info();
             case "alias", "unalias" -> alias();
             default -> controls.control();
         };
     }
 
     private Statement named(Name name) throws SyntaxError {
+        if (tokens.at("=") && tokens.peek(1).is("new")) {
+            return definitions.creation(name);
+        }
         if (tokens.match("=")) {
             return new Action.Assign(name, exprs.expr(), modifiers(), false);
         }
@@ -124,6 +137,13 @@ final class InstructionParser {
     private Statement undefine() throws SyntaxError {
         tokens.next();
         return new Definition.Undefine(exprs.name());
+    }
+
+    /** A description of a device, about which 1.0 is silent (URBI sheet, section 9). */
+    private Statement info() throws SyntaxError {
+        String word = tokens.next().text();
+        exprs.name();
+        return new Action.Command(word);
     }
 
     private Statement alias() throws SyntaxError {

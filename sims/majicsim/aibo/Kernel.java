@@ -2,9 +2,10 @@ package majicsim.aibo;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
@@ -23,12 +24,18 @@ final class Kernel {
     private static final long ID_STEP = 5_264;
 
     private final Groups groups = new Groups();
-    private final Variables variables = new Variables(groups);
-    private final Functions functions = new Functions();
-    private final Set<String> blocked = new HashSet<>();
+    private final Objects objects = new Objects();
+    private final Variables variables = new Variables(groups, objects);
+    private final Functions functions = new Functions(objects);
+    private final Events events = new Events();
+    private final Tags tags = new Tags();
+    private final Restart restart = new Restart(this);
     private final List<Connection> connections = new ArrayList<>();
     private final Connection own;
     private final Budget budget = new Budget();
+    private Consumer<Connection> greeting = connection -> {};
+    private Map<String, Set<String>> systemGroups = Map.of();
+    private String startScript = "";
     private double nowMs;
     private long pass;
     private long nextId = FIRST_ID;
@@ -48,6 +55,22 @@ final class Kernel {
 
     Functions functions() {
         return functions;
+    }
+
+    Objects objects() {
+        return objects;
+    }
+
+    Events events() {
+        return events;
+    }
+
+    Tags tags() {
+        return tags;
+    }
+
+    Restart restart() {
+        return restart;
     }
 
     Budget budget() {
@@ -75,9 +98,34 @@ final class Kernel {
         nowMs = ms;
     }
 
-    /** Runs a program of the stick in the kernel's own connection. */
+    /** What runs in each new connection, as the stick's CLIENT.INI does. */
+    void greet(Consumer<Connection> newcomer) {
+        greeting = newcomer;
+    }
+
+    /** Runs the stick's program in the kernel's own connection; what is there before it, is there after every reset. */
     void load(String program) {
+        variables.seal();
+        systemGroups = groups.copy();
+        startScript = program;
         own.received(program.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    /** Stops everything in every connection and forgets what programs made. */
+    void forget() {
+        connections().forEach(each -> each.stream().clear());
+        variables.forget();
+        functions.forget();
+        groups.restore(systemGroups);
+        objects.clear();
+        events.removeAllOf("");
+        tags.clear();
+    }
+
+    /** Runs the stick's program again, and in each connection what a new one has. */
+    void reload() {
+        own.received(startScript.getBytes(StandardCharsets.ISO_8859_1));
+        connections.stream().filter(each -> each.line() != null).forEach(greeting);
     }
 
     Connection connect(Line line) {
@@ -88,6 +136,7 @@ final class Kernel {
         }
         connection.send("ident", "*** ID: " + connection.id());
         connection.flush();
+        greeting.accept(connection);
         return connection;
     }
 
@@ -112,12 +161,15 @@ final class Kernel {
         if (connections.remove(connection)) {
             variables.removeAllOf(connection.id());
             functions.removeAllOf(connection.id());
+            events.removeAllOf(connection.id() + ".");
         }
     }
 
     /** One cycle: every command that runs is stepped. */
     void cycle() {
         pass++;
+        restart.step();
+        events.turn(nowMs);
         for (Connection connection : connections()) {
             connection.cycle();
         }
@@ -127,27 +179,27 @@ final class Kernel {
         flush();
     }
 
-    boolean isBlocked(String tag) {
-        return blocked.contains(tag);
-    }
-
-    void block(String tag) {
-        blocked.add(tag);
-    }
-
-    void unblock(String tag) {
-        blocked.remove(tag);
-    }
-
-    /** Who hears an echo: nobody named is the speaker alone, otherwise all, other, or one by its name. */
-    List<Connection> audience(Connection speaker, String named) {
-        return switch (named) {
+    /** Who is meant by a name: nobody named is the speaker alone, otherwise all, other, or one by its own. */
+    List<Connection> audience(Connection speaker, String named) throws Failure {
+        List<Connection> meant = switch (named) {
             case "" -> List.of(speaker);
             case "all" -> connections();
             case "other" -> connections.stream().filter(each -> each != speaker).toList();
             default ->
                 connections.stream().filter(each -> each.id().equals(named)).toList();
         };
+        if (meant.isEmpty()) {
+            throw Failure.of(named + ": no such connection");
+        }
+        return meant;
+    }
+
+    /** The client's connection of that name. */
+    Connection client(String id) throws Failure {
+        return connections.stream()
+                .filter(each -> each != own && each.id().equals(id))
+                .findFirst()
+                .orElseThrow(() -> Failure.of(id + ": no such connection"));
     }
 
     private void flush() {

@@ -29,6 +29,7 @@ final class Lexer {
             "class",
             "copy",
             "def",
+            "delete",
             "delgroup",
             "echo",
             "else",

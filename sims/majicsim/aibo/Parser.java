@@ -119,11 +119,13 @@ final class Parser {
     private List<Flag> flags() throws SyntaxError {
         List<Flag> flags = new ArrayList<>();
         while (tokens.peek().is(TokenKind.FLAG)) {
-            flags.add(new Flag(tokens.next().text().substring(1)));
+            String name = tokens.next().text().substring(1);
+            Expr argument = null;
             if (tokens.match("(")) {
-                exprs.test();
+                argument = exprs.test();
                 tokens.expect(")");
             }
+            flags.add(new Flag(name, argument));
         }
         return List.copyOf(flags);
     }

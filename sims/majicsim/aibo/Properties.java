@@ -51,6 +51,13 @@ final class Properties {
         return Value.of(number);
     }
 
+    /** Becomes as another is. */
+    void take(Properties other) {
+        numbers.putAll(other.numbers);
+        blend = other.blend;
+        unit = other.unit;
+    }
+
     void range(double min, double max) {
         numbers.put("rangemin", min);
         numbers.put("rangemax", max);

@@ -27,7 +27,9 @@ sealed interface Statement
     record Tagged(String tag, List<Flag> flags, Statement body) implements Statement {
         @Override
         public Task start(Context context) {
-            return new TaggedTask(context.inner(tag), flags, body);
+            return Flag.in(flags, "connection")
+                    ? Delegation.start(context.inner(tag), this)
+                    : new TaggedTask(context.inner(tag), flags, body);
         }
     }
 

@@ -8,19 +8,24 @@ final class SystemCommands {
     private SystemCommands() {}
 
     static @Nullable Task run(Context context, String word) {
+        Kernel kernel = context.kernel();
         switch (word) {
             case "ping" -> context.info("pong time=" + (long) context.kernel().timestampMs());
             case "quit" -> context.connection().quit();
-            case "connections" -> context.kernel().connections().forEach(each -> context.info(each.describe()));
+            case "connections" -> kernel.connections().forEach(each -> context.info(each.describe()));
             case "devices" -> context.info("devices is deprecated. Use 'group objects' instead.");
             case "motoron" -> renamed(context, "motor on");
             case "motoroff" -> renamed(context, "motor off");
-            case "group" -> list(context, List.copyOf(context.kernel().groups().names()));
-            case "def" -> list(context, context.kernel().functions().listing());
-            case "vars", "uservars" -> list(context, variables(context, word.equals("uservars")));
+            case "group" -> list(context, Listings.groups(kernel.groups()));
+            case "def" -> list(context, kernel.functions().listing());
+            case "alias" -> list(context, Listings.aliases(kernel.variables().aliases()));
+            case "vars", "uservars" -> list(context, Listings.variables(kernel, word.equals("uservars")));
+            case "commands" -> list(context, Listings.commands(context.connection()));
+            case "strict", "unstrict" -> kernel.variables().strict(word.equals("strict"));
             case "stopall" -> stopAll(context);
+            case "reset" -> reset(context);
             default -> {
-                // What is left has no reply here: noop, strict and what a controller must not send.
+                // What is left has no reply here: noop, and what would switch the robot off.
             }
         }
         return null;
@@ -34,12 +39,22 @@ final class SystemCommands {
         lines.forEach(context::info);
     }
 
-    private static List<String> variables(Context context, boolean ownOnly) {
-        String own = context.connection().id() + ".";
-        return context.kernel().variables().all().stream()
-                .filter(variable -> !ownOnly || variable.name().startsWith(own))
-                .map(variable -> variable.name() + " = " + variable.read().print())
-                .toList();
+    private static void reset(Context context) {
+        context.info("Reset in progress");
+        context.kernel().restart().order();
+    }
+
+    /** {@code disconnect} and {@code killall}: they close or clear another connection. */
+    static @Nullable Task reach(Context context, Action.Reach reach) throws Failure {
+        Connection other = context.kernel()
+                .audience(context.connection(), reach.connection())
+                .get(0);
+        if (reach.word().equals("killall")) {
+            other.stream().clear();
+        } else {
+            other.quit();
+        }
+        return null;
     }
 
     private static void stopAll(Context context) {

@@ -18,10 +18,16 @@ final class TagControl {
         }
         switch (control.word()) {
             case "stop" -> each(kernel, tag, Task::kill);
-            case "freeze" -> each(kernel, tag, Task::freeze);
-            case "unfreeze" -> each(kernel, tag, Task::thaw);
-            case "block" -> kernel.block(tag);
-            default -> kernel.unblock(tag);
+            case "freeze" -> {
+                kernel.tags().freeze(tag);
+                each(kernel, tag, Task::freeze);
+            }
+            case "unfreeze" -> {
+                kernel.tags().unfreeze(tag);
+                each(kernel, tag, Task::thaw);
+            }
+            case "block" -> kernel.tags().block(tag);
+            default -> kernel.tags().unblock(tag);
         }
         return null;
     }
@@ -35,7 +41,7 @@ final class TagControl {
     }
 
     private static void collect(Task task, String tag, List<Task> found) {
-        if (task instanceof TaggedTask tagged && matches(tagged.tag(), tag)) {
+        if (task instanceof TaggedTask tagged && Tags.matches(tagged.tag(), tag)) {
             found.add(task);
         }
         for (Task part : task.parts()) {
@@ -43,9 +49,5 @@ final class TagControl {
                 collect(part, tag, found);
             }
         }
-    }
-
-    private static boolean matches(String tag, String wanted) {
-        return tag.equals(wanted) || tag.startsWith(wanted + ".");
     }
 }

@@ -26,9 +26,14 @@ final class TaggedTask extends Task {
     protected boolean advance() {
         if (!begun) {
             begun = true;
-            if (context.kernel().isBlocked(tag())) {
+            if (context.kernel().tags().isBlocked(tag())) {
                 return true;
             }
+            if (context.kernel().tags().isFrozen(tag())) {
+                begun = false;
+                return false;
+            }
+            warn();
             announce("begin");
         }
         // A command that stops its own tag is over before its body returns here: then it sends no end.
@@ -45,8 +50,14 @@ final class TaggedTask extends Task {
     }
 
     private void announce(String moment) {
-        if (flags.contains(new Flag(moment)) || flags.contains(new Flag("report"))) {
+        if (Flag.in(flags, moment) || Flag.in(flags, "report")) {
             context.info(moment);
         }
+    }
+
+    private void warn() {
+        flags.stream()
+                .filter(Flag::isObsolete)
+                .forEach(flag -> context.error("Warning: flag '" + flag.name() + "' is obsolete"));
     }
 }

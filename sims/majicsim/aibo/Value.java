@@ -6,6 +6,8 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
 
 /** A value of the language, printed as the kernel prints it (URBI sheet, section 4). Immutable. */
 sealed interface Value {
@@ -122,6 +124,16 @@ sealed interface Value {
         public String print() {
             String header = "BIN " + bytes.length() + (parameters.isEmpty() ? "" : " " + parameters);
             return header + "\n" + bytes;
+        }
+    }
+
+    /** An object of a program with its fields. */
+    record Obj(Map<String, Value> fields) implements Value {
+        @Override
+        public String print() {
+            return fields.entrySet().stream()
+                    .map(field -> field.getKey() + ":" + field.getValue().print())
+                    .collect(Collectors.joining(",", "OBJ [", "]"));
         }
     }
 

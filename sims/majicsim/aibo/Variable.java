@@ -33,6 +33,7 @@ final class Variable {
     private long lastPass = -1;
     private double sum;
     private int writers;
+    private Properties kept = new Properties();
 
     Variable(String name, Value value) {
         this(name, value, null);
@@ -50,6 +51,16 @@ final class Variable {
 
     Properties properties() {
         return properties;
+    }
+
+    /** Remembers the properties as they are now for {@link #restoreProperties}. */
+    void keepProperties() {
+        kept = new Properties();
+        kept.take(properties);
+    }
+
+    void restoreProperties() {
+        properties.take(kept);
     }
 
     boolean isDevice() {

@@ -18,10 +18,46 @@ final class Variables {
 
     private final Map<String, Variable> all = new LinkedHashMap<>();
     private final Map<String, String> aliases = new HashMap<>();
+    private final Map<String, Variable> system = new LinkedHashMap<>();
     private final Groups groups;
+    private final Objects objects;
+    private boolean strict;
 
-    Variables(Groups groups) {
+    Variables(Groups groups, Objects objects) {
         this.groups = groups;
+        this.objects = objects;
+    }
+
+    /** From now on what is there is the system's: {@link #forget} leaves it. */
+    void seal() {
+        all.values().forEach(Variable::keepProperties);
+        system.putAll(all);
+    }
+
+    boolean isSystem(String name) {
+        return system.containsKey(name);
+    }
+
+    /** Goes back to what the system has. */
+    void forget() {
+        all.clear();
+        system.values().forEach(Variable::restoreProperties);
+        all.putAll(system);
+        aliases.clear();
+        strict = false;
+    }
+
+    /** With strict, an assignment makes no variable and changes no type (URBI sheet, section 9). */
+    void strict(boolean wanted) {
+        strict = wanted;
+    }
+
+    boolean isStrict() {
+        return strict;
+    }
+
+    Map<String, String> aliases() {
+        return aliases;
     }
 
     void put(Variable variable) {
@@ -35,10 +71,18 @@ final class Variables {
     @Nullable
     Variable find(Context context, String key) {
         Variable local = context.frame() == null ? null : context.frame().local(key);
-        return local != null ? local : all.get(fullName(context, key));
+        if (local != null) {
+            return local;
+        }
+        return objects.places(fullName(context, key)).stream()
+                .map(all::get)
+                .filter(java.util.Objects::nonNull)
+                .findFirst()
+                .orElse(null);
     }
 
-    String fullName(Context context, String key) {
+    String fullName(Context context, String written) {
+        String key = Objects.resolve(context, written);
         String alias = aliases.get(key);
         if (alias != null) {
             return alias;
@@ -60,11 +104,15 @@ final class Variables {
         }
     }
 
-    /** The variable of that name, made if need be. */
-    Variable obtain(Context context, String key) throws Failure {
-        Variable found = find(context, key);
+    /** The variable of that name itself and not one it inherits, made if need be. */
+    private Variable obtain(Context context, String key, boolean make) throws Failure {
+        Variable local = context.frame() == null ? null : context.frame().local(key);
+        Variable found = local == null ? all.get(fullName(context, key)) : local;
         if (found != null) {
             return found;
+        }
+        if (!make) {
+            throw Failure.of("Unknown identifier: " + fullName(context, key));
         }
         if (all.size() >= MAX_COUNT) {
             throw Failure.of("Out of memory");
@@ -85,15 +133,20 @@ final class Variables {
 
     /** What an assignment to that name writes: the variable, or those of all members if it names a group. */
     List<Variable> targets(Context context, Name name) throws Failure {
+        return targets(context, name, !strict);
+    }
+
+    /** @param make whether variables may be made that are not there; else it is an error that they are not */
+    List<Variable> targets(Context context, Name name, boolean make) throws Failure {
         String key = new Evaluator(context, Map.of()).key(name);
         int dot = key.indexOf('.');
         String head = dot < 0 ? key : key.substring(0, dot);
         if (!groups.contains(head) || find(context, key) != null) {
-            return List.of(obtain(context, key));
+            return List.of(obtain(context, key, make));
         }
         List<Variable> targets = new ArrayList<>();
         for (String leaf : groups.leaves(head)) {
-            targets.add(obtain(context, dot < 0 ? leaf : leaf + key.substring(dot)));
+            targets.add(obtain(context, dot < 0 ? leaf : leaf + key.substring(dot), make));
         }
         return targets;
     }
@@ -103,8 +156,20 @@ final class Variables {
         put(new Variable(old.name(), value));
     }
 
-    void remove(Context context, String key) {
-        all.remove(fullName(context, key));
+    /** Forgets a variable; false if there was none. */
+    boolean remove(Context context, String key) {
+        return all.remove(fullName(context, key)) != null;
+    }
+
+    /** The fields of an object by their names, those of itself. */
+    Map<String, Value> fields(String object) {
+        Map<String, Value> fields = new LinkedHashMap<>();
+        all.forEach((name, variable) -> {
+            if (name.startsWith(object + ".")) {
+                fields.put(name.substring(object.length() + 1), variable.read());
+            }
+        });
+        return fields;
     }
 
     void removeAllOf(String connectionId) {

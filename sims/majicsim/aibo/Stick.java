@@ -1,0 +1,56 @@
+package majicsim.aibo;
+
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The files of the memory stick, and the functions that run program text: exec, load and save (URBI sheet, section 9). */
+final class Stick {
+    /** The stick holds this many characters that programs saved. */
+    private static final int MAX_SAVED = 1 << 20;
+
+    private final Map<String, String> files = new HashMap<>(
+            Map.of("motion.u", StickScript.PROGRAM, "URBI.INI", "load(\"motion.u\");", "CLIENT.INI", "modeB.val = 1;"));
+    private int saved;
+
+    void install(Functions functions) {
+        functions.lasting("exec", 1, (context, arguments) -> run(context, shown(arguments.get(0))));
+        functions.lasting("load", 1, this::load);
+        functions.builtIn("save", this::save);
+    }
+
+    private Task load(Context context, List<Value> arguments) throws Failure {
+        String name = shown(arguments.get(0));
+        String text = files.get(name);
+        if (text == null) {
+            throw Failure.inExpression("Cannot load the file " + name);
+        }
+        context.info('"' + name + "\" loaded.");
+        return run(context, text);
+    }
+
+    private Value save(List<Value> arguments) throws Failure {
+        if (arguments.size() != 2) {
+            throw Failure.inExpression();
+        }
+        String text = shown(arguments.get(1));
+        if (saved + text.length() > MAX_SAVED) {
+            throw Failure.inExpression("Cannot save to the file " + shown(arguments.get(0)));
+        }
+        saved += text.length();
+        files.put(shown(arguments.get(0)), text);
+        return Value.VOID;
+    }
+
+    private static Task run(Context context, String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
+        List<Step> steps =
+                CommandReader.all(bytes, problem -> context.connection().send("error", "!!! " + problem));
+        return new CommandStream(context.inner(Parser.NO_TAG), steps);
+    }
+
+    private static String shown(Value value) throws Failure {
+        return Value.of(Operators.text(value)).show();
+    }
+}
