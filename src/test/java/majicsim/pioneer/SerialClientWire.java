@@ -51,6 +51,11 @@ final class SerialClientWire implements Wire {
         port.closePort();
     }
 
+    @Override
+    public boolean isNoticed() {
+        return false;
+    }
+
     /** Throws away what an earlier client has left unread, as every client does first. */
     private void drop() {
         for (int left = port.bytesAvailable(); left > 0; left = port.bytesAvailable()) {

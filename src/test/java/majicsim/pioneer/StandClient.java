@@ -110,8 +110,12 @@ final class StandClient {
         return wire;
     }
 
+    /** Gone without a word; what the robot's end notices of it, it has noticed when this returns. */
     void vanish() throws IOException {
         wire.vanish();
+        while (wire.isNoticed() && line().isPresent()) {
+            Thread.onSpinWait();
+        }
     }
 
     /** The robot hangs up, at the latest now. */

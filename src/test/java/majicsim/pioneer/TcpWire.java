@@ -35,4 +35,9 @@ final class TcpWire implements Wire {
     public void vanish() throws IOException {
         socket.close();
     }
+
+    @Override
+    public boolean isNoticed() {
+        return true;
+    }
 }

@@ -17,4 +17,7 @@ interface Wire {
 
     /** The client is gone, without a word to the robot. */
     void vanish() throws IOException;
+
+    /** Whether the robot's end notices that the client is gone; that of a serial line does not. */
+    boolean isNoticed();
 }
