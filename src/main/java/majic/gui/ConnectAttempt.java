@@ -1,5 +1,6 @@
 package majic.gui;
 
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
@@ -9,7 +10,8 @@ import majic.script.Session;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One attempt to connect a robot and take it into the team, in the background. It ends in one of three ways, and after
+ * One attempt to connect a robot and take it into the team, in the background; one that has lost its link is connected
+ * again under the number it has, as {@code add} does. It ends in one of three ways, and after
  * {@link #cancel()} nothing more is heard of it.
  */
 final class ConnectAttempt {
@@ -22,14 +24,14 @@ final class ConnectAttempt {
     /** Hears how the attempt ends, on the event dispatch thread. */
     interface Outcome {
         /**
-         * The robot is in the team.
+         * The robot is in the team, connected.
          *
          * @param member as what
          */
         void joined(Member member);
 
         /**
-         * The robot is not in the team, and its connection is closed.
+         * The robot is not connected. A new one is not in the team either, and closed; a lost one stays there as it was.
          *
          * @param reason one sentence
          */
@@ -52,7 +54,7 @@ final class ConnectAttempt {
         Edt.background("connecting " + address, this::run);
     }
 
-    /** Gives up; returns at once. */
+    /** Gives up; returns at once. A robot of the team is not closed by it: its driver gives up by itself. */
     void cancel() {
         MajicBot begun = bot;
         if (phase.compareAndSet(Phase.CONNECTING, Phase.CANCELLED) && begun != null) {
@@ -62,13 +64,29 @@ final class ConnectAttempt {
 
     private void run() {
         try {
-            session.team().checkRoom(OptionalInt.empty());
-            MajicBot made = session.factory().create(address);
-            bot = made;
-            join(made);
+            Optional<Member> lost = session.lostAt(address);
+            if (lost.isPresent()) {
+                rejoin(lost.get());
+            } else {
+                joinNew();
+            }
         } catch (BotException e) {
             fail(e);
         }
+    }
+
+    private void rejoin(Member member) {
+        member.bot().connect();
+        if (phase.compareAndSet(Phase.CONNECTING, Phase.JOINING)) {
+            Edt.later(() -> outcome.joined(member));
+        }
+    }
+
+    private void joinNew() {
+        session.team().checkRoom(OptionalInt.empty());
+        MajicBot made = session.factory().create(address);
+        bot = made;
+        join(made);
     }
 
     private void join(MajicBot made) {

@@ -59,7 +59,7 @@ final class Comings {
     }
 
     /** The robot at this address that has lost its link; under this number, if one is given. */
-    private Optional<Member> lost(String address, OptionalInt number) {
+    Optional<Member> lost(String address, OptionalInt number) {
         return at(address)
                 .filter(member -> number.isEmpty() || number.getAsInt() == member.number())
                 .filter(member -> member.bot().connection() == MajicBot.Connection.LOST)

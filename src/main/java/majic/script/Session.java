@@ -4,6 +4,8 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -128,6 +130,17 @@ public final class Session {
      */
     public void joined(Member member, String address) {
         comings.joined(member, address);
+    }
+
+    /**
+     * The robot at an address that has lost its link. {@code add} connects it again under its number instead of taking
+     * in another one; so does whoever connects robots past the script.
+     *
+     * @param address as {@code add} would take it
+     * @return a robot of the team; empty if none is lost there
+     */
+    public Optional<Member> lostAt(String address) {
+        return comings.lost(address, OptionalInt.empty());
     }
 
     /** Says something to everybody; never waits. One lock keeps the order the same for all. */

@@ -39,6 +39,18 @@ class ConnectAttemptTest {
     }
 
     @Test
+    void aLostRobotIsConnectedAgainUnderItsNumber() throws InterruptedException {
+        attempt("toy://here").start();
+        heard.poll(10, TimeUnit.SECONDS);
+        ToyBot bot = type.made.get(0);
+        bot.loseLink();
+        attempt("toy://here").start();
+        assertThat(heard.poll(10, TimeUnit.SECONDS)).isEqualTo("joined as 1");
+        assertThat(type.made).containsExactly(bot);
+        assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
     void aFullTeamIsNotConnectedToAnybody() throws InterruptedException {
         attempt("toy://here").start();
         heard.poll(10, TimeUnit.SECONDS);
