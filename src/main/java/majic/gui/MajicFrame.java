@@ -1,5 +1,7 @@
 package majic.gui;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Image;
@@ -10,6 +12,7 @@ import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
+import javax.swing.LayoutFocusTraversalPolicy;
 import majic.bot.BotException;
 import majic.bot.LabAccess;
 import majic.bot.MajicBot;
@@ -84,6 +87,7 @@ public final class MajicFrame extends JFrame {
         setContentPane(content);
         setJMenuBar(new FrameMenu(this, actions));
         Edt.background("reading pictures", () -> readPictures(actions));
+        setFocusTraversalPolicy(new CommandsFirst());
         setMinimumSize(new Dimension(900, 600));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(1280, screen.width), Math.min(800, screen.height));
@@ -106,11 +110,6 @@ public final class MajicFrame extends JFrame {
         mapFeed.start();
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowOpened(WindowEvent event) {
-                commands.line().requestFocusInWindow();
-            }
-
             @Override
             public void windowClosing(WindowEvent event) {
                 quit();
@@ -211,5 +210,15 @@ public final class MajicFrame extends JFrame {
     void complain(String sentence) {
         session.log().write("error", sentence);
         commands.messages().line(new Line(Line.Kind.ERROR, sentence));
+    }
+
+    /** The focus is on the command line from the start, and comes back there when its place is gone. */
+    private final class CommandsFirst extends LayoutFocusTraversalPolicy {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public Component getDefaultComponent(Container window) {
+            return window == MajicFrame.this ? commands.line() : super.getDefaultComponent(window);
+        }
     }
 }

@@ -1,5 +1,6 @@
 package majic.gui;
 
+import java.awt.Container;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -51,6 +52,7 @@ final class StatusStrip extends JPanel {
 
     private void reconnect() {
         reconnect.setEnabled(false);
+        leaveFocus();
         Edt.background("reconnecting robot " + member.number(), () -> {
             try {
                 member.bot().connect();
@@ -61,5 +63,11 @@ final class StatusStrip extends JPanel {
                 Edt.later(() -> reconnect.setEnabled(true));
             }
         });
+    }
+
+    /** The button goes, and its neighbour is no place to type: the window's own place for the focus gets it. */
+    private void leaveFocus() {
+        Container window = getFocusCycleRootAncestor();
+        window.getFocusTraversalPolicy().getDefaultComponent(window).requestFocusInWindow();
     }
 }

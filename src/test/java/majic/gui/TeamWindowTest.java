@@ -61,6 +61,16 @@ class TeamWindowTest {
     }
 
     @Test
+    void afterReconnectOneCanTypeCommands() {
+        ToyBot bot = window.add("one");
+        bot.loseLink();
+        window.click("reconnect1");
+        window.await("the button to go", () -> !window.isShowing("reconnect1"));
+        window.type("1 move 50");
+        assertThat(window.text("commandLine")).isEqualTo("1 move 50");
+    }
+
+    @Test
     void killBotWithoutRobotsSaysThatThereAreNone() {
         window.click("Kill Bot");
         window.awaitMessage("There are no robots yet");
