@@ -108,7 +108,7 @@ public final class BotFactory {
         MajicBot bot = create(text);
         try (bot) {
             bot.connect();
-            return "a " + bot.type().make() + " answers";
+            return bot.introduction() + " answers";
         } catch (BotException e) {
             throw new BotException(bot.type().adviceAfter(String.valueOf(e.getMessage())), e);
         }

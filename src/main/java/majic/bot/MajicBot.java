@@ -278,6 +278,15 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     /**
+     * Who answers there, as far as connecting told.
+     *
+     * @return article and make, {@code a MobileRobots Pioneer}; a driver whose robot tells more adds it
+     */
+    public String introduction() {
+        return "a " + type.make();
+    }
+
+    /**
      * What draws this robot in the window.
      *
      * @return its panel, made on the event dispatch thread; null for "no display available"

@@ -15,6 +15,7 @@ import majic.bot.Pose;
 import majic.bot.Value;
 import majic.link.Link;
 import majic.link.Links;
+import majic.pioneer.arcos.Identity;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -122,6 +123,14 @@ public final class MajicPioneer extends MajicBot {
         }
         adoptProfile(model);
         describe(Equipment.of(model, opened.config()));
+    }
+
+    /** Who answers there, with its model and the name its owner gave it (ARCOS sheet 4). */
+    @Override
+    public String introduction() {
+        Session open = session.get();
+        Identity known = open == null ? null : open.identity();
+        return known == null ? super.introduction() : super.introduction() + known.details();
     }
 
     @Override

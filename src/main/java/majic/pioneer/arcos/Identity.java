@@ -16,4 +16,10 @@ public record Identity(String name, String robotClass, String subclass) {
         Fields fields = packet.fields();
         return new Identity(fields.string(), fields.string(), fields.string());
     }
+
+    /** What follows the make in a sentence: {@code , model p3dx-sh, named "Rosa"}; names that are empty are left out. */
+    public String details() {
+        String model = subclass.isEmpty() ? "" : ", model " + subclass;
+        return name.isEmpty() ? model : model + ", named \"" + name + "\"";
+    }
 }
