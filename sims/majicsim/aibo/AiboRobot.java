@@ -26,6 +26,8 @@ public final class AiboRobot implements Firmware {
     private final Attitude attitude;
     private final Keeper keeper;
     private final Camera camera;
+    private final Speaker speaker = new Speaker(kernel);
+    private final Microphone microphone;
     private double stepMs = 4;
     private double nextCycleMs = Kernel.CYCLE_MS;
 
@@ -46,7 +48,8 @@ public final class AiboRobot implements Firmware {
         Head head = new Head(world, body, devices.joints(), attitude);
         sensors = new Sensors(world, body, head, attitude, gait, own.fork("sensors"));
         Ball ball = new Ball();
-        keeper = new Keeper(sensors, attitude, ball);
+        microphone = new Microphone(kernel, speaker, gait, own.fork("microphone"));
+        keeper = new Keeper(sensors, attitude, ball, speaker, microphone);
         camera = new Camera(new Eye(world, body, head, ball, own.fork("camera")), kernel);
         install(own);
     }
@@ -104,6 +107,7 @@ public final class AiboRobot implements Firmware {
 
     /** What the stick's CLIENT.INI does in a new connection (URBI sheet, section 2). */
     private void greet(Connection connection) {
+        kernel.load(StickScript.CLIENT);
         connection.watch(new PowerMonitor(connection.context().inner("power"), battery));
     }
 
@@ -117,7 +121,8 @@ public final class AiboRobot implements Firmware {
         functions.lasting("robot.stepturn", 1, GaitTask.steps(gait, true));
         functions.builtIn("robot.MyguessPosition", arguments -> Value.of(attitude.guess()));
         functions.builtIn("power", arguments -> Value.of(battery.percent() / 100.0));
-        new Speaker().install(kernel);
+        speaker.install();
+        microphone.install();
         camera.install();
         new Stick().install(functions);
         kernel.greet(this::greet);

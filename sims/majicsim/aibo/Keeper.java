@@ -1,15 +1,21 @@
 package majicsim.aibo;
 
+import java.util.List;
+
 /** What a person beside the dog can do to it, and hear and see of it. All calls with the lab's lock held. */
 public final class Keeper {
     private final Sensors sensors;
     private final Attitude attitude;
     private final Ball ball;
+    private final Speaker speaker;
+    private final Microphone microphone;
 
-    Keeper(Sensors sensors, Attitude attitude, Ball ball) {
+    Keeper(Sensors sensors, Attitude attitude, Ball ball, Speaker speaker, Microphone microphone) {
         this.sensors = sensors;
         this.attitude = attitude;
         this.ball = ball;
+        this.speaker = speaker;
+        this.microphone = microphone;
     }
 
     /**
@@ -45,5 +51,24 @@ public final class Keeper {
     /** Takes the ball out of the room. */
     public void takeBall() {
         ball.takeAway();
+    }
+
+    /**
+     * What its speaker played, and will play of what it was given.
+     *
+     * @return the last 100 sounds, oldest first
+     */
+    public List<Played> played() {
+        return speaker.played();
+    }
+
+    /**
+     * Whistles beside the dog, which its microphones hear; a new whistle ends the one before.
+     *
+     * @param hertz pitch, above 0
+     * @param ms how long from now on
+     */
+    public void whistle(double hertz, double ms) {
+        microphone.whistle(hertz, ms);
     }
 }

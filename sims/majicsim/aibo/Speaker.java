@@ -1,21 +1,90 @@
 package majicsim.aibo;
 
-import java.util.Set;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
 
-/** The speaker: it takes every sound and is done with it at once (URBI sheet, sections 12 and 13). */
+/** The speaker: a sound that comes while one plays follows it without a gap (URBI sheet, sections 12 and 13). */
 final class Speaker {
-    private static final Set<String> FILES =
-            Set.of("bark", "bark2", "beep", "start", "client", "welcome", "battery", "drum1", "test", "tecno");
+    private static final int KEPT = 100;
 
-    void install(Kernel kernel) {
-        Variable sound = new Variable("speaker.val", Value.VOID);
-        sound.properties().blend(Blend.MIX);
-        kernel.variables().put(sound);
-        kernel.variables().put(new Variable("speaker.playing", Value.of(0)));
-        kernel.variables().put(new Variable("speaker.remain", Value.of(0)));
-        kernel.functions().builtIn("speaker.play", arguments -> {
-            String file = arguments.isEmpty() ? "" : Operators.text(arguments.get(0));
-            return Value.of(FILES.contains(file.replaceFirst("\\.wav$", "")));
+    private final Kernel kernel;
+    private final Deque<Played> played = new ArrayDeque<>();
+
+    Speaker(Kernel kernel) {
+        this.kernel = kernel;
+    }
+
+    void install() {
+        Variable val = new Variable("speaker.val", Value.VOID, new Variable.Hardware() {
+            @Override
+            public Value measure() {
+                return Value.VOID;
+            }
+
+            @Override
+            public void receive(Value.Binary binary) {
+                play("sent", Pcm.sound(binary));
+            }
         });
+        val.properties().blend(Blend.MIX);
+        kernel.variables().put(val);
+        kernel.variables().put(new Variable("speaker.playing", Value.of(0), () -> Value.of(remainMs() > 0)));
+        kernel.variables().put(new Variable("speaker.remain", Value.of(0), () -> Value.of(remainMs())));
+        kernel.functions().builtIn("speaker.play", arguments -> Value.of(play(name(arguments))));
+        kernel.functions().builtIn("loadwav", arguments -> load(name(arguments)));
+    }
+
+    /** Plays a file of the stick; false if there is none of that name. */
+    boolean play(String file) {
+        return play(file, StickSounds.named(file));
+    }
+
+    /** What was played last, oldest first. */
+    List<Played> played() {
+        return List.copyOf(played);
+    }
+
+    /** What sounds at a sample of lab time, counted from its start. */
+    int sample(long index) {
+        for (Played each : played) {
+            int value = each.sound().sample((int) (index - Math.round(each.startMs() * Sound.RATE_HZ / 1000)));
+            if (value != 0) {
+                return value;
+            }
+        }
+        return 0;
+    }
+
+    private double remainMs() {
+        return Math.max(0, endMs() - kernel.nowMs());
+    }
+
+    private double endMs() {
+        return played.isEmpty() ? 0 : played.getLast().endMs();
+    }
+
+    private boolean play(String what, @Nullable Sound sound) {
+        if (sound == null) {
+            return false;
+        }
+        played.add(new Played(what, Math.max(kernel.nowMs(), endMs()), sound));
+        if (played.size() > KEPT) {
+            played.removeFirst();
+        }
+        return true;
+    }
+
+    private static Value load(String file) throws Failure {
+        Sound sound = StickSounds.named(file);
+        if (sound == null) {
+            throw Failure.inExpression("Cannot load the file " + file);
+        }
+        return new Value.Binary(sound.wav(), "wav");
+    }
+
+    private static String name(List<Value> arguments) throws Failure {
+        return arguments.isEmpty() ? "" : Operators.text(arguments.get(0));
     }
 }

@@ -42,5 +42,8 @@ final class StickScript {
               & ledBRW.val = 0.5 sin:4s ampli:0.5 phase:-2 },
             """;
 
+    /** What happens when a client comes, beside the battery monitor (URBI sheet, section 2). */
+    static final String CLIENT = "speaker.play(\"client.wav\"), modeB.val = 1,";
+
     private StickScript() {}
 }

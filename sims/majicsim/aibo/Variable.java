@@ -17,6 +17,9 @@ final class Variable {
         /** The command was set to this; already clipped. */
         default void command(double target) {}
 
+        /** It was given bytes. */
+        default void receive(Value.Binary binary) {}
+
         /** Whether it moves, so that derivatives of it make sense. */
         default boolean moves() {
             return false;
@@ -84,6 +87,8 @@ final class Variable {
         target = value instanceof Value.Num num ? Value.of(properties.clip(num.number())) : value;
         if (hardware != null && target instanceof Value.Num num) {
             hardware.command(num.number());
+        } else if (hardware != null && value instanceof Value.Binary binary) {
+            hardware.receive(binary);
         }
     }
 
