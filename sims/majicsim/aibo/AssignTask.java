@@ -1,18 +1,17 @@
 package majicsim.aibo;
 
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** An assignment of a number under way: at once, or along a trajectory; it heeds the variable's blend mode. */
 final class AssignTask extends Task {
     private final Variable variable;
     private final double target;
-    private final Map<String, Double> modifiers;
+    private final Modifiers modifiers;
     private @Nullable Trajectory trajectory;
     private double beganMs;
 
-    AssignTask(Context context, Variable variable, double target, Map<String, Double> modifiers) {
+    AssignTask(Context context, Variable variable, double target, Modifiers modifiers) {
         super(context);
         this.variable = variable;
         this.target = target;
@@ -32,8 +31,30 @@ final class AssignTask extends Task {
             way = begin();
         }
         double elapsedMs = elapsedMs() - beganMs;
+        if (elapsedMs >= modifiers.get("timelimit", Double.POSITIVE_INFINITY)) {
+            variable.submit(now(), context.kernel().pass());
+            return true;
+        }
+        return modifiers.isAdaptive() ? pursue(elapsedMs) : follow(way, elapsedMs);
+    }
+
+    private boolean follow(Trajectory way, double elapsedMs) {
         variable.submit(way.curve().at(elapsedMs), context.kernel().pass());
+        Variable phase = modifiers.phase();
+        if (phase != null) {
+            phase.write(Value.of(way.phase().at(elapsedMs)));
+        }
         return elapsedMs >= way.durationMs();
+    }
+
+    private boolean pursue(double elapsedMs) {
+        Pursuit pursuit = new Pursuit(variable.properties().clip(target), modifiers);
+        variable.submit(pursuit.next(now(), elapsedMs), context.kernel().pass());
+        return pursuit.isThere(now(), variable.properties().number("delta"));
+    }
+
+    private double now() {
+        return variable.read() instanceof Value.Num num ? num.number() : target;
     }
 
     @Override
@@ -74,11 +95,16 @@ final class AssignTask extends Task {
     private Trajectory plan(double from) {
         double clipped = variable.properties().clip(target);
         Trajectory way = Trajectory.of(from, clipped, modifiers);
-        double speedMax = variable.properties().speedMax();
-        if (speedMax < Value.INFINITY && speedMax > 0 && Double.isFinite(way.durationMs())) {
-            Trajectory slow = Trajectory.limited(from, clipped, speedMax);
-            return slow.durationMs() > way.durationMs() ? slow : way;
-        }
-        return way;
+        return Double.isFinite(way.durationMs()) ? within(way, from, clipped) : way;
+    }
+
+    /** The same way not faster than speedmax and not slower than speedmin. */
+    private Trajectory within(Trajectory way, double from, double to) {
+        double speedMax = variable.properties().number("speedmax");
+        double speedMin = variable.properties().number("speedmin");
+        Trajectory fast = speedMin > 0 ? Trajectory.paced(from, to, speedMin) : way;
+        Trajectory chosen = fast.durationMs() < way.durationMs() ? fast : way;
+        Trajectory slow = speedMax > 0 && speedMax < Value.INFINITY ? Trajectory.paced(from, to, speedMax) : chosen;
+        return slow.durationMs() > chosen.durationMs() ? slow : chosen;
     }
 }

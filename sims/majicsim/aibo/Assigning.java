@@ -1,9 +1,7 @@
 package majicsim.aibo;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** The start of an assignment: its value, its modifiers and the variables it goes to (URBI sheet, sections 6 and 10). */
@@ -12,19 +10,28 @@ final class Assigning {
 
     static Task start(Context context, Action.Assign assignment) {
         List<Expr> exprs = new ArrayList<>(List.of(assignment.value()));
-        assignment.modifiers().stream()
-                .filter(modifier -> !modifier.name().equals("getphase"))
-                .forEach(modifier -> exprs.add(modifier.value()));
+        exprs.addAll(Modifiers.expressions(assignment.modifiers()));
         return new Prepared(context, exprs, values -> assign(context, assignment, values));
     }
 
     private static @Nullable Task assign(Context context, Action.Assign assignment, List<Value> values) throws Failure {
-        Map<String, Double> modifiers = modifiers(assignment, values);
+        List<Value> rest = values.subList(1, values.size());
         Value value = values.get(0);
+        Modifiers modifiers = Modifiers.NONE;
+        if (value instanceof Value.Text text) {
+            value = Value.of(Modifiers.compose(text.raw(), assignment.modifiers(), rest));
+        } else {
+            modifiers = Modifiers.of(context, assignment.modifiers(), rest);
+        }
         if (assignment.declares() && context.frame() != null) {
             context.frame().declare(assignment.target().text(), value);
             return null;
         }
+        return write(context, assignment, value, modifiers);
+    }
+
+    private static @Nullable Task write(Context context, Action.Assign assignment, Value value, Modifiers modifiers)
+            throws Failure {
         List<Task> tasks = new ArrayList<>();
         Variables variables = context.kernel().variables();
         boolean make = assignment.declares() || !variables.isStrict();
@@ -35,7 +42,7 @@ final class Assigning {
             if (value instanceof Value.Num num && !(variable.target() instanceof Value.Text)) {
                 tasks.add(number(context, assignment, variable, num.number(), modifiers));
             } else if (variable.isDevice() && !(value instanceof Value.Binary)) {
-                context.kernel().variables().replace(variable, value);
+                variables.replace(variable, value);
             } else {
                 variable.write(value);
             }
@@ -50,30 +57,18 @@ final class Assigning {
         }
     }
 
-    private static Map<String, Double> modifiers(Action.Assign assignment, List<Value> values) throws Failure {
-        Map<String, Double> numbers = new HashMap<>();
-        int next = 1;
-        for (Modifier modifier : assignment.modifiers()) {
-            Trajectory.check(modifier.name());
-            if (!modifier.name().equals("getphase")) {
-                numbers.put(modifier.name(), Operators.number(values.get(next++)));
-            }
-        }
-        return numbers;
-    }
-
     private static Task number(
-            Context context, Action.Assign assignment, Variable variable, double value, Map<String, Double> modifiers)
+            Context context, Action.Assign assignment, Variable variable, double value, Modifiers modifiers)
             throws Failure {
-        double target = assignment.target().suffix().equals("'n")
-                ? variable.properties().denormalize(variable.name(), value)
-                : value;
-        if (modifiers.isEmpty()) {
-            return new AssignTask(context, variable, target, Map.of());
-        }
-        if (!(variable.target() instanceof Value.Num)) {
+        boolean hasStart = variable.target() instanceof Value.Num;
+        if (!modifiers.isEmpty() && !modifiers.oscillates() && !hasStart) {
             throw Failure.of("Modificator error: " + variable.name() + " unknown (no start value)");
         }
-        return new AssignTask(context, variable, target, modifiers);
+        if (!assignment.target().suffix().equals("'n")) {
+            return new AssignTask(context, variable, value, modifiers);
+        }
+        Properties properties = variable.properties();
+        double target = properties.denormalize(variable.name(), Math.max(0, Math.min(1, value)));
+        return new AssignTask(context, variable, target, modifiers.scaled(properties.range()));
     }
 }

@@ -50,7 +50,7 @@ sealed interface Flow extends Statement {
     record Wait(Expr ms) implements Flow {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(ms), values -> new PauseTask(context, values.get(0)));
+            return new Prepared(context, List.of(ms), values -> PauseTask.of(context, values.get(0)));
         }
     }
 

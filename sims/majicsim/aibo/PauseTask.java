@@ -4,9 +4,16 @@ package majicsim.aibo;
 final class PauseTask extends Task {
     private final double ms;
 
-    PauseTask(Context context, Value ms) throws Failure {
+    PauseTask(Context context, double ms) {
         super(context);
-        this.ms = Operators.number(ms);
+        this.ms = ms;
+    }
+
+    static PauseTask of(Context context, Value ms) throws Failure {
+        if (ms instanceof Value.Num number) {
+            return new PauseTask(context, number.number());
+        }
+        throw Failure.of("Invalid type. NUM expected.");
     }
 
     @Override

@@ -71,20 +71,20 @@ final class Properties {
         return blend;
     }
 
-    double speedMax() {
-        return number("speedmax");
-    }
-
     double clip(double value) {
         return Math.max(number("rangemin"), Math.min(number("rangemax"), value));
     }
 
+    double range() {
+        return number("rangemax") - number("rangemin");
+    }
+
     double normalize(String name, double value) throws Failure {
-        return (value - checkedMin(name)) / (number("rangemax") - number("rangemin"));
+        return (value - checkedMin(name)) / range();
     }
 
     double denormalize(String name, double value) throws Failure {
-        return checkedMin(name) + value * (number("rangemax") - number("rangemin"));
+        return checkedMin(name) + value * range();
     }
 
     private double checkedMin(String name) throws Failure {
@@ -94,7 +94,8 @@ final class Properties {
         return number("rangemin");
     }
 
-    private double number(String property) {
+    /** One of the properties that are numbers. */
+    double number(String property) {
         return Objects.requireNonNull(numbers.get(property), property);
     }
 
