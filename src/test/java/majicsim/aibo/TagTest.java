@@ -85,4 +85,20 @@ class TagTest {
         assertThat(client.ask("t+bg+end: wait(300); 9;", 100)).containsExactly("[notag] 9.000000");
         assertThat(client.ask("", 300)).containsExactly("[t] *** end");
     }
+
+    @Test
+    void aFrozenTagHoldsWhatComesWithIt() {
+        client.say("freeze f; f+report: 1, f.part: 2,");
+        assertThat(client.ask("")).isEmpty();
+
+        other.say("unfreeze f;");
+
+        assertThat(client.ask("")).containsExactly("[f] *** begin", "[f] 1.000000", "[f] *** end", "[f.part] 2.000000");
+    }
+
+    @Test
+    void aFlagOfOlderVersionsIsWarnedOf() {
+        assertThat(client.ask("t+timeout(5s): 1;"))
+                .containsExactly("[t] !!! Warning: flag 'timeout' is obsolete", "[t] 1.000000");
+    }
 }
