@@ -75,13 +75,13 @@ public final class PtyPort implements Port {
             Thread.currentThread().interrupt();
         }
         if (!thread.isAlive()) {
-            locked(terminal::close);
+            wiring.locked(terminal::close);
         }
     }
 
     private PtyPort start() {
-        locked(() -> wiring.firmware().connected(line));
-        wiring.faults().attach(() -> {}, () -> locked(line::loseWhatIsUnderWay));
+        wiring.locked(() -> wiring.firmware().connected(line));
+        wiring.faults().attach(() -> {}, () -> wiring.locked(line::loseWhatIsUnderWay));
         thread.start();
         return this;
     }
@@ -110,18 +110,9 @@ public final class PtyPort implements Port {
 
     private void end() {
         open = false;
-        locked(() -> {
+        wiring.locked(() -> {
             line.cut();
             wiring.firmware().disconnected(line);
         });
-    }
-
-    private void locked(Runnable work) {
-        wiring.lock().lock();
-        try {
-            work.run();
-        } finally {
-            wiring.lock().unlock();
-        }
     }
 }

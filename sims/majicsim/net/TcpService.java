@@ -70,7 +70,7 @@ final class TcpService implements Runnable {
 
     private void setInterest(TcpLine line) {
         if (line.key().isValid()) {
-            locked(() -> line.setInterest(wiring.faults().isReading()));
+            wiring.locked(() -> line.setInterest(wiring.faults().isReading()));
         }
     }
 
@@ -78,7 +78,7 @@ final class TcpService implements Runnable {
         for (SelectionKey key : selector.selectedKeys()) {
             if (key.attachment() instanceof TcpLine line) {
                 if (key.isWritable()) {
-                    locked(line::flush);
+                    wiring.locked(line::flush);
                 }
                 if (key.isReadable()) {
                     read(line);
@@ -104,12 +104,12 @@ final class TcpService implements Runnable {
             LOG.log(Level.DEBUG, "{0} is gone: {1}", line.peer(), e.getMessage());
         }
         line.key().cancel();
-        locked(line::clientLeft);
+        wiring.locked(line::clientLeft);
     }
 
     private void endThoseThatAreOver() {
         for (TcpLine line : lines) {
-            locked(() -> {
+            wiring.locked(() -> {
                 if (line.isOver()) {
                     end(line);
                 }
@@ -118,7 +118,7 @@ final class TcpService implements Runnable {
     }
 
     private void end(TcpLine line) {
-        locked(() -> {
+        wiring.locked(() -> {
             line.shut(line.isCut());
             line.cut();
             lines.remove(line);
@@ -153,7 +153,7 @@ final class TcpService implements Runnable {
 
     private void makePlace() {
         if (clients == Clients.ONE) {
-            lines.forEach(line -> locked(line::hurryIfClientLeft));
+            lines.forEach(line -> wiring.locked(line::hurryIfClientLeft));
             endThoseThatAreOver();
         }
     }
@@ -173,23 +173,14 @@ final class TcpService implements Runnable {
         SelectionKey key = channel.register(selector, 0);
         TcpLine line = new TcpLine(channel, key, wiring);
         key.attach(line);
-        locked(() -> {
+        wiring.locked(() -> {
             wiring.firmware().connected(line);
             lines.add(line);
         });
     }
 
     private void cutAll() {
-        locked(() -> lines.forEach(RobotLine::cut));
+        wiring.locked(() -> lines.forEach(RobotLine::cut));
         wakeup();
-    }
-
-    private void locked(Runnable work) {
-        wiring.lock().lock();
-        try {
-            work.run();
-        } finally {
-            wiring.lock().unlock();
-        }
     }
 }

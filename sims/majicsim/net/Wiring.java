@@ -9,4 +9,14 @@ import java.util.concurrent.locks.ReentrantLock;
  * @param firmware of the robot behind the port
  * @param faults ordered for this robot's lines
  */
-public record Wiring(ReentrantLock lock, Firmware firmware, Faults faults) {}
+public record Wiring(ReentrantLock lock, Firmware firmware, Faults faults) {
+    /** Does something while the lab stands still; everything that may call the firmware must. */
+    void locked(Runnable work) {
+        lock.lock();
+        try {
+            work.run();
+        } finally {
+            lock.unlock();
+        }
+    }
+}
