@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 /** The clients that others have written come one after the other to the same port, and half of them go without a word. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class AgainAndAgainTest {
-    private static final int SESSIONS = 100;
+    private static final int SESSIONS = 40;
     private static final List<Kind> NETWORK = List.of(
             link -> new AriaClient(link, false),
             link -> new P2osClient(link, false, false),
