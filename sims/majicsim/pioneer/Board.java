@@ -118,6 +118,19 @@ final class Board {
         drive.enable(on && !devices.stopButton().holdsMotors());
     }
 
+    /** MOVE, where the controller has it. */
+    void move(int mm) {
+        if (model.hasMove()) {
+            drive.move(mm);
+        }
+    }
+
+    /** VEL2 in the model's units. */
+    void wheels(int left, int right) {
+        double unit = model.scaling().vel2UnitMmPerSec();
+        drive.wheels(left * unit, right * unit);
+    }
+
     void step(double seconds) {
         stepNanos = Math.round(seconds * 1e9);
         boot.step(stepNanos);

@@ -23,6 +23,12 @@ final class Reports {
         subscriptions.get(report).ask(argument);
     }
 
+    /** GYRO: its packets with every SIP or none, where there is a gyro. */
+    void askForGyro(boolean on) {
+        boolean wanted = on && board.model().equipment().hasGyro();
+        ask(Report.GYRO, wanted ? Subscription.EVERY_CYCLE : Subscription.NEVER);
+    }
+
     /** The packets of this cycle, each for a write of its own. */
     List<byte[]> next() {
         List<byte[]> packets = new ArrayList<>();

@@ -35,7 +35,7 @@ final class Session {
         this.hangsUp = hangsUp;
         this.handshake = new Handshake(board.name(), board.model());
         this.reports = new Reports(board);
-        this.simulation = new Simulation(board);
+        this.simulation = newSimulation();
     }
 
     Board board() {
@@ -58,6 +58,11 @@ final class Session {
     /** What the client gets without asking again. */
     Reports reports() {
         return reports;
+    }
+
+    /** What the client has of the simulator beside the robot. */
+    Simulation simulation() {
+        return simulation;
     }
 
     boolean isOn(Line other) {
@@ -144,53 +149,6 @@ final class Session {
         board.maintain();
     }
 
-    /** GYRO: its packets with every SIP or none, where there is a gyro. */
-    void askForGyro(boolean on) {
-        boolean wanted = on && board.model().equipment().hasGyro();
-        reports.ask(Report.GYRO, wanted ? Subscription.EVERY_CYCLE : Subscription.NEVER);
-    }
-
-    /** MOVE, where the controller has it. */
-    void move(int mm) {
-        if (board.model().hasMove()) {
-            drive().move(mm);
-        }
-    }
-
-    /** VEL2 in the model's units. */
-    void wheels(int left, int right) {
-        double unit = board.model().scaling().vel2UnitMmPerSec();
-        drive().wheels(left * unit, right * unit);
-    }
-
-    /** The simulated laser of this client. */
-    SimLaser laser() {
-        return simulation.laser();
-    }
-
-    /** SIM_STAT: once and now, with every SIP, or no more. */
-    void simStat(int wish) {
-        if (wish == 1) {
-            send(board.simStat());
-        } else {
-            reports.ask(Report.SIM_STAT, wish);
-        }
-    }
-
-    /** SIM_CTRL. */
-    void control(Argument order) {
-        byte[] answer = simulation.control(order);
-        if (answer != null) {
-            send(answer);
-        }
-    }
-
-    /** SIM_MESSAGE: into the log, without what would upset a terminal. */
-    void show(String text) {
-        String printable = text.replaceAll("[^\\x20-\\x7E]", "?");
-        LOG.log(System.Logger.Level.INFO, "pioneer: message from the client: {0}", printable);
-    }
-
     void send(byte[] packet) {
         trace(">", packet);
         line.send(packet);
@@ -235,9 +193,13 @@ final class Session {
         if (isUnderWay()) {
             watchdog = new Watchdog();
             reports = new Reports(board);
-            simulation = new Simulation(board);
+            simulation = newSimulation();
             board.beginSession();
         }
+    }
+
+    private Simulation newSimulation() {
+        return new Simulation(board, reports, this::send);
     }
 
     private void reportEachCycle(long nanos) {

@@ -3,7 +3,7 @@ package majicsim.pioneer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * SIM_CTRL: orders to the simulator itself (ARCOS sheet 6.2). One client may not change the room under everybody's wheels,
+ * SIM_CTRL and its like: orders to the simulator itself (ARCOS sheet 6.2). One client may not change the room under everybody's wheels,
  * so a map that is asked for is answered as not changed, and never opened.
  */
 final class SimControl {
@@ -23,6 +23,12 @@ final class SimControl {
     /** SIM_EXIT: one client may not end the lab of all. */
     static void refuseToEnd() {
         LOG.log(System.Logger.Level.INFO, "pioneer: a client asked the simulator to end; it goes on");
+    }
+
+    /** SIM_MESSAGE: into the log, without what would upset a terminal. */
+    static void show(String text) {
+        String printable = text.replaceAll("[^\\x20-\\x7E]", "?");
+        LOG.log(System.Logger.Level.INFO, "pioneer: message from the client: {0}", printable);
     }
 
     /** Obeys; returns the packet that answers it, or null. */

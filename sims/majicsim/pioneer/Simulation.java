@@ -1,16 +1,21 @@
 package majicsim.pioneer;
 
 import java.util.List;
-import org.jspecify.annotations.Nullable;
+import java.util.function.Consumer;
 
 /** What one client has of the simulator beside the robot (ARCOS sheet 6.2): its laser, and orders to the simulator itself. */
 final class Simulation {
     private final Board board;
+    private final Reports reports;
+    private final Consumer<byte[]> client;
     private final SimLaser laser;
     private final OldLaserCommands oldLaserCommands;
 
-    Simulation(Board board) {
+    /** Shows what goes on in {@code reports} too, and answers to {@code client} at once. */
+    Simulation(Board board, Reports reports, Consumer<byte[]> client) {
         this.board = board;
+        this.reports = reports;
+        this.client = client;
         this.laser = new SimLaser(board);
         this.oldLaserCommands = new OldLaserCommands(laser);
     }
@@ -24,9 +29,21 @@ final class Simulation {
         return oldLaserCommands.take(id, argument.integer());
     }
 
-    /** SIM_CTRL: obeys; returns the packet that answers it, or null. */
-    byte @Nullable [] control(Argument order) {
-        return SimControl.answer(order, board, laser);
+    /** SIM_STAT: once and now, with every SIP, or no more. */
+    void stat(int wish) {
+        if (wish == 1) {
+            client.accept(board.simStat());
+        } else {
+            reports.ask(Report.SIM_STAT, wish);
+        }
+    }
+
+    /** SIM_CTRL. */
+    void control(Argument order) {
+        byte[] answer = SimControl.answer(order, board, laser);
+        if (answer != null) {
+            client.accept(answer);
+        }
     }
 
     /** What follows the SIP of this cycle. */
