@@ -54,13 +54,13 @@ final class UrbiConnection {
     }
 
     private void readLoop() {
-        UrbiDecoder decoder = new UrbiDecoder();
+        UrbiReader reader = new UrbiReader(watch.time());
         byte[] chunk = new byte[4096];
         String why = "the dog closed it";
         try {
             for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
                 logIncoming(chunk, count);
-                decoder.feed(chunk, count).forEach(this::handle);
+                reader.read(chunk, count).forEach(this::handle);
             }
         } catch (IOException e) {
             why = String.valueOf(e.getMessage());

@@ -12,7 +12,8 @@ import org.jspecify.annotations.Nullable;
  * Cuts what an URBI server sends into messages (URBI sheet 4). Messages end with a line feed, except that a line feed
  * inside the quotes of a value belongs to it, that {@code BIN n} is followed by n raw bytes, and that nothing follows
  * these bytes unless they stand in a list. A text of more than {@value #MAX_TEXT} bytes or a binary of more than
- * {@value #MAX_BINARY} is dropped up to the next line feed. No socket, thread or clock; used by one thread.
+ * {@value #MAX_BINARY} is dropped up to the next line feed. Where bytes were lost, a quote that does not close is given up
+ * at the next line with a prefix, a binary when its reader loses patience. No socket, thread or clock; used by one thread.
  */
 final class UrbiDecoder {
     static final int MAX_TEXT = 64 * 1024;
@@ -49,6 +50,25 @@ final class UrbiDecoder {
         return found;
     }
 
+    /** Whether raw bytes are still to come. */
+    boolean isInBinary() {
+        return binaryLeft > 0;
+    }
+
+    /**
+     * Gives up the binary under way if a message stands inside of what came for it, for then it was cut short; gives that
+     * message and what follows it. Otherwise it stays as it is: the link may just be slow.
+     */
+    List<UrbiMessage> giveUpCutBinary() {
+        int next = isInBinary() ? UrbiPrefix.find(bytes, bodyStart, length) : -1;
+        if (next < 0) {
+            return List.of();
+        }
+        byte[] rest = Arrays.copyOfRange(bytes, next, length);
+        reset();
+        return feed(rest, rest.length);
+    }
+
     private void takeBinary(byte[] chunk, int from, int count) {
         reserve(count);
         System.arraycopy(chunk, from, bytes, length, count);
@@ -73,6 +93,7 @@ final class UrbiDecoder {
             reset();
         } else if (prefix != null) {
             takeBody(next);
+            restartAtPrefix(next);
         } else if (next == ']' && !prefixDecided) {
             prefixDecided = true;
             prefix = UrbiPrefix.parse(bytes, length);
@@ -86,6 +107,24 @@ final class UrbiDecoder {
             bodyStart++;
         } else {
             scan.take(next, length - 1, bodyStart);
+        }
+    }
+
+    /** A quote that never closed hides the messages behind it, until one of them begins a line. */
+    private void restartAtPrefix(byte next) {
+        if (next != ']' || !scan.isQuoted()) {
+            return;
+        }
+        int lineStart = length;
+        while (lineStart > bodyStart && bytes[lineStart - 1] != '\n') {
+            lineStart--;
+        }
+        if (lineStart > bodyStart && UrbiPrefix.find(bytes, lineStart, length) == lineStart) {
+            byte[] rest = Arrays.copyOfRange(bytes, lineStart, length);
+            reset();
+            for (byte again : rest) {
+                takeText(again);
+            }
         }
     }
 

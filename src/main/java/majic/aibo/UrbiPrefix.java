@@ -17,6 +17,15 @@ record UrbiPrefix(long timeMs, String tag) {
 
     private static final Pattern SHAPE = Pattern.compile("\\[(\\d{1,18})(?::([^\\]]*))?\\]");
 
+    /** As servers print it: at least eight digits. */
+    private static final Pattern IN_THE_MIDST = Pattern.compile("\\[\\d{8,18}(?::[\\w.]{1,64})?\\] ?");
+
+    /** Where the first prefix stands within bytes that were taken for something else; −1 if there is none. */
+    static int find(byte[] bytes, int from, int to) {
+        Matcher prefix = IN_THE_MIDST.matcher(new String(bytes, from, to - from, StandardCharsets.ISO_8859_1));
+        return prefix.find() ? from + prefix.start() : -1;
+    }
+
     /** Reads the bytes up to and including the first closing bracket; null if they are no prefix. */
     static @Nullable UrbiPrefix parse(byte[] bytes, int length) {
         if (length > MAX_LENGTH) {

@@ -130,6 +130,38 @@ class UrbiDecoderTest {
     }
 
     @Test
+    void aQuoteThatNeverClosesEndsAtTheNextLineWithAPrefix() {
+        String wire = "[00000001:a] \"stan\n[00000002:b] 2.000000\n[00000003:c] \"stand\"\n";
+
+        assertThat(decode(wire, 5))
+                .extracting(UrbiMessage::body)
+                .containsExactly(new Result(new Num(2)), new Result(new Str("stand")));
+    }
+
+    @Test
+    void anImageCutInHalfIsGivenUpForTheMessagesBehindIt() {
+        UrbiDecoder decoder = new UrbiDecoder();
+        byte[] half = ("[00000001:cam] BIN 1000000 jpeg 208 160\n" + "x".repeat(500_000)
+                        + "[00000002:b] 2.000000\n[00000003:c] 3.0")
+                .getBytes(StandardCharsets.ISO_8859_1);
+        assertThat(decoder.feed(half, half.length)).isEmpty();
+
+        assertThat(decoder.giveUpCutBinary()).containsExactly(new UrbiMessage(2, "b", new Result(new Num(2))));
+        assertThat(decoder.feed(new byte[] {'0', '\n'}, 2))
+                .containsExactly(new UrbiMessage(3, "c", new Result(new Num(3))));
+    }
+
+    @Test
+    void anImageThatIsOnlySlowIsNotGivenUp() {
+        UrbiDecoder decoder = new UrbiDecoder();
+        byte[] header = "[00000001:cam] BIN 4 jpeg 208 160\nab".getBytes(StandardCharsets.ISO_8859_1);
+        decoder.feed(header, header.length);
+
+        assertThat(decoder.giveUpCutBinary()).isEmpty();
+        assertThat(binary(decoder.feed(new byte[] {'c', 'd'}, 2).get(0))).isEqualTo("abcd");
+    }
+
+    @Test
     void aBinaryOfAnImpossibleSizeIsDropped() {
         String wire = "[00000001:a] BIN 999999999\n[00000002:b] 2.000000\n";
 
