@@ -49,6 +49,30 @@ final class ScriptedDog implements AutoCloseable {
     /** How much later than others a connection delivers, from the first walk on it. */
     volatile long latenessMs;
 
+    /** What is wrong with one of its connections. */
+    enum Trouble {
+        NONE,
+        HANGS_UP,
+        SAYS_NOTHING,
+        HALF_A_BANNER,
+        HANGS_UP_AT_A_COMMAND,
+        GARBAGE_FIRST,
+        SAYS_ALL_IN_SINGLE_BYTES
+    }
+
+    private final Map<Integer, Trouble> troubles = new ConcurrentHashMap<>();
+    private int accepted;
+
+    /** Gives the connection of an index in each further attempt to connect a trouble. */
+    synchronized void trouble(int connection, Trouble trouble) {
+        accepted = 0;
+        troubles.put(connection, trouble);
+    }
+
+    private synchronized Trouble next() {
+        return troubles.getOrDefault(accepted++, Trouble.NONE);
+    }
+
     private static ScheduledExecutorService clock() {
         ScheduledThreadPoolExecutor clock = new ScheduledThreadPoolExecutor(1);
         clock.setRemoveOnCancelPolicy(true);
@@ -133,7 +157,7 @@ final class ScriptedDog implements AutoCloseable {
     private void acceptAll() {
         try {
             while (true) {
-                Line line = new Line(server.accept());
+                Line line = new Line(server.accept(), next());
                 lines.add(line);
                 Thread reader = new Thread(line::serve, "scripted dog's line");
                 reader.setDaemon(true);
@@ -158,21 +182,19 @@ final class ScriptedDog implements AutoCloseable {
     /** One connection. */
     private final class Line {
         private final Socket socket;
+        private final Trouble trouble;
         private final CountDownLatch closed = new CountDownLatch(1);
         private volatile boolean deaf;
         private boolean late;
 
-        Line(Socket socket) {
+        Line(Socket socket, Trouble trouble) {
             this.socket = socket;
+            this.trouble = trouble;
         }
 
         void serve() {
             try (InputStream in = socket.getInputStream()) {
-                if (introducesItself) {
-                    say("start", "*** URBI Kernel version " + (speaks15 ? "1.5" : "1.0") + " rev. 153 ");
-                    say("ident", "*** ID: U94665654017648");
-                    say("power", "*** Battery at 87 %");
-                }
+                introduce();
                 StringBuilder pending = new StringBuilder();
                 for (int next = in.read(); next >= 0; next = in.read()) {
                     awaitEndIfDeaf();
@@ -185,6 +207,23 @@ final class ScriptedDog implements AutoCloseable {
                 }
             } catch (IOException e) {
                 close();
+            }
+        }
+
+        private void introduce() {
+            switch (trouble) {
+                case HANGS_UP -> close();
+                case HALF_A_BANNER -> {
+                    write("[00005152:start] *** URBI Ker");
+                    close();
+                }
+                case GARBAGE_FIRST -> write("\u0001\u00ff]] \"[12 BIN 7\n");
+                default -> {}
+            }
+            if (introducesItself && trouble != Trouble.SAYS_NOTHING && !socket.isClosed()) {
+                say("start", "*** URBI Kernel version " + (speaks15 ? "1.5" : "1.0") + " rev. 153 ");
+                say("ident", "*** ID: U94665654017648");
+                say("power", "*** Battery at 87 %");
             }
         }
 
@@ -212,6 +251,10 @@ final class ScriptedDog implements AutoCloseable {
         }
 
         private void run(String command) {
+            if (trouble == Trouble.HANGS_UP_AT_A_COMMAND) {
+                close();
+                return;
+            }
             remember(command);
             late |= latenessMs > 0 && command.contains("robot.walk");
             if (late) {
@@ -303,7 +346,11 @@ final class ScriptedDog implements AutoCloseable {
 
         private synchronized void write(String message) {
             try {
-                socket.getOutputStream().write(message.getBytes(StandardCharsets.ISO_8859_1));
+                byte[] bytes = message.getBytes(StandardCharsets.ISO_8859_1);
+                int piece = trouble == Trouble.SAYS_ALL_IN_SINGLE_BYTES ? 1 : bytes.length;
+                for (int at = 0; at < bytes.length; at += piece) {
+                    socket.getOutputStream().write(bytes, at, piece);
+                }
             } catch (IOException e) {
                 close();
             }

@@ -1,0 +1,83 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.Settings;
+import majic.bot.TimeSource;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A peer that dies or stalls at each step of connecting, and comes back. */
+@Timeout(30)
+class ConnectingTest {
+    private ScriptedDog dog;
+    private MajicAibo aibo;
+
+    @BeforeEach
+    void start() throws IOException {
+        dog = new ScriptedDog();
+        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), Settings.inMemory()));
+    }
+
+    @AfterEach
+    void end() throws IOException {
+        aibo.close();
+        dog.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2})
+    void aConnectionClosedBeforeTheDogIntroducedItselfIsSaidSo(int connection) {
+        refusedThenConnected(connection, ScriptedDog.Trouble.HANGS_UP, "closed the connection at once");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2})
+    void aConnectionThatStaysMuteIsSaidSo(int connection) {
+        refusedThenConnected(connection, ScriptedDog.Trouble.SAYS_NOTHING, "not as an URBI server within 4 s");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2})
+    void aBannerCutInHalfIsNoIntroduction(int connection) {
+        refusedThenConnected(connection, ScriptedDog.Trouble.HALF_A_BANNER, "closed the connection at once");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void aDogThatHangsUpAtTheFirstCommandIsSaidSo(int connection) {
+        refusedThenConnected(connection, ScriptedDog.Trouble.HANGS_UP_AT_A_COMMAND, "");
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = ScriptedDog.Trouble.class,
+            names = {"GARBAGE_FIRST", "SAYS_ALL_IN_SINGLE_BYTES"})
+    void noiseAroundTheBannerKeepsNobodyFromConnecting(ScriptedDog.Trouble trouble) {
+        dog.trouble(1, trouble);
+
+        aibo.connect();
+
+        assertThat(aibo.get("battery").number()).isEqualTo(87);
+    }
+
+    private void refusedThenConnected(int connection, ScriptedDog.Trouble trouble, String message) {
+        dog.trouble(connection, trouble);
+        assertThatThrownBy(aibo::connect).isInstanceOf(BotException.class).hasMessageContaining(message);
+        assertThat(aibo.isConnected()).isFalse();
+
+        dog.trouble(connection, ScriptedDog.Trouble.NONE);
+        aibo.connect();
+
+        assertThat(aibo.isConnected()).isTrue();
+        assertThat(dog.received()).noneMatch(command -> command.contains("robot.stand") || command.contains("motors"));
+    }
+}
