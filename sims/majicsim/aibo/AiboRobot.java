@@ -126,6 +126,6 @@ public final class AiboRobot implements Firmware {
         camera.install();
         new Stick().install(functions);
         kernel.greet(this::greet);
-        kernel.load(StickScript.PROGRAM);
+        kernel.boot(StickScript.PROGRAM);
     }
 }

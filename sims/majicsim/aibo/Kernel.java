@@ -103,11 +103,16 @@ final class Kernel {
         greeting = newcomer;
     }
 
-    /** Runs the stick's program in the kernel's own connection; what is there before it, is there after every reset. */
-    void load(String program) {
+    /** Runs the stick's start script; what is there before it, is there after every reset. */
+    void boot(String program) {
         variables.seal();
         systemGroups = groups.copy();
         startScript = program;
+        load(program);
+    }
+
+    /** Runs a program of the stick in the kernel's own connection. */
+    void load(String program) {
         own.received(program.getBytes(StandardCharsets.ISO_8859_1));
     }
 
@@ -124,7 +129,7 @@ final class Kernel {
 
     /** Runs the stick's program again, and in each connection what a new one has. */
     void reload() {
-        own.received(startScript.getBytes(StandardCharsets.ISO_8859_1));
+        load(startScript);
         connections.stream().filter(each -> each.line() != null).forEach(greeting);
     }
 

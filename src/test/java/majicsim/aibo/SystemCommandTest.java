@@ -99,7 +99,7 @@ class SystemCommandTest {
                         "[reset] *** Reset completed.",
                         "[reset] *** Reloading",
                         "[power] *** Battery at 87 %");
-        assertThat(client.ask("headPan.val->rangemax; robot.walkspeed; robot.own(); robot.x;"))
+        assertThat(client.ask("headPan.val->rangemax; robot.stopwalk(); robot.walkspeed; robot.own(); robot.x;"))
                 .containsExactly(
                         "[notag] 91.000000",
                         "[notag] 1000.000000",
