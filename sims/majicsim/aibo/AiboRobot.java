@@ -43,13 +43,13 @@ public final class AiboRobot implements Firmware {
         body = Body.box("aibo", FRONT_MM, REAR_MM, HALF_WIDTH_MM, start);
         world.add(body);
         devices = new Devices(kernel.variables(), kernel.groups());
-        gait = new Gait(body, devices.legs(), own.fork("gait"));
         attitude = new Attitude(devices.legs());
+        gait = new Gait(body, devices.legs(), attitude, own.fork("gait"));
         Head head = new Head(world, body, devices.joints(), attitude);
         sensors = new Sensors(world, body, head, attitude, gait, own.fork("sensors"));
         Ball ball = new Ball();
         microphone = new Microphone(kernel, speaker, gait, own.fork("microphone"));
-        keeper = new Keeper(sensors, attitude, ball, speaker, microphone);
+        keeper = new Keeper(sensors, attitude, ball, speaker, microphone, battery);
         camera = new Camera(new Eye(world, body, head, ball, own.fork("camera")), kernel);
         install(own);
     }
@@ -74,11 +74,18 @@ public final class AiboRobot implements Firmware {
 
     @Override
     public void connected(Line line) {
+        if (battery.isEmpty()) {
+            line.close();
+            return;
+        }
         kernel.connect(line);
     }
 
     @Override
     public void received(Line line, byte[] bytes) {
+        if (battery.isEmpty()) {
+            return;
+        }
         kernel.received(line, bytes);
         gait.drive(kernel.nowMs(), stepMs);
     }
@@ -91,6 +98,10 @@ public final class AiboRobot implements Firmware {
 
     @Override
     public void step(double seconds) {
+        if (battery.isEmpty()) {
+            body.velocity(0, 0);
+            return;
+        }
         stepMs = seconds * 1000;
         double before = kernel.nowMs();
         kernel.advanceTo(before + stepMs);

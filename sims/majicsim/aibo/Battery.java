@@ -7,13 +7,18 @@ final class Battery {
 
     private double charge = FIRST;
 
-    /** From 0 to 1. */
-    double charge() {
-        return charge;
-    }
-
     int percent() {
         return (int) Math.floor(charge * 100 + 1e-9);
+    }
+
+    /** Once it is empty the dog is dead: nothing in it runs. */
+    boolean isEmpty() {
+        return charge <= 0;
+    }
+
+    /** Puts another one in. */
+    void replace(double newCharge) {
+        charge = newCharge;
     }
 
     void drain(double seconds) {

@@ -39,11 +39,7 @@ final class Devices {
     }
 
     private void joint(JointType type) {
-        Joint joint = new Joint(type);
-        joints.put(type.name(), joint);
-        variables.put(joint.angle());
-        variables.put(joint.load());
-        variables.put(new Variable(type.name() + ".force", Value.of(0)));
+        joints.put(type.name(), new Joint(type, variables));
     }
 
     private Joint joint(String name) {

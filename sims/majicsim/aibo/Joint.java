@@ -8,21 +8,21 @@ final class Joint implements Variable.Hardware {
     /** So far behind its command a joint ran on the real server (capture E: 0.48 degrees at 40 degrees a second). */
     private static final double LAG_SEC = 0.012;
 
-    private static final double MAX_DEG_PER_SEC = 360;
     private static final double RESOLUTION_DEG = 1e-4;
 
     private final JointType type;
     private final Variable angle;
-    private final Variable load;
+    private final Variable proportional;
     private double measuredDeg;
     private double stiffness;
 
-    Joint(JointType type) {
+    Joint(JointType type, Variables variables) {
         this.type = type;
+        proportional = type.gains().install(variables, type.name());
         measuredDeg = type.restDeg();
         angle = new Variable(type.name() + ".val", Value.of(measuredDeg), this);
         angle.properties().range(type.minDeg(), type.maxDeg());
-        load = new Variable(type.name() + ".load", Value.of(0), new Variable.Hardware() {
+        Variable load = new Variable(type.name() + ".load", Value.of(0), new Variable.Hardware() {
             @Override
             public Value measure() {
                 return Value.of(stiffness);
@@ -34,6 +34,9 @@ final class Joint implements Variable.Hardware {
             }
         });
         load.properties().range(0, 1);
+        variables.put(angle);
+        variables.put(load);
+        variables.put(new Variable(type.name() + ".force", Value.of(0), () -> Value.of(force())));
     }
 
     JointType type() {
@@ -42,10 +45,6 @@ final class Joint implements Variable.Hardware {
 
     Variable angle() {
         return angle;
-    }
-
-    Variable load() {
-        return load;
     }
 
     double degrees() {
@@ -76,8 +75,23 @@ final class Joint implements Variable.Hardware {
             measuredDeg = target.number();
             return;
         }
-        double limit = MAX_DEG_PER_SEC * seconds;
-        measuredDeg += Math.max(-limit, Math.min(limit, error * (1 - Math.exp(-seconds / LAG_SEC))));
+        double strength = strength();
+        double limit = type.maxDegPerSec() * seconds * Math.min(1, strength);
+        measuredDeg += Math.max(-limit, Math.min(limit, error * (1 - Math.exp(-seconds * strength / LAG_SEC))));
+    }
+
+    /** What pulls at the motor: how far it is behind, times what pulls it there. */
+    double force() {
+        return angle.target() instanceof Value.Num target ? stiffness * gain() * (target.number() - measuredDeg) : 0;
+    }
+
+    /** 1 for a stiff motor with the gain it has from the start; less follows slower. */
+    private double strength() {
+        return Math.max(0, stiffness * gain() / type.gains().proportional());
+    }
+
+    private double gain() {
+        return proportional.target() instanceof Value.Num num ? num.number() : 0;
     }
 
     private void stiffen(double wanted) {

@@ -9,13 +9,15 @@ public final class Keeper {
     private final Ball ball;
     private final Speaker speaker;
     private final Microphone microphone;
+    private final Battery battery;
 
-    Keeper(Sensors sensors, Attitude attitude, Ball ball, Speaker speaker, Microphone microphone) {
+    Keeper(Sensors sensors, Attitude attitude, Ball ball, Speaker speaker, Microphone microphone, Battery battery) {
         this.sensors = sensors;
         this.attitude = attitude;
         this.ball = ball;
         this.speaker = speaker;
         this.microphone = microphone;
+        this.battery = battery;
     }
 
     /**
@@ -70,5 +72,15 @@ public final class Keeper {
      */
     public void whistle(double hertz, double ms) {
         microphone.whistle(hertz, ms);
+    }
+
+    /**
+     * Puts another battery in while the dog runs. With an empty one the dog is dead: it stands still as it is, says nothing, and
+     * hangs up on who connects. With the next one that is not empty it goes on where it was.
+     *
+     * @param charge 0 (empty) to 1 (full)
+     */
+    public void changeBattery(double charge) {
+        battery.replace(charge);
     }
 }

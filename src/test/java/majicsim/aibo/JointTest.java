@@ -35,6 +35,37 @@ class JointTest {
         assertThat(Double.parseDouble(line.substring(8))).isBetween(26.0, 29.9);
     }
 
+    @Test
+    void aMotorGoesAtMostAsFastAsItCan() {
+        client.say("motors on; neck.val = -79; tailPan.val = 59;");
+        bench.run(200);
+
+        assertThat(number("neck.val;")).isBetween(-38.0, -34.0);
+        assertThat(number("tailPan.val;")).isGreaterThan(58);
+    }
+
+    @Test
+    void aHalfStiffMotorFollowsSlowerAndLessGainDoesToo() {
+        client.say("motors on; neck.load = 0.5; headPan.PGain = 2; neck.val = -79; headPan.val = 80;");
+        bench.run(200);
+
+        assertThat(number("neck.val;")).isBetween(-20.0, -16.0);
+        assertThat(number("headPan.val;")).isBetween(20.0, 30.0);
+        assertThat(number("neck.force;")).isNegative();
+    }
+
+    @Test
+    void theGainsAreThoseOfTheSheet() {
+        assertThat(client.ask("legRF1.PGain; legRF1.IGain; legRF2.PGain; neck.DGain; mouth.PShift; mouth.DShift;"))
+                .containsExactly(
+                        "[notag] 14.000000",
+                        "[notag] 2.000000",
+                        "[notag] 10.000000",
+                        "[notag] 2.000000",
+                        "[notag] 14.000000",
+                        "[notag] 15.000000");
+    }
+
     @ParameterizedTest
     @CsvSource({"time:500, 500", "speed:60, 500", "smooth:400, 400", "time:0, 0"})
     void aModifierSaysHowLongItTakes(String modifier, int ms) {
@@ -92,5 +123,9 @@ class JointTest {
         assertThat(client.ask("p+end: robot.StandUp();", 400)).containsExactly("[p] *** end");
         assertThat(client.ask("p+end: robot.SitDown();", 11_500)).isEmpty();
         assertThat(client.ask("", 1000)).containsExactly("[p] *** end");
+    }
+
+    private double number(String question) {
+        return Double.parseDouble(client.ask(question, 0).get(0).substring(8));
     }
 }

@@ -109,6 +109,14 @@ class WalkTest {
     }
 
     @Test
+    void onItsBackTheLegsGoButTheDogStays() {
+        bench.dog().keeper().roll(180);
+
+        assertThat(client.ask("mv+end: robot.walk(1000);", 1100)).containsExactly("[mv] *** end");
+        assertThat(bench.dog().body().pose().xMm()).isZero();
+    }
+
+    @Test
     void aWalkEndsWithItsConnection() {
         Bench.Client other = bench.client();
         other.ask("robot.walk(10s);", 1000);

@@ -1,0 +1,20 @@
+package majicsim.aibo;
+
+import java.util.List;
+
+/** The factors of a motor's controller (URBI sheet, section 13). */
+record Gains(double proportional, double integral, double differential) {
+    private static final List<Double> SHIFTS = List.of(14.0, 2.0, 15.0);
+
+    /** Makes the fields of a joint; the returned one is its proportional factor, which alone has an effect. */
+    Variable install(Variables variables, String joint) {
+        Variable factor = new Variable(joint + ".PGain", Value.of(proportional));
+        variables.put(factor);
+        variables.put(new Variable(joint + ".IGain", Value.of(integral)));
+        variables.put(new Variable(joint + ".DGain", Value.of(differential)));
+        variables.put(new Variable(joint + ".PShift", Value.of(SHIFTS.get(0))));
+        variables.put(new Variable(joint + ".IShift", Value.of(SHIFTS.get(1))));
+        variables.put(new Variable(joint + ".DShift", Value.of(SHIFTS.get(2))));
+        return factor;
+    }
+}
