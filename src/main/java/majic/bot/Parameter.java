@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param kind what values it takes
  * @param unit what its numbers count; a number typed without unit is in it
  * @param range the numbers it may have; what lies outside is refused
+ * @param whole whether it may have whole numbers only
  * @param choices the words it may have, for {@link Kind#CHOICE}
  * @param readable whether {@code get} is allowed
  * @param writable whether {@code set} is allowed
@@ -24,12 +25,16 @@ public record Parameter(
         Kind kind,
         Unit unit,
         Range range,
+        boolean whole,
         List<String> choices,
         boolean readable,
         boolean writable,
         boolean moves,
         List<Parameter> extras,
         String help) {
+
+    /** What converting seconds to milliseconds may leave behind the point. */
+    private static final double CONVERSION_ERROR = 1e-6;
 
     /** What values a parameter takes. */
     public enum Kind {
@@ -123,7 +128,7 @@ public record Parameter(
     }
 
     private static Parameter of(String name, Kind kind, Unit unit, List<String> choices, String help) {
-        return new Parameter(name, kind, unit, Range.ANY, choices, true, false, false, List.of(), help);
+        return new Parameter(name, kind, unit, Range.ANY, false, choices, true, false, false, List.of(), help);
     }
 
     /**
@@ -134,7 +139,17 @@ public record Parameter(
      * @return a new description
      */
     public Parameter within(double min, double max) {
-        return new Parameter(name, kind, unit, new Range(min, max), choices, readable, writable, moves, extras, help);
+        return new Parameter(
+                name, kind, unit, new Range(min, max), whole, choices, readable, writable, moves, extras, help);
+    }
+
+    /**
+     * The same for whole numbers only.
+     *
+     * @return a new description
+     */
+    public Parameter inWholes() {
+        return new Parameter(name, kind, unit, range, true, choices, readable, writable, moves, extras, help);
     }
 
     /**
@@ -146,15 +161,15 @@ public record Parameter(
     public Parameter with(Parameter extra) {
         List<Parameter> more = new ArrayList<>(extras);
         more.add(extra);
-        return new Parameter(name, kind, unit, range, choices, readable, writable, moves, more, help);
+        return new Parameter(name, kind, unit, range, whole, choices, readable, writable, moves, more, help);
     }
 
     Parameter named(String other) {
-        return new Parameter(other, kind, unit, range, choices, readable, writable, moves, extras, help);
+        return new Parameter(other, kind, unit, range, whole, choices, readable, writable, moves, extras, help);
     }
 
     Parameter access(boolean read, boolean write, boolean moving) {
-        return new Parameter(name, kind, unit, range, choices, read, write, moving, extras, help);
+        return new Parameter(name, kind, unit, range, whole, choices, read, write, moving, extras, help);
     }
 
     /**
@@ -163,8 +178,8 @@ public record Parameter(
      *
      * @param given a value as typed or as handed in by a program
      * @return the value, of this parameter's kind and in its unit
-     * @throws ParameterException if the value is of another kind or unit, or outside of the range; the message says
-     *     what would be right
+     * @throws ParameterException if the value is of another kind or unit, outside of the range, or a fraction of what is
+     *     counted in wholes; the message says what would be right
      */
     public Value fit(Value given) {
         return switch (kind) {
@@ -184,7 +199,15 @@ public record Parameter(
         if (!range.contains(amount)) {
             throw wrong(given, "outside " + range + (unit == Unit.NONE ? "" : " " + unit.symbol()));
         }
-        return Value.of(amount, unit);
+        return Value.of(whole ? toWhole(given, amount) : amount, unit);
+    }
+
+    private double toWhole(Value given, double amount) {
+        double nearest = Math.rint(amount);
+        if (Math.abs(amount - nearest) > CONVERSION_ERROR) {
+            throw wrong(given, "not a whole number");
+        }
+        return nearest;
     }
 
     private double convert(Value.Number number) {

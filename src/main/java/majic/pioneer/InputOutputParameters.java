@@ -30,9 +30,10 @@ final class InputOutputParameters implements Theme {
         describeOutputs(table);
         table.add(
                         Parameter.number("analogPort", Unit.NONE, "which analog input \"analog\" shows")
-                                .within(0, LAST_PORT),
+                                .within(0, LAST_PORT)
+                                .inWholes(),
                         access.state(state -> number(state.ports().analogPort())))
-                .writes(values -> select(Whole.of("analogPort", values.get(0))));
+                .writes(values -> select((int) values.get(0).number()));
         table.add(
                 Parameter.number("analog", Unit.V, "the chosen analog input, 0 to 5 V"),
                 access.state(state -> volts(state.ports().analogVolts())));
@@ -73,9 +74,10 @@ final class InputOutputParameters implements Theme {
     private void describeOutputs(ParameterTable table) {
         table.add(
                         Parameter.number("digitalOut", Unit.NONE, "all digital outputs as one number, output 0 lowest")
-                                .within(0, BYTE),
+                                .within(0, BYTE)
+                                .inWholes(),
                         access.state(state -> number(state.ports().digitalOut())))
-                .writes(values -> put(Whole.of("digitalOut", values.get(0)), BYTE));
+                .writes(values -> put((int) values.get(0).number(), BYTE));
         for (int line = 0; line < LINES; line++) {
             int bit = 1 << line;
             table.add(

@@ -66,10 +66,11 @@ final class SonarParameters implements Theme {
         }
         table.add(
                         Parameter.number("sonarCycle", Unit.MS, "from one disc of an array to the next")
-                                .within(FASTEST_MS, SLOWEST_MS),
+                                .within(FASTEST_MS, SLOWEST_MS)
+                                .inWholes(),
                         cycle.reader(access.config(config -> Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS))))
                 .writes(values ->
-                        cycle.tell(Command.SONARCYCLE.packet(Whole.of("sonarCycle", values.get(0))), values.get(0)));
+                        cycle.tell(Command.SONARCYCLE.packet((int) values.get(0).number()), values.get(0)));
     }
 
     private static Value range(int disc, PioneerState state) {

@@ -26,7 +26,8 @@ final class Tune {
         List<Parameter> tone = List.of(
                 Parameter.number("duration", Unit.MS, "how long").within(STEP_MS, STEP_MS * MOST_STEPS),
                 Parameter.number("note", Unit.NONE, "0 silence, to 127 a MIDI note, above it (note - 127) * 32 Hz")
-                        .within(0, 255));
+                        .within(0, 255)
+                        .inWholes());
         return new BotCommand(
                 "tones",
                 tone,
@@ -43,7 +44,7 @@ final class Tune {
         ByteArrayOutputStream pairs = new ByteArrayOutputStream();
         for (int index = 0; index < arguments.size(); index += 2) {
             pairs.write((int) Math.round(arguments.get(index).number() / STEP_MS));
-            pairs.write(Whole.of("note", arguments.get(index + 1)));
+            pairs.write((int) arguments.get(index + 1).number());
         }
         access.send(Command.SAY.packet(pairs.toByteArray()));
         double seconds = 0;

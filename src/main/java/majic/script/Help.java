@@ -144,7 +144,7 @@ final class Help {
             case NUMBER, LIST -> {
                 boolean bounded = !parameter.range().equals(Range.ANY);
                 String unit = parameter.unit() == Unit.NONE
-                        ? "number"
+                        ? parameter.whole() ? "whole number" : "number"
                         : parameter.unit().symbol();
                 yield bounded ? parameter.range() + " " + unit : unit;
             }

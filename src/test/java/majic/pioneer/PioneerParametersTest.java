@@ -128,7 +128,15 @@ class PioneerParametersTest {
 
         assertThat(orders())
                 .containsSubsequence("DIGOUT " + (0xFF00 | 0x15), "DIGOUT " + (0x0800 | 0x08), "DIGOUT " + 0x0800);
-        assertThatThrownBy(() -> bot.set("digitalOut", 2.5)).hasMessage("digitalOut 2.5: not a whole number");
+    }
+
+    @Test
+    void whatTheRobotTakesOnlyWholeIsRefusedBeforeAnythingIsSent() {
+        List<Value> fraction = List.of(Value.of(2.5, Unit.NONE));
+        for (String parameter : List.of("digitalOut", "analogPort")) {
+            assertThatThrownBy(() -> bot.checkSet(parameter, fraction))
+                    .hasMessage(parameter + " 2.5: not a whole number");
+        }
     }
 
     @Test
