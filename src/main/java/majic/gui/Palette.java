@@ -3,6 +3,7 @@ package majic.gui;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
 import javax.swing.UIManager;
+import majic.panel.Ink;
 
 /** Colours with a meaning, readable in the look that is on now. */
 final class Palette {
@@ -22,7 +23,7 @@ final class Palette {
     }
 
     static Color error() {
-        return FlatLaf.isLafDark() ? new Color(0xFF8A80) : new Color(0xB3261E);
+        return Ink.ofTheLook().alarm();
     }
 
     /**

@@ -18,17 +18,27 @@ import javax.swing.UIManager;
 public record Ink(Color line, Color paper, Color accent, Color alarm) {
     private static final float FIGURES = 0.85f;
 
+    /** The look's own red is too faint to be read on its paper. */
+    private static final Color ALARM_ON_LIGHT = new Color(0xB3261E);
+
+    private static final Color ALARM_ON_DARK = new Color(0xFF8A80);
+
     /**
      * The present look's; plain ones where there is no look.
      *
      * @return taken at this moment
      */
     public static Ink ofTheLook() {
+        Color paper = color("Panel.background", Color.WHITE);
         return new Ink(
                 color("Label.foreground", Color.BLACK),
-                color("Panel.background", Color.WHITE),
+                paper,
                 color("Component.linkColor", Color.BLUE),
-                color("Actions.Red", Color.RED));
+                isDark(paper) ? ALARM_ON_DARK : ALARM_ON_LIGHT);
+    }
+
+    private static boolean isDark(Color paper) {
+        return paper.getRed() + paper.getGreen() + paper.getBlue() < 3 * 128;
     }
 
     /**

@@ -51,6 +51,8 @@ record LightIcon(Light.Kind kind) implements Icon {
         triangle.closePath();
         fill(pen, "Actions.Yellow", triangle);
         pen.setColor(Color.BLACK);
+        pen.setStroke(Ink.stroke(0.8));
+        pen.draw(triangle);
         pen.setStroke(Ink.stroke(1.4));
         pen.draw(new Line2D.Double(6, 4.5, 6, 7.5));
         pen.draw(new Line2D.Double(6, 9.6, 6, 9.7));
@@ -69,8 +71,10 @@ record LightIcon(Light.Kind kind) implements Icon {
             }
         }
         octagon.closePath();
-        fill(pen, "Actions.Red", octagon);
-        pen.setColor(Color.WHITE);
+        Ink ink = Ink.ofTheLook();
+        pen.setColor(ink.alarm());
+        pen.fill(octagon);
+        pen.setColor(ink.paper());
         pen.setStroke(Ink.stroke(1.7));
         pen.draw(new Line2D.Double(3.8, 3.8, 8.2, 8.2));
         pen.draw(new Line2D.Double(3.8, 8.2, 8.2, 3.8));

@@ -1,0 +1,72 @@
+package majic.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.Color;
+import java.util.stream.Stream;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What is drawn with the look's colours can be made out, in the light look and in the dark one. */
+class InkTest {
+    /** WCAG 2.1, success criterion 1.4.3, for text. */
+    private static final double TEXT = 4.5;
+
+    /** WCAG 2.1, success criterion 1.4.11, for what is not text. */
+    private static final double SHAPES = 3;
+
+    static Stream<FlatLaf> looks() {
+        return Stream.of(new FlatLightLaf(), new FlatDarkLaf());
+    }
+
+    @AfterEach
+    void leaveTheUsualLook() throws Exception {
+        SwingUtilities.invokeAndWait(FlatLightLaf::setup);
+    }
+
+    @ParameterizedTest
+    @MethodSource("looks")
+    void wordsAndFiguresCanBeReadInBothLooks(FlatLaf look) throws Exception {
+        Ink ink = inkOf(look);
+
+        assertThat(contrast(ink.line(), ink.paper())).isGreaterThanOrEqualTo(TEXT);
+        assertThat(contrast(ink.alarm(), ink.paper())).isGreaterThanOrEqualTo(TEXT);
+    }
+
+    @ParameterizedTest
+    @MethodSource("looks")
+    void shapesStandOutInBothLooks(FlatLaf look) throws Exception {
+        Ink ink = inkOf(look);
+        assertThat(contrast(ink.accent(), ink.paper())).isGreaterThanOrEqualTo(SHAPES);
+    }
+
+    private static Ink inkOf(FlatLaf look) throws Exception {
+        Ink[] ink = new Ink[1];
+        SwingUtilities.invokeAndWait(() -> {
+            FlatLaf.setup(look);
+            ink[0] = Ink.ofTheLook();
+        });
+        return ink[0];
+    }
+
+    /** WCAG 2.1, contrast ratio: 1 to 21. */
+    private static double contrast(Color one, Color other) {
+        double a = luminance(one) + 0.05;
+        double b = luminance(other) + 0.05;
+        return Math.max(a, b) / Math.min(a, b);
+    }
+
+    private static double luminance(Color color) {
+        return 0.2126 * linear(color.getRed()) + 0.7152 * linear(color.getGreen()) + 0.0722 * linear(color.getBlue());
+    }
+
+    private static double linear(int channel) {
+        double share = channel / 255.0;
+        return share <= 0.04045 ? share / 12.92 : Math.pow((share + 0.055) / 1.055, 2.4);
+    }
+}
