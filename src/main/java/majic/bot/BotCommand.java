@@ -9,8 +9,9 @@ import org.jspecify.annotations.Nullable;
  * A command that only one type of robot has, such as {@code calibrate}. Immutable.
  *
  * @param name its word in MAJIC Script; letters and digits
- * @param arguments what it takes, in order; each is required
- * @param repeated what may follow behind them, all of these in order and any number of times
+ * @param arguments what it takes, in order; each is required, but the extras of the last one are not
+ * @param repeated what may follow behind them, all of these in order and any number of times; empty where the last
+ *     argument has extras
  * @param moves whether it moves the robot or may do so, as a raw command may; it then needs the robot to be free
  * @param help one line for people
  * @param action what it does
@@ -62,7 +63,16 @@ public record BotCommand(
 
     /** The names of its arguments as people read them. */
     String argumentNames() {
-        return repeated.isEmpty() ? names(arguments) : names(arguments) + " [" + names(repeated) + "]...";
+        String optional = optional().stream()
+                .map(extra -> " [" + names(List.of(extra)) + "]")
+                .collect(Collectors.joining());
+        return names(arguments) + optional + (repeated.isEmpty() ? "" : " [" + names(repeated) + "]...");
+    }
+
+    private List<Parameter> optional() {
+        return arguments.isEmpty()
+                ? List.of()
+                : arguments.get(arguments.size() - 1).extras();
     }
 
     private static String names(List<Parameter> some) {
@@ -81,12 +91,17 @@ public record BotCommand(
         if (index < arguments.size()) {
             return arguments.get(index);
         }
-        return repeated.isEmpty() ? null : repeated.get((index - arguments.size()) % repeated.size());
+        int further = index - arguments.size();
+        if (further < optional().size()) {
+            return optional().get(further);
+        }
+        return repeated.isEmpty() ? null : repeated.get(further % repeated.size());
     }
 
     /** Whether it can be given so many arguments. */
     boolean takes(int count) {
         int further = count - arguments.size();
-        return further == 0 || further > 0 && !repeated.isEmpty() && further % repeated.size() == 0;
+        boolean rounds = further > 0 && !repeated.isEmpty() && further % repeated.size() == 0;
+        return rounds || further >= 0 && further <= optional().size();
     }
 }

@@ -6,6 +6,8 @@ package majic.bot;
  * @param bodyMm radius of a circle it fits in, around its turning centre
  * @param speed the speeds it can go, mm/s, both signs
  * @param turn the rates it can turn at, deg/s, both signs
+ * @param slowestMmPerSec the least that {@code cruise} may be set to
+ * @param slowestTurnDegPerSec the least that {@code cruiseTurn} may be set to
  * @param cruiseMmPerSec how fast {@code move} goes unless told otherwise: a careful choice
  * @param cruiseTurnDegPerSec how fast {@code turn} goes unless told otherwise
  * @param nearMm what counts as close for it
@@ -15,7 +17,33 @@ public record BotProfile(
         double bodyMm,
         Range speed,
         Range turn,
+        double slowestMmPerSec,
+        double slowestTurnDegPerSec,
         double cruiseMmPerSec,
         double cruiseTurnDegPerSec,
         double nearMm,
-        boolean estimates) {}
+        boolean estimates) {
+    private static final double CRAWL = 1;
+
+    /**
+     * For robots that go as slowly as anybody asks for.
+     *
+     * @param bodyMm radius of a circle it fits in
+     * @param speed the speeds it can go, mm/s
+     * @param turn the rates it can turn at, deg/s
+     * @param cruiseMmPerSec how fast {@code move} goes unless told otherwise
+     * @param cruiseTurnDegPerSec how fast {@code turn} goes unless told otherwise
+     * @param nearMm what counts as close for it
+     * @param estimates whether its pose is only dead reckoning
+     */
+    public BotProfile(
+            double bodyMm,
+            Range speed,
+            Range turn,
+            double cruiseMmPerSec,
+            double cruiseTurnDegPerSec,
+            double nearMm,
+            boolean estimates) {
+        this(bodyMm, speed, turn, CRAWL, CRAWL, cruiseMmPerSec, cruiseTurnDegPerSec, nearMm, estimates);
+    }
+}

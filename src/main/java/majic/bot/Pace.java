@@ -49,12 +49,16 @@ final class Pace {
     void describe(ParameterTable table) {
         table.add(
                         Parameter.number("cruise", Unit.MM_PER_S, "how fast move goes")
-                                .within(1, profile.speed().max()),
+                                .within(
+                                        profile.slowestMmPerSec(),
+                                        profile.speed().max()),
                         () -> Value.of(cruiseMmPerSec(), Unit.MM_PER_S))
                 .writes(values -> wantedCruise = values.get(0).number());
         table.add(
                         Parameter.number("cruiseTurn", Unit.DEG_PER_S, "how fast turn goes")
-                                .within(1, profile.turn().max()),
+                                .within(
+                                        profile.slowestTurnDegPerSec(),
+                                        profile.turn().max()),
                         () -> Value.of(cruiseTurnDegPerSec(), Unit.DEG_PER_S))
                 .writes(values -> wantedCruiseTurn = values.get(0).number());
         table.add(

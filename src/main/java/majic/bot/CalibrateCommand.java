@@ -1,0 +1,115 @@
+package majic.bot;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.DoubleFunction;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The command by which a person with a ruler teaches a robot its own pace: {@code calibrate forward} moves it and says
+ * what to measure, {@code calibrate forward 940mm} tells it what was measured. Safe from any thread.
+ */
+public final class CalibrateCommand {
+    private static final String NAME = "calibrate";
+    private static final Pattern MEASURED = Pattern.compile("(-?\\d+(?:\\.\\d+)?)(?: (\\S+))?");
+
+    private final Pupil pupil;
+    private final Map<String, Trial> trials = new ConcurrentHashMap<>();
+
+    /** A robot that can be taught. */
+    public interface Pupil {
+        /**
+         * What can be measured.
+         *
+         * @return words for it, such as {@code forward}
+         */
+        List<String> directions();
+
+        /**
+         * Moves the robot so that somebody can measure it. Says beforehand what to mark.
+         *
+         * @param direction one of {@link #directions()}
+         * @param motion for sending and waiting
+         * @return what it did
+         */
+        Trial go(String direction, Motion motion);
+    }
+
+    /**
+     * What a robot has done to be measured. Can be learned from more than once, so that a slip of the pen can be mended.
+     *
+     * @param believed how far it takes itself to have gone, positive, mm or degrees
+     * @param unit of that
+     * @param lesson takes what was measured, positive, in that unit; keeps what follows and tells old and new, or throws
+     *     a {@link BotException} if it is absurd
+     */
+    public record Trial(double believed, Unit unit, DoubleFunction<String> lesson) {}
+
+    private CalibrateCommand(Pupil pupil) {
+        this.pupil = pupil;
+    }
+
+    /**
+     * The command for a robot.
+     *
+     * @param pupil what moves and learns
+     * @return a command that moves the robot
+     */
+    public static BotCommand of(Pupil pupil) {
+        Parameter measured = Parameter.text("measured", "what the ruler says");
+        Parameter direction =
+                Parameter.choice("direction", pupil.directions(), "which way").with(measured);
+        return new BotCommand(
+                NAME,
+                List.of(direction),
+                true,
+                String.join(", ", pupil.directions())
+                        + ": moves and says what to measure; then the same with what you measured behind it",
+                new CalibrateCommand(pupil)::run);
+    }
+
+    private String run(List<Value> arguments, Motion motion) {
+        String direction = arguments.get(0).toString();
+        return arguments.size() == 1
+                ? go(direction, motion)
+                : learn(direction, arguments.get(1).toString());
+    }
+
+    /** What was done before is forgotten at once: nobody measures that any more. */
+    private String go(String direction, Motion motion) {
+        trials.remove(direction);
+        Trial trial = pupil.go(direction, motion);
+        trials.put(direction, trial);
+        String turns = trial.unit() == Unit.DEG ? " (a whole turn counts 360)" : "";
+        return String.format(
+                Locale.ROOT,
+                "it takes this for %s; measure it%s and type what you saw, as in: %s %s %.0f%s",
+                Value.about(trial.believed(), trial.unit()),
+                turns,
+                NAME,
+                direction,
+                trial.believed(),
+                trial.unit().symbol());
+    }
+
+    private String learn(String direction, String measured) {
+        Trial trial = trials.get(direction);
+        String typed = NAME + " " + direction;
+        if (trial == null) {
+            throw new BotException(
+                    typed + " " + measured + ": nothing to measure yet; \"" + typed + "\" alone moves it first");
+        }
+        Matcher number = MEASURED.matcher(measured);
+        boolean fits = number.matches()
+                && (number.group(2) == null
+                        || number.group(2).equals(trial.unit().symbol()));
+        if (!fits || Double.parseDouble(number.group(1)) <= 0) {
+            throw new BotException(typed + " " + measured + ": type how far it went as a number above 0 in "
+                    + trial.unit().symbol() + ", without a sign");
+        }
+        return trial.lesson().apply(Double.parseDouble(number.group(1)));
+    }
+}
