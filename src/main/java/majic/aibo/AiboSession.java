@@ -74,6 +74,7 @@ final class AiboSession {
         try {
             lastWordNanos = watch.time().nanos();
             guard.install();
+            dog.legSpeed().look(links.sensors(), tags);
             for (Sensor.Rate rate : Sensor.Rate.values()) {
                 links.sensors().send(poll.order(rate, links.sensors().dialect()));
             }
@@ -132,6 +133,11 @@ final class AiboSession {
     /** Whether the dog has said nothing for so long that it must not move. */
     boolean isSilent() {
         return watch.time().secondsSince(lastWordNanos) > SILENCE_S;
+    }
+
+    /** Says something to the person. */
+    void say(String message) {
+        robot.say(message);
     }
 
     /** Asks for a value. */
@@ -209,7 +215,8 @@ final class AiboSession {
     /** Stops, says goodbye, closes. */
     void close() {
         driving.forget();
-        links.close(Runner.STOP_GAITS + own(runner.current()) + sweep.halt() + " " + guard.stop() + " " + poll.stop());
+        links.close(Runner.STOP_GAITS + own(runner.current()) + sweep.halt() + " " + guard.stop() + " " + poll.stop()
+                + dog.legSpeed().restore());
     }
 
     private static String own(@Nullable Running running) {

@@ -1,15 +1,18 @@
 package majic.aibo;
 
+import java.util.Locale;
 import java.util.Optional;
+import majic.bot.BotException;
+import majic.bot.Range;
 import majic.bot.Settings;
 
 /**
- * How long this very dog takes for a millimetre or a degree. Kept in the user's settings under {@code
- * aibo.HOST.forward}, {@code .backward} (ms per mm), {@code .left}, {@code .right} (ms per degree).
+ * How long this very dog takes for a millimetre or a degree at the usual pace of its legs. Kept in the user's settings
+ * under {@code aibo.HOST.forward}, {@code .backward} (ms per mm), {@code .left}, {@code .right} (ms per degree).
  */
 final class Calibration {
-    /** What a factor may be, times the usual one; anything else is a slip of the pen. */
-    private static final double MOST_TIMES_USUAL = 10;
+    /** What a factor may be, times the usual one or that part of it; anything else is a slip of the pen. */
+    private static final double MOST_TIMES_USUAL = 4;
 
     private final Settings settings;
     private final String keyStem;
@@ -19,23 +22,58 @@ final class Calibration {
         this.keyStem = "aibo." + host + ".";
     }
 
-    /** Milliseconds for one mm or one degree of a gait. */
+    /** Milliseconds for one mm or one degree of a gait at the usual pace. */
     double msPerUnit(Gait gait) {
         return settings.get(keyStem + gait.key())
                 .flatMap(text -> plausible(text, gait))
                 .orElse(gait.usualMsPerUnit());
     }
 
-    /** How fast a gait goes, mm/s or deg/s, always positive. */
-    double unitsPerSecond(Gait gait) {
-        return 1000 / msPerUnit(gait);
+    /** What a factor may be. */
+    static Range range(Gait gait) {
+        return new Range(gait.usualMsPerUnit() / MOST_TIMES_USUAL, gait.usualMsPerUnit() * MOST_TIMES_USUAL);
+    }
+
+    /**
+     * Takes over a factor and keeps it.
+     *
+     * @throws BotException if it could not be kept for the next start
+     */
+    void keep(Gait gait, double msPerUnit) {
+        settings.put(keyStem + gait.key(), String.format(Locale.ROOT, "%.3f", msPerUnit));
+    }
+
+    /** A gait at the usual pace of the legs. */
+    Stride stride(Gait gait) {
+        return stride(gait, Stride.USUAL_CYCLE_MS);
+    }
+
+    /** A gait at a speed in mm/s or deg/s, positive, or as near to it as the dog's legs can do. */
+    Stride strideAt(Gait gait, double unitsPerSecond) {
+        double cycleMs = Stride.USUAL_CYCLE_MS * stride(gait).unitsPerSecond() / unitsPerSecond;
+        Range possible = new Range(Stride.FASTEST_CYCLE_MS, Stride.SLOWEST_CYCLE_MS);
+        return stride(gait, (int) Math.round(possible.clamp(cycleMs)));
+    }
+
+    /** A gait as fast as the dog's feet hold. */
+    Stride fastest(Gait gait) {
+        return stride(gait, Stride.FASTEST_CYCLE_MS);
+    }
+
+    /** A gait as slow as it still makes sense. */
+    Stride slowest(Gait gait) {
+        return stride(gait, Stride.SLOWEST_CYCLE_MS);
+    }
+
+    /** The speed scales with the pace of the legs until the feet slip (URBI sheet 15, "Calibration"). */
+    private Stride stride(Gait gait, int cycleMs) {
+        return new Stride(gait, cycleMs, msPerUnit(gait) * cycleMs / Stride.USUAL_CYCLE_MS);
     }
 
     private static Optional<Double> plausible(String text, Gait gait) {
         try {
-            double ratio = Double.parseDouble(text) / gait.usualMsPerUnit();
-            boolean fits = ratio >= 1 / MOST_TIMES_USUAL && ratio <= MOST_TIMES_USUAL;
-            return fits ? Optional.of(Double.parseDouble(text)) : Optional.empty();
+            double msPerUnit = Double.parseDouble(text);
+            return range(gait).contains(msPerUnit) ? Optional.of(msPerUnit) : Optional.empty();
         } catch (NumberFormatException e) {
             return Optional.empty();
         }

@@ -11,6 +11,7 @@ final class Dog {
     private final Senses senses = new Senses();
     private final InfraRed infraRed = new InfraRed(senses);
     private final Surroundings surroundings = new Surroundings();
+    private final LegSpeed legSpeed = new LegSpeed();
     private final DeadReckoning reckoning = new DeadReckoning();
     private volatile boolean afoot;
     private volatile long serverMs;
@@ -29,6 +30,10 @@ final class Dog {
 
     InfraRed infraRed() {
         return infraRed;
+    }
+
+    LegSpeed legSpeed() {
+        return legSpeed;
     }
 
     DeadReckoning reckoning() {
@@ -70,7 +75,7 @@ final class Dog {
 
     /** What it shares with all robots, while it walks a piece or none. */
     BotState state(@Nullable Piece piece, boolean moving, long nowNanos) {
-        double pace = piece == null ? 0 : piece.gait().sign() * calibration.unitsPerSecond(piece.gait());
+        double pace = piece == null ? 0 : piece.unitsPerSecond();
         boolean walks = piece != null && piece.gait().isWalk();
         return new BotState(reckoning.at(serverMs), walks ? pace : 0, walks ? 0 : pace, moving, nowNanos);
     }

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * What {@code drive} makes of a speed and a turn rate: the dog has one gait at a time, so whichever dominates is walked,
- * in short pieces, each begun when the one before has ended, as long as somebody drives. Nothing here waits.
+ * at its speed as far as the legs can, in short pieces, each begun when the one before has ended, as long as somebody drives. Nothing here waits.
  */
 final class Driving {
     private static final double PIECE_MS = 600;
@@ -15,7 +15,7 @@ final class Driving {
 
     private final AiboSession session;
     private final Consumer<String> notice;
-    private volatile @Nullable Gait wanted;
+    private volatile @Nullable Stride wanted;
     private volatile long renewedNanos;
     private volatile @Nullable Gait announced;
     private @Nullable Running rising;
@@ -27,25 +27,32 @@ final class Driving {
 
     /** Takes over what is wanted from now on; the motion lock is held. */
     void drive(double mmPerSec, double degPerSec) {
-        Gait gait = choose(mmPerSec, degPerSec);
+        Stride stride = choose(mmPerSec, degPerSec);
+        if (stride != null && session.runner().current() == null) {
+            session.feet().refuseFallen(session.dog().senses().posture());
+        }
         renewedNanos = session.watch().time().nanos();
-        wanted = gait;
-        if (gait == null) {
+        wanted = stride;
+        if (stride == null) {
             session.halt();
             return;
         }
-        announce(gait);
+        announce(stride.gait());
         tend();
     }
 
-    private @Nullable Gait choose(double mmPerSec, double degPerSec) {
+    private @Nullable Stride choose(double mmPerSec, double degPerSec) {
         Calibration calibration = session.dog().calibration();
-        double walk = Math.abs(mmPerSec) / calibration.unitsPerSecond(Gait.walking(mmPerSec));
-        double turn = Math.abs(degPerSec) / calibration.unitsPerSecond(Gait.turning(degPerSec));
+        double walk =
+                Math.abs(mmPerSec) / calibration.stride(Gait.walking(mmPerSec)).unitsPerSecond();
+        double turn = Math.abs(degPerSec)
+                / calibration.stride(Gait.turning(degPerSec)).unitsPerSecond();
         if (walk == 0 && turn == 0) {
             return null;
         }
-        return walk >= turn ? Gait.walking(mmPerSec) : Gait.turning(degPerSec);
+        return walk >= turn
+                ? calibration.strideAt(Gait.walking(mmPerSec), Math.abs(mmPerSec))
+                : calibration.strideAt(Gait.turning(degPerSec), Math.abs(degPerSec));
     }
 
     private void announce(Gait gait) {
@@ -63,8 +70,8 @@ final class Driving {
 
     /** Begins the next piece if it is time, or ends one that is no longer wanted. */
     void tend() {
-        Gait gait = wanted;
-        if (gait == null) {
+        Stride stride = wanted;
+        if (stride == null) {
             return;
         }
         if (session.watch().time().secondsSince(renewedNanos) > LEASE_S || session.isSilent()) {
@@ -73,13 +80,13 @@ final class Driving {
         }
         Running running = session.runner().current();
         if (running == null) {
-            begin(gait);
-        } else if (running.piece() != null && running.piece().gait() != gait && !running.isStopRequested()) {
+            begin(stride);
+        } else if (running.piece() != null && running.piece().gait() != stride.gait() && !running.isStopRequested()) {
             session.runner().halt(session.sweep().halt());
         }
     }
 
-    private synchronized void begin(Gait gait) {
+    private synchronized void begin(Stride stride) {
         if (session.runner().current() != null) {
             return;
         }
@@ -91,9 +98,8 @@ final class Driving {
             return;
         }
         session.guard().renew();
-        Calibration calibration = session.dog().calibration();
-        Running piece = session.runner().piece(gait, PIECE_MS / calibration.msPerUnit(gait));
-        if (session.runner().start(piece, this::isWanted) && gait == Gait.FORWARD) {
+        Running piece = session.runner().piece(stride, PIECE_MS / stride.msPerUnit());
+        if (session.runner().start(piece, this::isWanted) && stride.gait() == Gait.FORWARD) {
             session.sweep().start();
         }
     }

@@ -30,10 +30,7 @@ final class Feet {
     void stand(Motion motion) {
         session.awaitFree(motion);
         String posture = posture();
-        if (FALLEN.contains(posture) || dog.senses().isOnItsBack()) {
-            throw new MotionFailed(
-                    "the dog lies on its " + (FALLEN.contains(posture) ? posture : "back") + "; put it on its feet");
-        }
+        refuseFallen(posture);
         boolean powered = dog.senses().motorsOn().orElse(false);
         boolean stands = posture.equals("stand") || (dog.isAfoot() && !DOWN.contains(posture));
         if (!powered || !stands) {
@@ -42,6 +39,14 @@ final class Feet {
             dog.senses().assumeMotors(true);
         }
         dog.setAfoot(true);
+    }
+
+    /** A dog that lies on its back or side does not walk, and getting up from there is not among its tricks. */
+    void refuseFallen(@Nullable String posture) {
+        boolean known = posture != null && FALLEN.contains(posture);
+        if (known || dog.senses().isOnItsBack()) {
+            throw new MotionFailed("the dog lies on its " + (known ? posture : "back") + "; put it on its feet");
+        }
     }
 
     /** Begins to get up without waiting, for a drive. Null if it stands already, as far as is known. */

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import java.util.Arrays;
+
 /** The four things the stick's gaits can do; each lasts for the milliseconds it is given (URBI sheet 15). */
 enum Gait {
     /** Straight ahead. */
@@ -33,6 +35,14 @@ enum Gait {
         return degrees < 0 ? RIGHT : LEFT;
     }
 
+    /** The gait with a name. */
+    static Gait of(String key) {
+        return Arrays.stream(values())
+                .filter(gait -> gait.key.equals(key))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no gait: " + key));
+    }
+
     boolean isWalk() {
         return this == FORWARD || this == BACKWARD;
     }
@@ -46,9 +56,14 @@ enum Gait {
         return key;
     }
 
-    /** Milliseconds for one mm or one degree, before anybody has measured the dog (URBI sheet 15, "Calibration"). */
+    /** Milliseconds for one mm or one degree at the usual pace of the legs, before anybody has measured the dog (URBI sheet 15, "Calibration"). */
     double usualMsPerUnit() {
         return usualMsPerUnit;
+    }
+
+    /** The variable on the dog that says how many ms a cycle of the legs lasts; two gaits share it. */
+    String paceVariable() {
+        return "robot." + function + "speed";
     }
 
     /** The call that makes the dog do it. */

@@ -5,6 +5,7 @@ import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
+import majic.bot.CalibrateCommand;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
@@ -56,6 +57,8 @@ public final class MajicAibo extends MajicBot {
         this.dog = new Dog(calibration(address, environment));
         link();
         new AiboParameters(dog, this::session).describe(table());
+        new CalibrationParameters(dog.calibration(), this::learn).describe(table());
+        add(CalibrateCommand.of(new Lesson(this::session, this::stride, this::learn)));
     }
 
     private static String rest(String address) {
@@ -71,17 +74,38 @@ public final class MajicAibo extends MajicBot {
     }
 
     private static BotProfile profile(Calibration calibration) {
-        double walk = calibration.unitsPerSecond(Gait.FORWARD);
-        double back = calibration.unitsPerSecond(Gait.BACKWARD);
-        double turn = Math.max(calibration.unitsPerSecond(Gait.LEFT), calibration.unitsPerSecond(Gait.RIGHT));
         return new BotProfile(
                 BODY_MM,
-                new Range(-Math.max(walk, back), Math.max(walk, back)),
-                new Range(-turn, turn),
-                walk,
-                turn,
+                bothWays(calibration.fastest(Gait.FORWARD), calibration.fastest(Gait.BACKWARD)),
+                bothWays(calibration.fastest(Gait.LEFT), calibration.fastest(Gait.RIGHT)),
+                calibration.slowest(Gait.FORWARD).unitsPerSecond(),
+                calibration.slowest(Gait.LEFT).unitsPerSecond(),
+                calibration.stride(Gait.FORWARD).unitsPerSecond(),
+                calibration.stride(Gait.LEFT).unitsPerSecond(),
                 NEAR_MM,
                 true);
+    }
+
+    private static Range bothWays(Stride one, Stride other) {
+        double fastest = Math.max(one.unitsPerSecond(), other.unitsPerSecond());
+        return new Range(-fastest, fastest);
+    }
+
+    /** Each gait at the legs' usual pace, unless somebody has set a speed. */
+    private Stride stride(Gait gait) {
+        double cruise = gait.isWalk() ? cruiseMmPerSec() : cruiseTurnDegPerSec();
+        double usual = gait.isWalk() ? profile().cruiseMmPerSec() : profile().cruiseTurnDegPerSec();
+        Calibration calibration = dog.calibration();
+        return cruise == usual ? calibration.stride(gait) : calibration.strideAt(gait, cruise);
+    }
+
+    /** Holds even where it could not be kept. */
+    private void learn(Gait gait, double msPerUnit) {
+        try {
+            dog.calibration().keep(gait, msPerUnit);
+        } finally {
+            profile(profile(dog.calibration()));
+        }
     }
 
     private Link link() {
@@ -127,13 +151,13 @@ public final class MajicAibo extends MajicBot {
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
-        double covered = new Walker(session(), motion).cover(Gait.walking(mm), Math.abs(mm));
+        double covered = new Walker(session(), motion).cover(stride(Gait.walking(mm)), Math.abs(mm));
         return Value.about(covered, Unit.MM);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
-        double covered = new Walker(session(), motion).cover(Gait.turning(degrees), Math.abs(degrees));
+        double covered = new Walker(session(), motion).cover(stride(Gait.turning(degrees)), Math.abs(degrees));
         return Value.about(covered, Unit.DEG);
     }
 

@@ -8,21 +8,21 @@ final class Piece {
     /** The longest time the dog is ever told to walk, ms: so long it would walk on if all links fell silent. */
     static final double LONGEST_MS = 2000;
 
-    private final Gait gait;
+    private final Stride stride;
     private final double amount;
     private final double durationMs;
     private final Ask ask;
 
     /** Covers an amount, mm or degrees, always positive. */
-    Piece(Gait gait, double amount, double msPerUnit, Ask ask) {
-        this.gait = gait;
+    Piece(Stride stride, double amount, Ask ask) {
+        this.stride = stride;
         this.amount = amount;
-        this.durationMs = amount * msPerUnit;
+        this.durationMs = amount * stride.msPerUnit();
         this.ask = ask;
     }
 
     Gait gait() {
-        return gait;
+        return stride.gait();
     }
 
     /** How long it is to last, ms. */
@@ -30,14 +30,19 @@ final class Piece {
         return durationMs;
     }
 
+    /** How fast it goes, mm/s or deg/s with sign. */
+    double unitsPerSecond() {
+        return gait().sign() * stride.unitsPerSecond();
+    }
+
     /** What to ask the dog for. */
     String call() {
-        return gait.call(Math.round(durationMs));
+        return gait().call(Math.round(durationMs));
     }
 
     /** What it has covered at a time of the server's clock, mm or degrees with sign. */
     double coveredAt(long serverMs) {
-        return gait.sign() * amount * shareAt(serverMs);
+        return gait().sign() * amount * shareAt(serverMs);
     }
 
     /** What it has covered in all, once it is over. */

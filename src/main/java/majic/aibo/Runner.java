@@ -39,10 +39,11 @@ final class Runner {
     }
 
     /** Makes a piece of a gait, to be started. */
-    Running piece(Gait gait, double amount) {
+    Running piece(Stride stride, double amount) {
         Ask ask = ask();
-        Piece piece = new Piece(gait, amount, dog.calibration().msPerUnit(gait), ask);
-        return new Running(links.motion(), ask, ask.tag() + "+begin+end: " + piece.call() + ",", piece);
+        Piece piece = new Piece(stride, amount, ask);
+        String commands = dog.legSpeed().order(stride) + " " + ask.tag() + "+begin+end: " + piece.call() + ",";
+        return new Running(links.motion(), ask, commands, piece);
     }
 
     /** Makes any other command that ends by itself, to be started. */

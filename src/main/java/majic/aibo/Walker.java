@@ -20,20 +20,20 @@ final class Walker {
     }
 
     /** Covers an amount, mm or degrees, always positive; tells how much it was, with the gait's sign. */
-    double cover(Gait gait, double amount) {
+    double cover(Stride stride, double amount) {
         motion.pause(0);
         if (motion.guardReached() || amount == 0) {
             return 0;
         }
         session.feet().stand(motion);
-        if (gait == Gait.FORWARD) {
+        if (stride.gait() == Gait.FORWARD) {
             lookAhead();
         }
-        double durationMs = amount * dog.calibration().msPerUnit(gait);
+        double durationMs = amount * stride.msPerUnit();
         int pieces = (int) Math.ceil(durationMs / Piece.LONGEST_MS);
         double covered = 0;
         for (int piece = 0; piece < pieces && !motion.guardReached(); piece++) {
-            covered += walk(gait, amount / pieces);
+            covered += walk(stride, amount / pieces);
         }
         motion.send(session.sweep()::end);
         return covered;
@@ -47,10 +47,10 @@ final class Walker {
         }
     }
 
-    private double walk(Gait gait, double amount) {
+    private double walk(Stride stride, double amount) {
         session.awaitFree(motion);
         motion.send(session.guard()::renew);
-        Running running = session.runner().piece(gait, amount);
+        Running running = session.runner().piece(stride, amount);
         Piece piece = Objects.requireNonNull(running.piece());
         motion.send(() -> session.runner().start(running, () -> true));
         motion.await(() -> running.isOver() || trouble() != null, piece.durationMs() / 1000 + LATE_S);

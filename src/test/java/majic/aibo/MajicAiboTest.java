@@ -63,8 +63,8 @@ class MajicAiboTest {
         assertThat(dog.received())
                 .noneMatch(command -> command.contains("motors")
                         || command.contains("robot.stand")
-                        || command.contains("robot.walk")
-                        || command.contains("robot.turn")
+                        || command.contains("robot.walk(")
+                        || command.contains("robot.turn(")
                         || command.contains(".val ="));
     }
 

@@ -105,9 +105,11 @@ final class ScriptedDog implements AutoCloseable {
         return List.copyOf(received);
     }
 
+    /** The commands with a word in them; those about the pace of its legs only if it is named. */
     List<String> received(String word) {
         return received.stream()
                 .filter(command -> command.contains(word) && !command.contains("every"))
+                .filter(command -> word.contains("speed") || !command.contains("speed"))
                 .toList();
     }
 
@@ -256,7 +258,7 @@ final class ScriptedDog implements AutoCloseable {
                 return;
             }
             remember(command);
-            late |= latenessMs > 0 && command.contains("robot.walk");
+            late |= latenessMs > 0 && command.contains("robot.walk(");
             if (late) {
                 clock.schedule(() -> execute(command), latenessMs, TimeUnit.MILLISECONDS);
             } else {

@@ -1,0 +1,33 @@
+package majic.aibo;
+
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The four factors as parameters, for those who know them already: another computer has measured the same dog. */
+final class CalibrationParameters {
+    private final Calibration calibration;
+    private final Lesson.Learner learner;
+
+    CalibrationParameters(Calibration calibration, Lesson.Learner learner) {
+        this.calibration = calibration;
+        this.learner = learner;
+    }
+
+    void describe(ParameterTable table) {
+        for (Gait gait : Gait.values()) {
+            Range range = Calibration.range(gait);
+            String unit = gait.isWalk() ? "mm" : "degree";
+            table.add(
+                            Parameter.number(
+                                            gait.key() + "Factor",
+                                            Unit.NONE,
+                                            "ms for one " + unit + " " + gait.key() + "; calibrate measures it")
+                                    .within(range.min(), range.max()),
+                            () -> Value.of(calibration.msPerUnit(gait), Unit.NONE))
+                    .writes(values -> learner.learn(gait, values.get(0).number()));
+        }
+    }
+}

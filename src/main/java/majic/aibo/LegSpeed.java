@@ -1,0 +1,50 @@
+package majic.aibo;
+
+import java.util.EnumMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * The variables on the dog that hold the pace of its legs. All its clients share them, so they are put back as they were
+ * found. Outlives a connection: what one that broke could not put back, the next one does. Thread-safe.
+ */
+final class LegSpeed {
+    private static final Gait[] ONE_FOR_EACH_VARIABLE = {Gait.FORWARD, Gait.LEFT};
+
+    private final Map<Gait, Ask> found = new EnumMap<>(Gait.class);
+    private final Set<String> changed = new HashSet<>();
+
+    /** Asks how they stand, on a connection; waits for nothing. */
+    synchronized void look(UrbiConnection connection, Tags tags) {
+        for (Gait gait : ONE_FOR_EACH_VARIABLE) {
+            if (changed.contains(gait.paceVariable())) {
+                continue;
+            }
+            Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
+            found.put(gait, ask);
+            connection.send(ask, connection.dialect().labelled(ask.tag(), gait.paceVariable()) + ";");
+        }
+    }
+
+    /** What sets the pace for a piece of a gait, to be sent right before it: another client may have changed it. */
+    synchronized String order(Stride stride) {
+        changed.add(stride.gait().paceVariable());
+        return stride.order();
+    }
+
+    /** What puts them back, where they were changed and the dog has told how they were. */
+    synchronized String restore() {
+        StringBuilder commands = new StringBuilder();
+        found.forEach((gait, ask) -> {
+            if (changed.contains(gait.paceVariable())
+                    && ask.value() instanceof UrbiValue.Num number
+                    && number.amount() > 0) {
+                commands.append(' ').append(gait.paceVariable()).append(" = ");
+                commands.append(Dialect.number(number.amount())).append(',');
+            }
+        });
+        changed.clear();
+        return commands.toString();
+    }
+}

@@ -1,0 +1,140 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.util.List;
+import majic.bot.BotEnvironment;
+import majic.bot.Settings;
+import majic.bot.TimeSource;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** How fast the dog's legs go, and the factors behind its estimates. */
+@Timeout(30)
+class PaceTest {
+    private final Settings settings = Settings.inMemory();
+    private ScriptedDog dog;
+    private MajicAibo aibo;
+
+    @BeforeEach
+    void start() throws IOException {
+        dog = new ScriptedDog();
+        dog.set("robot.MyguessPosition()", "\"stand\"");
+        dog.set("legLF1.load", "1.000000");
+        dog.set("robot.walkspeed", "900.000000");
+        dog.set("robot.turnspeed", "1000.000000");
+        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), settings));
+        aibo.connect();
+    }
+
+    @AfterEach
+    void end() throws IOException {
+        aibo.close();
+        dog.close();
+    }
+
+    @Test
+    void aSlowerCruiseSlowsTheLegsAndTheEstimateFollows() {
+        aibo.set("cruise", 41.667);
+
+        assertThat(aibo.move(40).amount()).isEqualTo(Value.about(40, Unit.MM));
+
+        assertThat(dog.received("robot.walkspeed = ")).containsExactly("robot.walkspeed = 2000");
+        assertThat(dog.received("robot.walk(")).singleElement().asString().contains("robot.walk(960)");
+    }
+
+    @Test
+    void turnsHaveAPaceOfTheirOwn() {
+        aibo.set("cruiseTurn", 50);
+
+        aibo.turn(-10);
+
+        assertThat(dog.received("robot.turnspeed = ")).containsExactly("robot.turnspeed = 719");
+        assertThat(dog.received("robot.walkspeed = ")).isEmpty();
+    }
+
+    @Test
+    void withoutAnybodysWishTheLegsGoAtTheirUsualPaceBothWays() {
+        settings.put(key("backward"), "21");
+
+        aibo.move(-10);
+
+        assertThat(dog.received("robot.walkspeed = ")).containsExactly("robot.walkspeed = 1000");
+        assertThat(dog.received("robot.walk(")).singleElement().asString().contains("robot.walk(-210)");
+    }
+
+    @Test
+    void aPaceThatNoFootHoldsIsRefused() {
+        assertThatThrownBy(() -> aibo.set("cruise", 200)).hasMessageContaining("outside 33.3 … 128");
+        assertThatThrownBy(() -> aibo.set("cruise", 10)).hasMessageContaining("outside 33.3 … 128");
+        assertThatThrownBy(() -> aibo.drive(200, 0)).hasMessageContaining("outside");
+    }
+
+    @Test
+    void drivingGoesAtTheSpeedThatWasAskedFor() {
+        aibo.drive(-60, 10);
+        dog.awaitReceived("robot.walk(-600)");
+
+        assertThat(dog.received("robot.walkspeed = ")).contains("robot.walkspeed = 1389");
+    }
+
+    @Test
+    void closingPutsThePaceBackAsItWasForTheDogsOtherUsers() {
+        aibo.set("cruise", 60);
+        aibo.move(10);
+
+        aibo.close();
+
+        dog.awaitReceived("robot.walkspeed = 900");
+        assertThat(dog.received("robot.turnspeed = ")).isEmpty();
+    }
+
+    @Test
+    void aDogThatNobodyWalkedKeepsItsPace() {
+        aibo.close();
+
+        assertThat(dog.received("speed =")).isEmpty();
+    }
+
+    @Test
+    void aFallenDogIsNotDriven() {
+        aibo.close();
+        dog.set("robot.MyguessPosition()", "\"side\"");
+        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), settings));
+        aibo.connect();
+
+        assertThatThrownBy(() -> aibo.drive(50, 0)).hasMessageContaining("put it on its feet");
+        assertThat(dog.received("robot.walk(")).isEmpty();
+    }
+
+    @Test
+    void aFactorThatIsKnownCanBeSetAndIsKept() {
+        aibo.set("forwardFactor", 6);
+
+        assertThat(settings.get(key("forward"))).contains("6.000");
+        assertThat(aibo.get("cruise").number()).isCloseTo(166.7, within(0.1));
+        assertThatThrownBy(() -> aibo.set("forwardFactor", 100)).hasMessageContaining("outside 3 … 48");
+    }
+
+    @Test
+    void nothingIsLearnedBeforeSomethingWasMeasured() {
+        assertThatThrownBy(() -> calibrate("forward", Value.of(940, Unit.MM)))
+                .hasMessageContaining("\"calibrate forward\" alone moves it first");
+        assertThat(settings.get(key("forward"))).isEmpty();
+    }
+
+    private String calibrate(String direction, Value measured) {
+        return aibo.run("calibrate", List.of(Value.text(direction), measured));
+    }
+
+    private String key(String gait) {
+        return "aibo." + dog.address().substring(2) + "." + gait;
+    }
+}
