@@ -1,7 +1,9 @@
 package majic.aibo;
 
+import java.util.EnumMap;
 import java.util.List;
-import java.util.function.Supplier;
+import java.util.Map;
+import java.util.OptionalDouble;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
@@ -9,59 +11,77 @@ import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
 
-/** The joints of the head: read as measured, set with an optional time that the motion is to take. */
-final class JointParameters {
-    /** Without a time a joint goes this fast, deg/s: quick, but not the jerk of a bare assignment. */
-    private static final double USUAL_DEG_PER_S = 120;
-
-    private static final double LEAST_MS = 100;
+/** The joints, alone and by limbs: read as measured, set with an optional time that the motion is to take. */
+final class JointParameters implements Theme {
     private static final double LONGEST_MS = 30_000;
-    private static final double LATE_S = 2;
+    private static final double FASTEST_DEG_PER_S = 500;
+    private static final Parameter TIME =
+            Parameter.number("time", Unit.MS, "how long it takes").within(0, LONGEST_MS);
 
-    /** The joint follows its order with a lag. */
-    private static final double SETTLING_S = 0.6;
+    private final Access access;
+    private final Limbs limbs;
 
-    private static final double ARRIVED_DEG = 1;
-
-    private final Senses senses;
-    private final Supplier<AiboSession> session;
-
-    JointParameters(Senses senses, Supplier<AiboSession> session) {
-        this.senses = senses;
-        this.session = session;
+    JointParameters(Access access, Limbs limbs) {
+        this.access = access;
+        this.limbs = limbs;
     }
 
-    void describe(ParameterTable table) {
-        add(table, "headPan", Sensor.HEAD_PAN, new Range(-91, 91), "where the head looks, left positive");
-        add(table, "headTilt", Sensor.HEAD_TILT, new Range(-16, 44), "how far the head is raised");
-        add(table, "neck", Sensor.NECK, new Range(-79, 2), "how far the neck is bowed; 0 is upright");
-    }
-
-    private void add(ParameterTable table, String name, Sensor sensor, Range range, String help) {
-        Parameter time = Parameter.number("time", Unit.MS, "how long it takes").within(0, LONGEST_MS);
-        table.add(
-                        Parameter.number(name, Unit.DEG, help)
-                                .within(range.min(), range.max())
-                                .with(time),
-                        () -> senses.value(sensor, 1, Unit.DEG))
-                .moves((values, motion) -> turn(name, sensor, values, motion));
-    }
-
-    private void turn(String name, Sensor sensor, List<Value> values, Motion motion) {
-        double target = values.get(0).number();
-        double ms = values.size() > 1 ? values.get(1).number() : usualMs(sensor, target);
-        AiboSession open = session.get();
-        open.feet().power(motion);
-        if (sensor == Sensor.HEAD_PAN) {
-            motion.send(() -> open.sweep().home(target));
+    @Override
+    public void describe(ParameterTable table, Dialect dialect) {
+        for (Joint joint : Joint.values()) {
+            Parameter angle = angle(joint, dialect).with(TIME);
+            table.add(angle, access.sensed(joint.sensor(), Unit.DEG))
+                    .moves((values, motion) -> turn(List.of(joint), values, motion));
         }
-        String command = name + ".val = " + Dialect.number(target) + " time:" + Dialect.number(Math.rint(ms));
-        open.feet().perform(motion, open.runner().command(open.links().sensors(), command), ms / 1000 + LATE_S);
-        motion.await(() -> Math.abs(senses.number(sensor).orElse(target) - target) < ARRIVED_DEG, SETTLING_S);
+        describeLimb(table, dialect, "head", List.of(Joint.NECK, Joint.HEAD_PAN, Joint.HEAD_TILT, Joint.MOUTH));
+        for (String limb : List.of("tail", "legLF", "legRF", "legLH", "legRH")) {
+            describeLimb(table, dialect, limb, Joint.named(limb));
+        }
+        describeLimb(table, dialect, "legs", Joint.named("leg"));
+        table.add(
+                        Parameter.number("jointSpeed", Unit.DEG_PER_S, "how fast joints turn that are given no time")
+                                .within(1, FASTEST_DEG_PER_S),
+                        () -> Value.of(limbs.degPerSec(), Unit.DEG_PER_S))
+                .writes(values -> limbs.setDegPerSec(values.get(0).number()));
     }
 
-    private double usualMs(Sensor sensor, double target) {
-        double way = Math.abs(target - senses.number(sensor).orElse(0.0));
-        return Math.max(LEAST_MS, way / USUAL_DEG_PER_S * 1000);
+    private static Parameter angle(Joint joint, Dialect dialect) {
+        Range range = joint.range(dialect);
+        return Parameter.number(joint.urbiName(), Unit.DEG, joint.help()).within(range.min(), range.max());
+    }
+
+    private void describeLimb(ParameterTable table, Dialect dialect, String name, List<Joint> joints) {
+        Range first = joints.get(0).range(dialect);
+        Parameter limb = Parameter.list(name, Unit.DEG, names(joints) + "; what set leaves out stays as it is")
+                .within(first.min(), first.max());
+        for (Joint joint : joints.subList(1, joints.size())) {
+            limb = limb.with(angle(joint, dialect));
+        }
+        table.add(
+                        limb.with(TIME),
+                        () -> Value.many(joints.stream().map(this::measured).toList()))
+                .moves((values, motion) -> turn(joints, values, motion));
+    }
+
+    private static String names(List<Joint> joints) {
+        return joints.size() > 4
+                ? "legLF1, legLF2, legLF3, then the same of RF, LH and RH"
+                : String.join(", ", joints.stream().map(Joint::urbiName).toList());
+    }
+
+    private Value measured(Joint joint) {
+        return access.senses().value(joint.sensor(), 1, Unit.DEG);
+    }
+
+    /** The values are one for each joint from the first on, and behind all of them the time. */
+    private void turn(List<Joint> joints, List<Value> values, Motion motion) {
+        Map<Joint, Double> targets = new EnumMap<>(Joint.class);
+        int given = Math.min(joints.size(), values.size());
+        for (int index = 0; index < given; index++) {
+            targets.put(joints.get(index), values.get(index).number());
+        }
+        OptionalDouble ms =
+                values.size() > given ? OptionalDouble.of(values.get(given).number()) : OptionalDouble.empty();
+        limbs.turn(targets, ms, motion);
     }
 }

@@ -32,6 +32,7 @@ public final class MajicAibo extends MajicBot {
 
     private final String address;
     private final Dog dog;
+    private final AiboParameters parameters;
     private volatile @Nullable AiboSession session;
 
     /**
@@ -56,7 +57,9 @@ public final class MajicAibo extends MajicBot {
         this.address = address;
         this.dog = new Dog(calibration(address, environment));
         link();
-        new AiboParameters(dog, this::session).describe(table());
+        Access access = new Access(dog.senses(), this::session);
+        this.parameters = new AiboParameters(table(), dog, access);
+        parameters.describe(Dialect.V1_0);
         new CalibrationParameters(dog.calibration(), this::learn).describe(table());
         add(CalibrateCommand.of(new Lesson(this::session, this::stride, this::learn)));
     }
@@ -130,6 +133,7 @@ public final class MajicAibo extends MajicBot {
             session = null;
             throw e;
         }
+        parameters.describe(opening.links().sensors().dialect());
         every("aibo duties", DUTY_S, this::tend);
     }
 

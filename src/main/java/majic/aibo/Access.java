@@ -1,0 +1,107 @@
+package majic.aibo;
+
+import java.util.List;
+import java.util.function.DoubleFunction;
+import java.util.function.Supplier;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The way from a parameter to the dog: what it reports anyway, questions, and orders whose end it tells. Thread-safe. */
+final class Access {
+    /** A slow engine takes two seconds to answer. */
+    private static final double ANSWER_S = 4;
+
+    private final Tags tags = new Tags();
+    private final Senses senses;
+    private final Supplier<AiboSession> session;
+
+    Access(Senses senses, Supplier<AiboSession> session) {
+        this.senses = senses;
+        this.session = session;
+    }
+
+    Senses senses() {
+        return senses;
+    }
+
+    /**
+     * The session there is.
+     *
+     * @throws LinkLost if there is none
+     */
+    AiboSession open() {
+        return session.get();
+    }
+
+    /** Reads what the dog reports anyway. */
+    Supplier<Value> sensed(Sensor sensor, Unit unit) {
+        return () -> senses.value(sensor, 1, unit);
+    }
+
+    /** Asks the dog each time. */
+    Supplier<Value> asked(String expression, DoubleFunction<Value> reading) {
+        return () -> ask(List.of(expression), reading).get(0);
+    }
+
+    /** Asks for several things at once: the questions go out one behind the other, then all answers are awaited. */
+    Supplier<Value> askedAll(List<String> expressions, Unit unit) {
+        return () -> Value.many(ask(expressions, amount -> Value.of(amount, unit)));
+    }
+
+    /** What the dog answers to each, in order; unknown with the reason where it gives no number. */
+    List<Value> ask(List<String> expressions, DoubleFunction<Value> reading) {
+        AiboSession open = session.get();
+        UrbiConnection on = open.links().sensors();
+        List<Ask> asks =
+                expressions.stream().map(expression -> put(on, expression)).toList();
+        open.watch().await(() -> on.isEnded() || asks.stream().allMatch(Ask::isDone), ANSWER_S);
+        asks.forEach(on::forget);
+        return asks.stream().map(ask -> value(ask, reading)).toList();
+    }
+
+    private Ask put(UrbiConnection on, String expression) {
+        Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
+        return on.send(ask, on.dialect().labelled(ask.tag(), expression) + ";");
+    }
+
+    private static Value value(Ask ask, DoubleFunction<Value> reading) {
+        if (ask.value() instanceof UrbiValue.Num number && Double.isFinite(number.amount())) {
+            return reading.apply(number.amount());
+        }
+        String failure = ask.failure();
+        return Value.unknown(failure == null ? "the dog does not answer" : "the dog says: " + failure);
+    }
+
+    /**
+     * Has the dog do something that moves nothing, and waits until it has.
+     *
+     * @throws BotException if the dog refuses or does not tell the end in time
+     */
+    void tell(List<String> commands) {
+        AiboSession open = session.get();
+        UrbiConnection on = open.links().sensors();
+        Ask ask = new Ask(tags.next(), Ask.Expects.END);
+        on.send(ask, ask.tag() + "+end: " + together(commands) + ";");
+        open.watch().await(() -> on.isEnded() || ask.isDone(), ANSWER_S);
+        on.forget(ask);
+        String failure = ask.failure();
+        if (failure != null) {
+            throw new UrbiRefusal("the dog refuses: " + failure);
+        }
+        if (!ask.isDone()) {
+            throw new UrbiRefusal("the dog did not do it within " + Value.plain(ANSWER_S) + " s");
+        }
+    }
+
+    /** Commands that set out in the same cycle and end when all have (URBI sheet 3). */
+    static String together(List<String> commands) {
+        return commands.size() == 1 ? commands.get(0) : "{ " + String.join(" & ", commands) + " }";
+    }
+
+    /** An assignment; the value is a plain number. */
+    static String assign(String variable, double amount) {
+        return variable + " = " + Dialect.number(amount);
+    }
+}

@@ -1,0 +1,61 @@
+package majic.aibo;
+
+import java.util.List;
+import majic.bot.BotException;
+import majic.bot.Motion;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Value;
+
+/** The dog as a whole: posture, motors, what it is. */
+final class BodyParameters implements Theme {
+    private static final double ASK_S = 4;
+
+    private final Access access;
+    private final Senses senses;
+
+    BodyParameters(Access access) {
+        this.access = access;
+        this.senses = access.senses();
+    }
+
+    @Override
+    public void describe(ParameterTable table, Dialect dialect) {
+        table.add(
+                        Parameter.choice("posture", Posture.words(), "how it stands, sits or lies"),
+                        () -> Value.text(access.open().feet().posture()))
+                .moves(this::take);
+        table.add(
+                        Parameter.yesNo("motors", "whether the legs are stiff; off lays it down first"),
+                        () -> senses.motorsOn().map(Value::yesNo).orElseGet(() -> senses.unknown(Sensor.LEG_LOAD)))
+                .moves(this::power);
+        table.add(Parameter.text("version", "the URBI in the dog"), this::version);
+    }
+
+    private void take(List<Value> values, Motion motion) {
+        Posture posture = Posture.of(values.get(0).toString());
+        access.open().feet().take(posture.function(), posture.longestS(), motion);
+        access.open().sweep().home(0);
+    }
+
+    private void power(List<Value> values, Motion motion) {
+        if (values.get(0).isYes()) {
+            access.open().feet().power(motion);
+        } else {
+            access.open().feet().loosen(motion);
+        }
+    }
+
+    private Value version() {
+        AiboSession open = access.open();
+        Dialect dialect = open.links().sensors().dialect();
+        String urbi = dialect == Dialect.V1_5 ? "URBI 1.5" : "URBI 1.0";
+        try {
+            return open.ask(open.links().sensors(), "system.name", ASK_S) instanceof UrbiValue.Str name
+                    ? Value.text(name.text() + ", " + urbi)
+                    : Value.text(urbi);
+        } catch (BotException e) {
+            return Value.text(urbi);
+        }
+    }
+}

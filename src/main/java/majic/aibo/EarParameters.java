@@ -1,0 +1,50 @@
+package majic.aibo;
+
+import java.util.ArrayList;
+import java.util.List;
+import majic.bot.Motion;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The ears, which know two places each (URBI sheet 13). */
+final class EarParameters implements Theme {
+    private static final List<String> EARS = List.of("earL", "earR");
+
+    private final Access access;
+    private final Limbs limbs;
+
+    EarParameters(Access access, Limbs limbs) {
+        this.access = access;
+        this.limbs = limbs;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Dialect dialect) {
+        describe(table, "earL", "whether the left ear is flicked");
+        describe(table, "earR", "whether the right ear is flicked");
+        Parameter right = Parameter.number("earR", Unit.NONE, "the right ear").within(0, 1);
+        table.add(
+                        Parameter.list("ears", Unit.NONE, "left and right ear; 1 is flicked")
+                                .within(0, 1)
+                                .with(right),
+                        access.askedAll(EARS.stream().map(ear -> ear + ".val").toList(), Unit.NONE))
+                .moves(this::flick);
+    }
+
+    private void describe(ParameterTable table, String ear, String help) {
+        table.add(Parameter.onOff(ear, help), access.asked(ear + ".val", amount -> Value.onOff(amount > 0)))
+                .moves((values, motion) -> limbs.perform(
+                        List.of(Access.assign(ear + ".val", values.get(0).number())), 0, motion));
+    }
+
+    private void flick(List<Value> values, Motion motion) {
+        List<String> commands = new ArrayList<>();
+        for (int index = 0; index < values.size(); index++) {
+            commands.add(Access.assign(
+                    EARS.get(index) + ".val", Math.rint(values.get(index).number())));
+        }
+        limbs.perform(commands, 0, motion);
+    }
+}

@@ -1,0 +1,115 @@
+package majic.aibo;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The 26 LEDs, alone and in groups (URBI sheet 13). None of it moves the dog. */
+final class LightParameters implements Theme {
+    private static final List<String> FACE =
+            IntStream.rangeClosed(1, 14).mapToObj(led -> "ledF" + led).toList();
+    private static final List<String> BACK_COLOUR = List.of("ledBFC", "ledBMC", "ledBRC");
+    private static final List<String> BACK_WHITE = List.of("ledBFW", "ledBMW", "ledBRW");
+    private static final List<String> PLACES = List.of("front", "middle", "rear");
+
+    private final Access access;
+    private volatile List<Value> former = List.of();
+    private volatile boolean lit;
+
+    LightParameters(Access access) {
+        this.access = access;
+    }
+
+    /** All there are, in the order of the list parameter. */
+    static List<String> all() {
+        return Stream.of(FACE, BACK_COLOUR, BACK_WHITE, List.of("ledHC", "ledHW", "modeR", "modeG", "modeB", "ledWIFI"))
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    @Override
+    public void describe(ParameterTable table, Dialect dialect) {
+        FACE.forEach(led -> describe(table, led, "brightness of this LED of the face"));
+        for (int place = 0; place < PLACES.size(); place++) {
+            String where = "brightness of the back's %s LED, " + PLACES.get(place);
+            describe(table, BACK_COLOUR.get(place), String.format(where, "coloured"));
+            describe(table, BACK_WHITE.get(place), String.format(where, "white"));
+        }
+        describeSwitch(table, "ledHC", "the head's coloured LED");
+        describeSwitch(table, "ledHW", "the head's white LED");
+        describeSwitch(table, "modeR", "red in the mode indicator");
+        describeSwitch(table, "modeG", "green in the mode indicator");
+        describeSwitch(table, "modeB", "blue in the mode indicator");
+        describeSwitch(table, "ledWIFI", "the LED of the wireless network");
+        describeGroup(table, "ledF", FACE, "the face's LEDs");
+        describeGroup(table, "ledBC", BACK_COLOUR, "the back's coloured LEDs from the front");
+        describeGroup(table, "ledBW", BACK_WHITE, "the back's white LEDs from the front");
+        describeGroup(table, "leds", all(), "all 26 LEDs: face, back coloured, back white, head, mode, wireless");
+        table.add(Parameter.onOff("light", "lights the face, to find out which robot this is"), () -> Value.onOff(lit))
+                .writes(values -> light(values.get(0).isYes()));
+    }
+
+    private void describe(ParameterTable table, String led, String help) {
+        table.add(brightness(led, help), access.asked(led + ".val", amount -> Value.of(amount, Unit.NONE)))
+                .writes(values -> put(List.of(led), values));
+    }
+
+    private void describeSwitch(ParameterTable table, String led, String help) {
+        table.add(Parameter.onOff(led, help), access.asked(led + ".val", amount -> Value.onOff(amount > 0)))
+                .writes(values -> put(List.of(led), values));
+    }
+
+    private void describeGroup(ParameterTable table, String group, List<String> leds, String help) {
+        Parameter list = Parameter.list(group, Unit.NONE, help + "; set takes one brightness for all, or one for each")
+                .within(0, 1);
+        for (String led : leds.subList(1, leds.size())) {
+            list = list.with(brightness(led, "brightness"));
+        }
+        table.add(list, access.askedAll(values(leds), Unit.NONE)).writes(values -> {
+            if (values.size() == 1) {
+                access.tell(List.of(Access.assign(group, values.get(0).number())));
+            } else {
+                put(leds, values);
+            }
+        });
+    }
+
+    private static Parameter brightness(String name, String help) {
+        return Parameter.number(name, Unit.NONE, help).within(0, 1);
+    }
+
+    private static List<String> values(List<String> leds) {
+        return leds.stream().map(led -> led + ".val").toList();
+    }
+
+    /** Sets the first LEDs to as many values as there are; what has no number stays. */
+    private void put(List<String> leds, List<Value> values) {
+        List<String> commands = new ArrayList<>();
+        for (int index = 0; index < values.size(); index++) {
+            Value value = values.get(index);
+            if (!(value instanceof Value.Unknown)) {
+                commands.add(Access.assign(leds.get(index) + ".val", value.number()));
+            }
+        }
+        access.tell(commands);
+    }
+
+    /** Lights the whole face; off gives each LED back what it showed before. */
+    private void light(boolean on) {
+        if (on == lit) {
+            return;
+        }
+        if (on) {
+            former = access.ask(values(FACE), amount -> Value.of(amount, Unit.NONE));
+            access.tell(List.of("ledF = 1"));
+        } else {
+            put(FACE, former);
+        }
+        lit = on;
+    }
+}

@@ -1,0 +1,39 @@
+package majic.aibo;
+
+import java.util.List;
+import majic.bot.Motion;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** How stiff each joint is. A dog whose legs go loose falls over, so setting it is a motion. */
+final class LoadParameters implements Theme {
+    private final Access access;
+    private final Limbs limbs;
+
+    LoadParameters(Access access, Limbs limbs) {
+        this.access = access;
+        this.limbs = limbs;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Dialect dialect) {
+        for (Joint joint : Joint.values()) {
+            String variable = joint.urbiName() + ".load";
+            table.add(
+                            Parameter.number(joint.urbiName() + "Load", Unit.NONE, "its stiffness; 0 loose, 1 stiff")
+                                    .within(0, 1),
+                            access.asked(variable, load -> Value.of(load, Unit.NONE)))
+                    .moves((values, motion) ->
+                            stiffen(joint, variable, values.get(0).number(), motion));
+        }
+    }
+
+    private void stiffen(Joint joint, String variable, double load, Motion motion) {
+        limbs.perform(List.of(Access.assign(variable, load)), 0, motion);
+        if (joint.isInALeg()) {
+            access.open().dog().setAfoot(false);
+        }
+    }
+}

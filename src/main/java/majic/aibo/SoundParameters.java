@@ -1,0 +1,34 @@
+package majic.aibo;
+
+import java.util.List;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The speaker. The dog tells of no volume that could be set (URBI sheet 13). */
+final class SoundParameters implements Theme {
+    private final Access access;
+
+    SoundParameters(Access access) {
+        this.access = access;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Dialect dialect) {
+        table.add(Parameter.onOff("beep", "on beeps once"), () -> Value.onOff(false))
+                .writes(values -> beep(values.get(0).isYes()));
+        table.add(
+                Parameter.yesNo("playing", "whether the dog plays a sound"),
+                access.asked("speaker.playing", amount -> Value.yesNo(amount > 0)));
+        table.add(
+                Parameter.number("playingLeft", Unit.MS, "how much of the sound is still to come"),
+                access.asked("speaker.remain", amount -> Value.of(amount, Unit.MS)));
+    }
+
+    private void beep(boolean on) {
+        if (on) {
+            access.tell(List.of("speaker.play(\"beep.wav\")"));
+        }
+    }
+}
