@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
@@ -41,6 +42,7 @@ final class AiboSession {
     private final Watch watch;
     private final Dog dog;
     private final Robot robot;
+    private final List<Consumer<UrbiMessage>> hearers = new CopyOnWriteArrayList<>();
     private final Tags tags = new Tags();
     private final Poll poll = new Poll(tags);
     private final AiboLinks links;
@@ -237,7 +239,14 @@ final class AiboSession {
             heardPower(info.text());
         } else {
             LOG.log(Level.TRACE, "unasked: {0}", message);
+            hearers.forEach(hearer -> hearer.accept(message));
         }
+    }
+
+    /** Has somebody hear, on the readers' threads, all that is neither a reading nor an answer; what it returns ends it. */
+    Runnable listen(Consumer<UrbiMessage> hearer) {
+        hearers.add(hearer);
+        return () -> hearers.remove(hearer);
     }
 
     private void heardPower(String text) {

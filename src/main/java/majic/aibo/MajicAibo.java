@@ -62,6 +62,7 @@ public final class MajicAibo extends MajicBot {
         parameters.describe(Dialect.V1_0);
         new CalibrationParameters(dog.calibration(), this::learn).describe(table());
         add(CalibrateCommand.of(new Lesson(this::session, this::stride, this::learn)));
+        add(new RawCommand(access).command());
     }
 
     private static String rest(String address) {

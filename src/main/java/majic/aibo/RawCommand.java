@@ -1,0 +1,60 @@
+package majic.aibo;
+
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.BotCommand;
+import majic.bot.Motion;
+import majic.bot.MotionFailed;
+import majic.bot.Parameter;
+
+/**
+ * Passes a command to the dog as it was typed, for what there is no other word for. It may move the dog, so it belongs to
+ * whoever moves it. It runs as a block with a tag, so that its end is heard and a stop ends whatever it does.
+ */
+final class RawCommand {
+    private static final double LONGEST_S = 30;
+    private static final Set<String> NO_ANSWERS = Set.of("start", "ident", "power");
+
+    private final Access access;
+
+    RawCommand(Access access) {
+        this.access = access;
+    }
+
+    BotCommand command() {
+        return new BotCommand(
+                "urbi",
+                List.of(Parameter.text("text", "as the dog's manual has it")),
+                true,
+                "passes a command to the dog as it is and tells what it answers within 30 s",
+                (arguments, motion) -> run(RawText.checked(arguments.get(0).toString()), motion));
+    }
+
+    private String run(String text, Motion motion) {
+        AiboSession open = access.open();
+        open.awaitFree(motion);
+        List<UrbiMessage> answers = new CopyOnWriteArrayList<>();
+        Running running = open.runner().command(open.links().motion(), "{ " + text + " }");
+        Runnable deaf = open.listen(answers::add);
+        try {
+            open.feet().perform(motion, running, LONGEST_S);
+        } finally {
+            deaf.run();
+        }
+        open.dog().setAfoot(false);
+        return told(answers);
+    }
+
+    private static String told(List<UrbiMessage> answers) {
+        List<UrbiMessage> meant = answers.stream()
+                .filter(answer -> !NO_ANSWERS.contains(answer.tag()))
+                .toList();
+        String text = String.join(
+                "; ", meant.stream().map(answer -> UrbiText.of(answer.body())).toList());
+        if (meant.stream().anyMatch(answer -> answer.body() instanceof UrbiMessage.Failure)) {
+            throw new MotionFailed("the dog says: " + text);
+        }
+        return text.isEmpty() ? "done, without an answer" : text;
+    }
+}
