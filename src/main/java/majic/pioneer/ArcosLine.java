@@ -73,15 +73,16 @@ final class ArcosLine {
 
     private LinkLost readToTheEnd(Consumer<Packet> sink) {
         byte[] chunk = new byte[1024];
+        Consumer<Packet> safeSink = packet -> hand(packet, sink);
         long lastNanos = time.nanos();
         try {
             for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
                 if (time.secondsSince(lastNanos) > FRAGMENT_S) {
-                    decoder.dropFragment(sink);
+                    decoder.dropFragment(safeSink);
                 }
                 lastNanos = time.nanos();
                 firstWords.heard(chunk, count);
-                decoder.feed(chunk, count, packet -> hand(packet, sink));
+                decoder.feed(chunk, count, safeSink);
             }
             return new LinkLost("connection lost: "
                     + (link.address().startsWith("serial:") ? "the serial port is gone" : "the robot closed it"));
