@@ -32,7 +32,7 @@ final class Keeper {
     }
 
     void start(String name) {
-        time.thread(name + " keeper", this::run).start();
+        time.thread(name + " keeper", () -> Patience.without(this::run)).start();
     }
 
     /** Replaces any duty of the same name. */
@@ -76,12 +76,15 @@ final class Keeper {
         }
     }
 
+    /** Whatever becomes of one duty, the pulses go on and a drive that is not renewed ends. */
     private void runDue() {
         for (Runnable task : takeDue(time.nanos())) {
             try {
                 task.run();
-            } catch (RuntimeException e) {
+            } catch (BotException e) {
                 LOG.log(Level.DEBUG, "a robot's duty failed", e);
+            } catch (RuntimeException | Error e) {
+                LOG.log(Level.WARNING, "a robot's duty failed", e);
             }
         }
     }

@@ -662,7 +662,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         for (BotListener listener : listeners) {
             try {
                 news.accept(listener);
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | Error e) {
                 LOG.log(Level.WARNING, "a listener of " + name + " failed", e);
             }
         }

@@ -58,20 +58,6 @@ public final class Motion {
     }
 
     /**
-     * Waits for the next reading the driver publishes.
-     *
-     * @param seconds how long at most
-     * @return whether one came; false also when the guard came true
-     * @throws MotionStopped if the motion was stopped meanwhile
-     * @throws LinkLost if the connection broke meanwhile
-     * @throws MotionFailed if the guard cannot be told
-     */
-    public boolean nextReading(double seconds) {
-        long seen = bot.readings();
-        return await(() -> bot.readings() != seen, seconds) && !lookAtGuard();
-    }
-
-    /**
      * Lets time pass.
      *
      * @param seconds how long
@@ -123,13 +109,14 @@ public final class Motion {
         bot.requireConnected();
     }
 
-    /** Looks at the guard, if there is something new to look at. */
+    /** Looks at the guard, if there is something new to look at. The first look, when nothing moves yet, may take its time. */
     private boolean lookAtGuard() {
         long readings = bot.readings();
         if (!guardReached && readings != readingsSeen) {
+            boolean first = readingsSeen < 0;
             readingsSeen = readings;
             try {
-                guardReached = guard.reached();
+                guardReached = first ? guard.reached() : Patience.without(guard::reached);
             } catch (MotionStopped | LinkLost e) {
                 throw e;
             } catch (BotException e) {

@@ -6,6 +6,7 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.Patience;
 import majic.bot.Value;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.ConfigField;
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 /** The way from a parameter to the robot: what it said last, and orders it confirms. Over all sessions. Thread-safe. */
 final class Access {
     static final Value NOTHING_YET = Value.unknown("no reading yet");
+    static final Value NOTHING_OF_LATE = Value.unknown("no reading of late");
     static final Value NOT_TOLD = Value.unknown("this robot does not tell");
 
     /** Time enough for a command and the SIP that shows what became of it, seconds. */
@@ -46,13 +48,19 @@ final class Access {
         return session(open -> open.hasSpoken() ? reader.apply(open.state()) : NOTHING_YET);
     }
 
-    /** Reads from a packet that comes beside the SIPs; the first reading asks for it and waits a moment. */
+    /**
+     * Reads from a packet that comes beside the SIPs. A reading when none has come of late asks for one and waits a moment,
+     * where the thread may wait.
+     */
     Supplier<Value> report(Feed feed, Function<PioneerState, Optional<Value>> reader) {
         return session(open -> {
             if (!open.hasSpoken()) {
                 return NOTHING_YET;
             }
-            return hears(open, feed) ? reader.apply(open.state()).orElse(NOT_TOLD) : NOT_TOLD;
+            if (hears(open, feed)) {
+                return reader.apply(open.state()).orElse(NOT_TOLD);
+            }
+            return open.subscriptions().isMute(feed) || Patience.isAllowed() ? NOT_TOLD : NOTHING_OF_LATE;
         });
     }
 
@@ -84,7 +92,7 @@ final class Access {
     }
 
     /**
-     * Sends a command and waits for the SIP that shows it done.
+     * Sends a command and waits for the SIP that shows it done, where the thread may wait.
      *
      * @param complaint what did not happen, as half a sentence: "the motors did not switch on"
      * @throws BotException if no SIP shows it in time
@@ -93,7 +101,7 @@ final class Access {
     void order(byte[] packet, Predicate<PioneerState> done, String complaint) {
         Session open = open();
         open.send(packet);
-        if (!open.awaitState(done, CONFIRM_S)) {
+        if (Patience.isAllowed() && !open.awaitState(done, CONFIRM_S)) {
             throw new BotException(complaint + " within " + Value.plain(CONFIRM_S) + " s");
         }
     }

@@ -7,6 +7,7 @@ import java.util.HexFormat;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.Patience;
 import majic.bot.TimeSource;
 import majic.link.Link;
 import majic.pioneer.arcos.FrameDecoder;
@@ -59,7 +60,7 @@ final class ArcosLine {
         } catch (IOException e) {
             throw new BotException(String.valueOf(e.getMessage()), e);
         }
-        Thread reader = new Thread(() -> read(listener), "pioneer reader " + link.address());
+        Thread reader = new Thread(() -> Patience.without(() -> read(listener)), "pioneer reader " + link.address());
         reader.setDaemon(true);
         reader.start();
     }

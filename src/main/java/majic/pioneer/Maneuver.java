@@ -10,7 +10,7 @@ import majic.bot.Value;
  */
 final class Maneuver {
     /** More than the longest silence the session allows while the robot moves, seconds. */
-    private static final double READING_S = 1.5;
+    private static final double SIP_S = 1.5;
 
     private static final double STAND_S = 4;
 
@@ -49,13 +49,18 @@ final class Maneuver {
             PioneerState now = session.state();
             double rate = steering.next(way.covered(now), way.rate(now), motion.seconds() - startedS, cycleS(now));
             motion.send(() -> way.go(session.wheels(), rate, now));
-            if (!motion.nextReading(READING_S)) {
+            if (!hearsNext(now, motion)) {
                 return endEarly(motion);
             }
             look(session.state(), motion.seconds() - startedS);
         }
         motion.send(session.wheels()::stand);
         return way.value(session.state());
+    }
+
+    /** Waits for the next SIP, and looks at the guard at whatever else comes. */
+    private boolean hearsNext(PioneerState last, Motion motion) {
+        return motion.await(() -> session.state().sip() != last.sip(), SIP_S) && motion.pause(0);
     }
 
     private static double cycleS(PioneerState now) {

@@ -5,6 +5,7 @@ import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionStopped;
+import majic.bot.Patience;
 import majic.bot.Pose;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
@@ -222,7 +223,7 @@ final class Session implements ArcosLine.Listener {
     }
 
     /**
-     * Waits until the robot says something.
+     * Waits until the robot says something; a thread that may not wait only looks whether it has.
      *
      * @return whether it said so in time
      * @throws BotException if the thread is interrupted meanwhile
@@ -233,7 +234,7 @@ final class Session implements ArcosLine.Listener {
             return now != null && what.test(now);
         };
         try {
-            changes.await(() -> line.hasEnded() || said.getAsBoolean(), seconds);
+            changes.await(() -> line.hasEnded() || said.getAsBoolean(), Patience.isAllowed() ? seconds : 0);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new MotionStopped("interrupted");

@@ -1,0 +1,51 @@
+package majic.bot;
+
+import java.util.function.BooleanSupplier;
+
+/**
+ * Whether the thread at hand may wait for a robot's answer. A thread that all news of a robot come through must not, nor
+ * one that looks at the guard of a robot that moves: what cannot be had at once is {@code unknown} to them. Drivers ask
+ * here before they wait in the reader of a parameter.
+ */
+public final class Patience {
+    private static final ThreadLocal<Boolean> DENIED = ThreadLocal.withInitial(() -> false);
+
+    private Patience() {}
+
+    /**
+     * Whether waiting is allowed.
+     *
+     * @return true but inside of {@link #without}
+     */
+    public static boolean isAllowed() {
+        return !DENIED.get();
+    }
+
+    /**
+     * Looks at something without waiting for it.
+     *
+     * @param look what to ask, on this thread
+     * @return what it answered
+     */
+    public static boolean without(BooleanSupplier look) {
+        boolean before = DENIED.get();
+        DENIED.set(true);
+        try {
+            return look.getAsBoolean();
+        } finally {
+            DENIED.set(before);
+        }
+    }
+
+    /**
+     * Does something that must not wait.
+     *
+     * @param deed what to do, on this thread
+     */
+    public static void without(Runnable deed) {
+        without(() -> {
+            deed.run();
+            return true;
+        });
+    }
+}
