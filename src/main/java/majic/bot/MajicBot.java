@@ -543,9 +543,16 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      */
     protected final void publish(BotState newState) {
         state = newState;
+        news();
+        tell(listener -> listener.stateChanged(this, newState));
+    }
+
+    /**
+     * Tells that a parameter may read differently though the state is the same; guards of this robot's motions look again.
+     */
+    protected final void news() {
         readings.incrementAndGet();
         changes.raise();
-        tell(listener -> listener.stateChanged(this, newState));
     }
 
     /**

@@ -253,6 +253,11 @@ public final class MajicPioneer extends MajicBot {
         }
 
         @Override
+        public void heardMore() {
+            news();
+        }
+
+        @Override
         public boolean hasGivenUp() {
             return connection() == Connection.CLOSED;
         }

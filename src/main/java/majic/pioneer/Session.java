@@ -46,7 +46,10 @@ final class Session implements ArcosLine.Listener {
         /** New readings, on the reader's thread. */
         void heard(Session session, PioneerState state);
 
-        /** The session is over for good; not called while it is still being opened. */
+        /** Something beside the readings, on the reader's thread: a parameter may read differently. */
+        void heardMore();
+
+        /** The session is over for good; not called before the handshake is done. */
         void lost(Session session, LinkLost cause);
 
         /** Something that a person should know. */
@@ -119,7 +122,7 @@ final class Session implements ArcosLine.Listener {
             heard(Sip.decode(packet));
         } else if (packet.type() == Config.TYPE) {
             config = Config.decode(packet);
-            changes.raise();
+            owner.heardMore();
         } else if (packet.type() >= Report.RESET_FROM) {
             end(new LinkLost("connection lost: the robot's controller was reset"));
         } else {
@@ -134,7 +137,7 @@ final class Session implements ArcosLine.Listener {
             Reports reports = tracking.keep(report);
             PioneerState now = state;
             state = now == null ? null : now.with(reports);
-            changes.raise();
+            owner.heardMore();
         }
     }
 
