@@ -106,13 +106,20 @@ final class Helm {
 
     MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
         return perform(until, permit, motion -> {
-            while (motion.seconds() < seconds && !motion.guardReached()) {
-                motion.send(() -> bot.driveAt(mmPerSec, degPerSec));
-                motion.pause(Math.min(DRIVE_RENEWAL_S, seconds - motion.seconds()));
+            if (motion.pause(0)) {
+                driveOn(mmPerSec, degPerSec, seconds, motion);
             }
-            motion.send(bot::halt);
             return null;
         });
+    }
+
+    private void driveOn(double mmPerSec, double degPerSec, double seconds, Motion motion) {
+        double endS = motion.seconds() + seconds;
+        while (motion.seconds() < endS && !motion.guardReached()) {
+            motion.send(() -> bot.driveAt(mmPerSec, degPerSec));
+            motion.pause(Math.min(DRIVE_RENEWAL_S, endS - motion.seconds()));
+        }
+        motion.send(bot::halt);
     }
 
     void drive(double mmPerSec, double degPerSec, Permit permit) {
