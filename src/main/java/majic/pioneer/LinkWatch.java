@@ -52,6 +52,7 @@ final class LinkWatch {
      */
     @Nullable
     LinkLost look(PioneerState last) {
+        wheels.standIfForgotten();
         boolean moving = last.isMoving() || wheels.areDriven() || wheels.areHeld();
         double silence = time.secondsSince(last.atNanos());
         switch (judge(silence, time.secondsSince(line.sentNanos()), moving)) {

@@ -61,7 +61,7 @@ final class Session implements ArcosLine.Listener {
 
     Session(ArcosLine line, TimeSource time, Signal changes, Owner owner) {
         this.line = line;
-        this.wheels = new Wheels(line);
+        this.wheels = new Wheels(line, time);
         this.time = time;
         this.changes = changes;
         this.owner = owner;

@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import majic.bot.MotionFailed;
+import majic.bot.TimeSource;
 import majic.pioneer.arcos.Command;
 
 /**
@@ -8,14 +9,20 @@ import majic.pioneer.arcos.Command;
  * so until it speaks again and stands: it would take up anything else when the line comes back. Thread-safe.
  */
 final class Wheels {
+    /** Whoever drives says so several times as often, seconds. */
+    private static final double RENEWAL_S = 1;
+
     private final ArcosLine line;
+    private final TimeSource time;
+    private long toldNanos;
     private boolean turning;
     private boolean rolling;
     private boolean held;
     private int holds;
 
-    Wheels(ArcosLine line) {
+    Wheels(ArcosLine line, TimeSource time) {
         this.line = line;
+        this.time = time;
     }
 
     /**
@@ -31,6 +38,7 @@ final class Wheels {
         int rate = (int) Math.round(degPerSec);
         rolling = speed != 0;
         turning = rate != 0;
+        toldNanos = time.nanos();
         line.send(Command.VEL.packet(speed), Command.RVEL.packet(rate));
     }
 
@@ -43,7 +51,14 @@ final class Wheels {
 
     /** Takes back what the robot was last told, where it stands although it was told to creep on. */
     synchronized void stand() {
-        if (rolling || turning) {
+        if (areDriven()) {
+            stop();
+        }
+    }
+
+    /** Lets the robot stand if whoever drives it says nothing more, as when a guard of a program does not return. */
+    synchronized void standIfForgotten() {
+        if (areDriven() && time.secondsSince(toldNanos) > RENEWAL_S) {
             stop();
         }
     }
