@@ -17,8 +17,11 @@ import org.jspecify.annotations.Nullable;
  * @param gyro whether there may be one that the client reads
  */
 record Equipment(Model model, Bumpers bumpers, boolean gripper, boolean charger, boolean gyro) {
+    /** As many as FLAGS can tell of (ARCOS sheet 8.1). */
+    static final int SONAR_ARRAYS = 4;
+
     /** Sonar discs of one array (ARCOS sheet 8.1, 12). */
-    private static final int DISCS_OF_AN_ARRAY = 8;
+    static final int DISCS_OF_AN_ARRAY = 8;
 
     static Equipment of(Model model, @Nullable Config config) {
         return new Equipment(

@@ -38,6 +38,13 @@ final class SonarScan {
         return new SonarScan(ranges, times);
     }
 
+    /** This scan without what some discs have heard. */
+    SonarScan without(int firstDisc, int discs) {
+        long[] times = Arrays.copyOf(atNanos, DISCS);
+        Arrays.fill(times, firstDisc, firstDisc + discs, 0);
+        return new SonarScan(rangesMm, times);
+    }
+
     boolean hasHeard(int disc) {
         return atNanos[disc] != 0;
     }

@@ -20,8 +20,8 @@ final class Surroundings {
     /** How long an echo counts, seconds: four firings of a disc. */
     static final double MEMORY_S = 1.5;
 
-    /** After this long without a reading a disc that should look somewhere does not count as looking, seconds. */
-    private static final double DISC_SILENCE_S = 2;
+    /** A disc without a reading for longer than its echoes count does not count as looking, seconds. */
+    private static final double DISC_SILENCE_S = MEMORY_S;
 
     /** Wider lanes for the width of the cones: a wall seen from the edge of one seems farther aside than it is. */
     private static final double MARGIN_MM = 40;

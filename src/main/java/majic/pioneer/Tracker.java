@@ -14,6 +14,7 @@ final class Tracker {
     private final Surroundings surroundings;
     private SonarScan scan = SonarScan.EMPTY;
     private Reports reports = Reports.NONE;
+    private int lastFlags;
     private double periodS;
     private double longestSilenceS;
     private long lastNanos;
@@ -27,6 +28,7 @@ final class Tracker {
     PioneerState track(Sip sip, long nanos) {
         odometry.add(sip);
         Pose pose = odometry.pose();
+        forgetSwitchedOff(sip.flags());
         scan = scan.with(sip.sonar(), model.scaling().mmPerRangeCount(), nanos);
         surroundings.hear(scan, sip.sonar(), pose, nanos);
         time(nanos);
@@ -42,6 +44,17 @@ final class Tracker {
                 periodS > 0 ? 1 / periodS : 0,
                 longestSilenceS,
                 nanos);
+    }
+
+    /** A guard must not go on by what an array heard before it was switched off; firmware without these flags is not asked. */
+    private void forgetSwitchedOff(int flags) {
+        int switchedOff = lastFlags & ~flags;
+        for (int array = 1; array <= Equipment.SONAR_ARRAYS; array++) {
+            if ((switchedOff & 1 << array) != 0) {
+                scan = scan.without((array - 1) * Equipment.DISCS_OF_AN_ARRAY, Equipment.DISCS_OF_AN_ARRAY);
+            }
+        }
+        lastFlags = flags;
     }
 
     /** Keeps what came beside the SIPs, for this state and all later ones. */

@@ -69,6 +69,32 @@ class SurroundingsTest {
     }
 
     @Test
+    void whatWasHeardBeforeTheSonarsWereSwitchedOffIsForgottenAtOnce() {
+        tracker.track(scan(0).state(0, 0x1F).sip(), SECOND);
+        PioneerState blind = tracker.track(new SipBytes().state(0, 0x01).sip(), SECOND + 1);
+
+        assertThat(blind.gaps()).isEmpty();
+        assertThat(blind.sonar().hasHeard(3)).isFalse();
+    }
+
+    @Test
+    void anArrayThatIsSwitchedOffLeavesTheOther() {
+        tracker.track(scan(0).state(0, 0x1F).sip(), SECOND);
+        PioneerState halfBlind = tracker.track(new SipBytes().state(0, 0x1B).sip(), SECOND + 1);
+
+        assertThat(halfBlind.gaps()).containsOnlyKeys(Side.FRONT);
+        assertThat(halfBlind.sonar().hasHeard(8)).isFalse();
+    }
+
+    @Test
+    void aSideIsNeverClearOnlyBecauseItsEchoesAreForgotten() {
+        tracker.track(scan(0, 3, 300).sip(), SECOND);
+
+        assertThat(tracker.track(new SipBytes().sip(), SECOND + 1_600_000_000L).gaps())
+                .isEmpty();
+    }
+
+    @Test
     void readingsOfDiscsThatDoNotExistAreIgnored() {
         assertThat(tracker.track(scan(0, 200, 100, 31, 100).sip(), SECOND)
                         .gaps()
