@@ -2,7 +2,7 @@ package majic.pioneer;
 
 import org.jspecify.annotations.Nullable;
 
-/** What ends a motion from the robot's side: stall, bumper, motors off, the STOP button. For one motion. */
+/** What ends a motion from the robot's side: stall, bumper, a step ahead, motors off, the STOP button. For one motion. */
 final class Troubles {
     /** Stall bits from before may stand until the wheels turn again (ARCOS sheet 7.5), seconds. */
     private static final double OLD_STALL_S = 1;
@@ -66,10 +66,15 @@ final class Troubles {
         boolean front = bumpers.front(now) != 0;
         boolean rear = bumpers.rear(now) != 0;
         return switch (heading) {
-            case AHEAD -> front ? "front bumper touched" : null;
+            case AHEAD -> front ? "front bumper touched" : stepAhead(now);
             case BACK -> rear ? "rear bumper touched" : null;
             case AROUND -> isNewlyTouched(now) ? "bumper touched" : null;
         };
+    }
+
+    /** The flag of a robot without such sensors may stand for ever, so it counts only when it comes up. */
+    private @Nullable String stepAhead(PioneerState now) {
+        return now.ledge() && !start.ledge() ? "the robot looks down a step" : null;
     }
 
     private boolean isNewlyTouched(PioneerState now) {
