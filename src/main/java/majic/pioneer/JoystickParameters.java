@@ -28,9 +28,23 @@ final class JoystickParameters implements Theme {
         axis(table, "joystickThrottle", "0 to 100", told -> Value.of(told.throttle() / FULL * 100, Unit.PERCENT));
         button(table, "joystickButton1", told -> Value.yesNo(told.button1()));
         button(table, "joystickButton2", told -> Value.yesNo(told.button2()));
-        table.add(Parameter.onOff("joystickDrive", "whether the robot's joystick drives it beside us"), drives.reader())
-                .moves((values, motion) -> motion.send(
-                        () -> drives.tell(Command.JOYDRIVE.packet(values.get(0).isYes() ? 1 : 0), values.get(0))));
+        table.add(
+                        Parameter.onOff(
+                                "joystickDrive", "whether the robot's joystick drives it beside us; a stop ends it"),
+                        drives.reader())
+                .moves((values, motion) -> motion.send(() -> drive(values.get(0).isYes())));
+    }
+
+    private void drive(boolean on) {
+        drives.tell(Command.JOYDRIVE.packet(on ? 1 : 0), Value.onOff(on));
+    }
+
+    /** Whoever stops the robot wants it to stand, whoever drives it. */
+    @Override
+    public void halt() {
+        if (drives.was(Value.onOff(true))) {
+            drive(false);
+        }
     }
 
     private static Value deflection(int counts) {

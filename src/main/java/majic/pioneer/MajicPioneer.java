@@ -11,10 +11,12 @@ import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
+import majic.bot.Patience;
 import majic.bot.Pose;
 import majic.bot.Value;
 import majic.link.Link;
 import majic.link.Links;
+import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Identity;
 import org.jspecify.annotations.Nullable;
 
@@ -29,6 +31,8 @@ import org.jspecify.annotations.Nullable;
 public final class MajicPioneer extends MajicBot {
     /** Long enough to brake from the highest speed. */
     private static final double HALT_S = 3;
+
+    private static final double EMERGENCY_S = 1;
 
     private final String address;
     private final AtomicReference<@Nullable Session> session = new AtomicReference<>();
@@ -179,10 +183,17 @@ public final class MajicPioneer extends MajicBot {
         commands.halt();
     }
 
+    /** A robot that does not brake as it should is stopped as hard as it can. */
     @Override
     protected void confirmHalt() {
-        if (!current().awaitStanding(HALT_S)) {
-            throw new BotException(name() + " has not been seen to stand within " + (int) HALT_S + " s of the stop");
+        Session open = current();
+        parameters.halt();
+        if (Patience.isAllowed() && !open.awaitStanding(HALT_S)) {
+            open.send(Command.ESTOP.packet());
+            if (!open.awaitStanding(EMERGENCY_S)) {
+                throw new BotException(name() + " has not been seen to stand within " + (int) (HALT_S + EMERGENCY_S)
+                        + " s of the stop");
+            }
         }
     }
 

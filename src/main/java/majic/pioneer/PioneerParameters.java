@@ -45,4 +45,9 @@ final class PioneerParameters {
     void describe(Equipment equipment) {
         table.renew(fresh -> themes.forEach(theme -> theme.describe(fresh, equipment)));
     }
+
+    /** Ends what setting one of them has made the robot do. */
+    void halt() {
+        themes.forEach(Theme::halt);
+    }
 }

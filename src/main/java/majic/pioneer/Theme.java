@@ -10,4 +10,7 @@ interface Theme {
      * @param table where they stand in the order of the calls
      */
     void describe(ParameterTable table, Equipment equipment);
+
+    /** Ends what it has made the robot do, when somebody stops the robot; waits for nothing. */
+    default void halt() {}
 }

@@ -26,6 +26,14 @@ final class Told {
         last = new Setting(open, value);
     }
 
+    /** Whether it was told this last, in the session there is. */
+    boolean was(Value value) {
+        Setting known = last;
+        return known != null
+                && known.session() == access.open()
+                && known.value().equals(value);
+    }
+
     /** Reads what it was told; unknown before, as a new session forgets it. */
     Supplier<Value> reader(Supplier<Value> before) {
         return access.session(open -> {

@@ -37,6 +37,7 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     DoubleUnaryOperator governor = speed -> speed;
     boolean wholeDegrees;
     boolean ignoresRamps;
+    boolean ignoresEmergency;
     boolean answersConfig = true;
     boolean hangsUpAtClose = true;
     boolean miscountsAfterSonar;
@@ -163,7 +164,8 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
             case 21 -> robot.rate(moves(Integer.MAX_VALUE) ? value : 0);
             case 23 -> turnRamp(value);
             case 28 -> lieNext = miscountsAfterSonar && value == 1;
-            case 29, 55 -> halt();
+            case 29 -> halt();
+            case 55 -> emergency();
             default -> {}
         }
     }
@@ -175,6 +177,14 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     private void halt() {
         robot.speed(0);
         robot.rate(0);
+    }
+
+    private void emergency() {
+        if (ignoresEmergency) {
+            halt();
+        } else {
+            robot.freeze();
+        }
     }
 
     private void enable(boolean on) {
