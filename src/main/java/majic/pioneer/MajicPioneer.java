@@ -88,8 +88,12 @@ public final class MajicPioneer extends MajicBot {
         commands.with(equipment).forEach(this::add);
     }
 
+    /** A motion under way has planned its braking by those in force. */
     private void useRamps(UnaryOperator<Ramps> change) {
         Session open = current();
+        if (isBusy() && !isDriving()) {
+            throw new BotException(name() + " is in a motion; how it speeds up and brakes can be set when it stands");
+        }
         synchronized (dynamics) {
             open.tell(dynamics.change(change));
             adoptProfile(open.model());

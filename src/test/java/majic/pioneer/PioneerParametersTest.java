@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -50,6 +51,34 @@ class PioneerParametersTest {
         assertThat(bot.get("pose")).hasToString("-1 mm, 200 mm, 90 deg");
         bot.set("heading", -270);
         assertThat(bot.get("heading")).hasToString("90 deg");
+    }
+
+    @Test
+    void rampsAreNotChangedUnderAMotionThatBrakesByThem() {
+        List<String> refused = new ArrayList<>();
+        stage.whenBeyond(100, () -> {
+            try {
+                bot.set("deceleration", 20);
+            } catch (BotException e) {
+                refused.add(String.valueOf(e.getMessage()));
+            }
+        });
+
+        bot.move(300);
+
+        assertThat(refused).singleElement().asString().contains("is in a motion");
+        assertThat(bot.get("deceleration")).hasToString("500 mm/s²");
+    }
+
+    @Test
+    void aStopTakesTheRobotFromItsOwnJoystick() {
+        bot.set("joystickDrive", "on");
+
+        bot.stop();
+        stage.line.pass(0.01);
+
+        assertThat(orders()).contains("JOYDRIVE 1").last().isEqualTo("JOYDRIVE 0");
+        assertThat(bot.get("joystickDrive")).hasToString("off");
     }
 
     @Test
