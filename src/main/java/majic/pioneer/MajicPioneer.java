@@ -172,6 +172,9 @@ public final class MajicPioneer extends MajicBot {
             return way.value(open.state());
         }
         open.motors().switchOn(motion);
+        if (motion.guardReached()) {
+            return way.value(open.state());
+        }
         Bumpers bumpers = Bumpers.of(open.model(), open.config());
         return new Maneuver(open, way, new Troubles(bumpers, way.heading(), open.state())).run(motion);
     }

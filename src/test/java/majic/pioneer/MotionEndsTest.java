@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.function.Consumer;
+import majic.bot.BotListener;
+import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
 import org.junit.jupiter.api.AfterEach;
@@ -15,6 +17,7 @@ import org.junit.jupiter.api.Timeout;
 class MotionEndsTest {
     private static final int STOP_BUTTON = 1 << 5;
     private static final int E_STALL = 1 << 6;
+    private static final int NEAR_LEDGE = 1 << 8;
     private static final int STALLED = 0x0101;
     private static final int FRONT_BUMPER = 0x0200;
     private static final int REAR_BUMPER = 0x0002;
@@ -111,9 +114,80 @@ class MotionEndsTest {
         stage.bot.drive(300, 0);
         stage.line.pass(0.5);
         robot.robot.ramps(1, 1);
-        robot.ignoresRamps = true;
+        robot.ignoresEmergency = true;
 
-        assertThatThrownBy(stage.bot::stop).hasMessageContaining("within 3 s of the stop");
+        assertThatThrownBy(stage.bot::stop).hasMessageContaining("within 4 s of the stop");
+    }
+
+    @Test
+    void aRobotThatDoesNotBrakeAsItShouldIsStoppedHard() {
+        connect();
+        stage.bot.drive(300, 0);
+        stage.line.pass(0.5);
+        robot.robot.ramps(1, 1);
+
+        stage.bot.stop();
+
+        assertThat(robot.heardLast("STOP 0", "VEL 0", "RVEL 0", "ESTOP 0")).isTrue();
+        assertThat(robot.robot.stands()).isTrue();
+    }
+
+    @Test
+    void aStepThatComesInSightEndsTheWayAhead() {
+        moveUntil(1000, pioneer -> pioneer.extraFlags = NEAR_LEDGE, "the robot looks down a step");
+    }
+
+    @Test
+    void aLedgeFlagThatStandsForEverMeansNothing() {
+        robot.extraFlags = NEAR_LEDGE;
+        connect();
+
+        assertThat(Stage.amount(stage.bot.move(100))).isBetween(90.0, 110.0);
+    }
+
+    @Test
+    void aTimedDriveWhoseGuardHoldsAlreadyDoesNotBegin() {
+        connect();
+
+        stage.bot.drive(200, 0, 2, () -> true);
+        stage.line.pass(0.5);
+
+        assertThat(robot.heard).noneMatch(command -> command.matches("(ENABLE|VEL|RVEL) .*"));
+    }
+
+    @Test
+    void aGuardThatComesTrueWhileTheMotorsSwitchOnMovesNothing() {
+        connect();
+        boolean[] holds = {false};
+        robot.neverEnables = true;
+        stage.bot.addListener(new BotListener() {
+            @Override
+            public void notice(MajicBot from, String message) {
+                holds[0] = true;
+            }
+        });
+
+        stage.bot.move(1000, () -> holds[0]);
+        stage.line.pass(0.3);
+
+        assertThat(robot.heard).contains("ENABLE 1").noneMatch(command -> command.matches("VEL [^0].*"));
+    }
+
+    @Test
+    void aGuardThatDoesNotReturnDoesNotDriveTheRobotOn() {
+        connect();
+        boolean[] stood = {false};
+
+        stage.bot.move(600, () -> {
+            if (!stood[0] && stage.bot.state().pose().xMm() > 100) {
+                stage.line.pass(2);
+                stood[0] = robot.robot.stands();
+            }
+            return false;
+        });
+
+        assertThat(stood[0]).isTrue();
+        assertThat(robot.robot.x()).isBetween(590.0, 610.0);
     }
 
     @Test
