@@ -31,15 +31,25 @@ final class Driving {
      *
      * @throws MotionFailed if a trouble has ended the drive before; the next call begins a new one
      */
-    synchronized void drive(double mmPerSec, double degPerSec) {
+    void drive(double mmPerSec, double degPerSec) {
+        failIfEnded();
+        motors.switchOnSoon();
+        go(mmPerSec, degPerSec);
+    }
+
+    /** Under one lock with {@link #look}: nothing is sent after what ends the drive. */
+    private synchronized void go(double mmPerSec, double degPerSec) {
+        failIfEnded();
+        begin(Troubles.Heading.of(mmPerSec));
+        session.wheels().drive(mmPerSec, degPerSec);
+    }
+
+    private synchronized void failIfEnded() {
         String reason = untold;
         if (reason != null) {
             end();
             throw new MotionFailed(reason);
         }
-        motors.switchOnSoon();
-        begin(Troubles.Heading.of(mmPerSec));
-        session.wheels().drive(mmPerSec, degPerSec);
     }
 
     private void begin(Troubles.Heading now) {
@@ -62,13 +72,18 @@ final class Driving {
     }
 
     /** Ends the drive, if there is one, and lets the robot stand in any case. */
-    synchronized void stop() {
-        String reason = untold;
-        end();
-        session.wheels().stop();
+    void stop() {
+        String reason = endAndStand();
         if (reason != null) {
             notice.accept("the drive ended: " + reason);
         }
+    }
+
+    private synchronized @Nullable String endAndStand() {
+        String reason = untold;
+        end();
+        session.wheels().stop();
+        return reason;
     }
 
     private void end() {
