@@ -55,10 +55,10 @@ final class GripperOrders {
         motion.send(() -> access.send(Command.GRIPPER.packet(order.argument())));
         motion.pause(NOTICE_S);
         boolean done = motion.await(() -> state().filter(order::isDone).isPresent(), LONGEST_S);
-        underWay = false;
         if (!done && state().filter(GripperOrders::isTelling).isPresent()) {
             throw new MotionFailed("not done within " + Value.plain(LONGEST_S) + " s: " + words());
         }
+        underWay = false;
         return done ? words() : "told; this robot does not say how its gripper stands";
     }
 
