@@ -42,8 +42,12 @@ record Limits(
                 turn,
                 lower(speed, config.speedMaxMmPerSec()),
                 lower(turn, config.turnMaxDegPerSec()),
-                lower(SHARPEST_MM_PER_SEC2, (int) config.number(ConfigField.TRANSACCTOP)),
-                lower(SHARPEST_DEG_PER_SEC2, (int) config.number(ConfigField.ROTACCTOP)));
+                gentle(SHARPEST_MM_PER_SEC2, config.number(ConfigField.TRANSACCTOP)),
+                gentle(SHARPEST_DEG_PER_SEC2, config.number(ConfigField.ROTACCTOP)));
+    }
+
+    private static int gentle(int known, long told) {
+        return Math.max(Ramps.GENTLEST, lower(known, (int) told));
     }
 
     private static int lower(int known, int told) {

@@ -120,7 +120,12 @@ public final class MajicPioneer extends MajicBot {
         Session opening = new Session(new ArcosLine(link(), time()), time(), changes(), new Owner());
         session.set(opening);
         opening.open(lastPose, dynamics);
-        adopt(opening);
+        try {
+            adopt(opening);
+        } catch (RuntimeException e) {
+            opening.finish();
+            throw e;
+        }
     }
 
     private void adopt(Session opened) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.Packet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -85,6 +86,16 @@ class ModelsTest {
         assertThat(limits.setTurnDegPerSec()).isEqualTo(150);
         assertThat(Ramps.careful(limits).topSpeedMmPerSec()).isEqualTo(1000);
         assertThat(Ramps.careful(limits).topTurnDegPerSec()).isEqualTo(100);
+    }
+
+    @Test
+    void aControllerThatClaimsToHardlySpeedUpIsStillDescribed() {
+        byte[] data = Bytes.packet(Bytes.CONFIG).data();
+        data[24] = 5;
+        data[25] = 0;
+        Limits limits = Limits.of(Models.of("p3dx"), Config.decode(new Packet(Config.TYPE, data, 0, data.length)));
+
+        assertThat(limits.accelerationMmPerSec2()).isEqualTo(Ramps.GENTLEST);
     }
 
     @Test
