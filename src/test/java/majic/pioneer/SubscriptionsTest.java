@@ -2,12 +2,9 @@ package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import majic.TestClock;
-import majic.link.Link;
-import majic.link.Traffic;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Encoders;
@@ -25,7 +22,7 @@ class SubscriptionsTest {
     private static final Encoders TICKS = new Encoders(1, 2);
 
     private final TestClock clock = new TestClock();
-    private final Wire wire = new Wire();
+    private final RecordingLink wire = new RecordingLink();
 
     @AfterEach
     void stopTheClock() {
@@ -36,28 +33,28 @@ class SubscriptionsTest {
     void aFastLineBringsWhatTheRobotHasFromTheStart() {
         on("tcp:robot").begin(config(0, 0));
 
-        assertThat(wire.requests).containsExactly(BATTERIES_STREAM, PORTS_STREAM);
+        assertThat(requests()).containsExactly(BATTERIES_STREAM, PORTS_STREAM);
     }
 
     @Test
     void gripperAndGyroAreAskedForWhereConfigSaysThatTheyAreThere() {
         on("tcp:robot").begin(config(1, 1));
 
-        assertThat(wire.requests).containsExactly(BATTERIES_STREAM, PORTS_STREAM, "37 2", "58 1");
+        assertThat(requests()).containsExactly(BATTERIES_STREAM, PORTS_STREAM, "37 2", "58 1");
     }
 
     @Test
     void aGyroThatTheControllerReadsItselfIsLeftAlone() {
         on("tcp:robot").begin(config(0, 2));
 
-        assertThat(wire.requests).doesNotContain("58 1");
+        assertThat(requests()).doesNotContain("58 1");
     }
 
     @Test
     void aSlowLineIsLeftToTheSips() {
         on("serial:ttyS0").begin(config(1, 1));
 
-        assertThat(wire.requests).isEmpty();
+        assertThat(requests()).isEmpty();
     }
 
     @Test
@@ -66,7 +63,7 @@ class SubscriptionsTest {
 
         read(subscriptions, 10, true);
 
-        assertThat(wire.requests).containsExactly(ENCODER_STREAM);
+        assertThat(requests()).containsExactly(ENCODER_STREAM);
     }
 
     @Test
@@ -75,9 +72,9 @@ class SubscriptionsTest {
 
         read(subscriptions, 4, true);
 
-        assertThat(wire.requests).hasSize(4).containsOnly(ENCODER_ONCE);
+        assertThat(requests()).hasSize(4).containsOnly(ENCODER_ONCE);
         pass(subscriptions, 30);
-        assertThat(wire.requests).hasSizeLessThan(11);
+        assertThat(requests()).hasSizeLessThan(11);
     }
 
     @Test
@@ -88,7 +85,7 @@ class SubscriptionsTest {
         subscriptions.heard(TICKS);
         read(subscriptions, 2, true);
 
-        assertThat(wire.requests).hasSize(3).containsOnly(ENCODER_STREAM);
+        assertThat(requests()).hasSize(3).containsOnly(ENCODER_STREAM);
     }
 
     @Test
@@ -98,7 +95,7 @@ class SubscriptionsTest {
         read(subscriptions, 3, true);
         read(subscriptions, 3, false);
 
-        assertThat(wire.requests).hasSize(2);
+        assertThat(requests()).hasSize(2);
     }
 
     @Test
@@ -107,9 +104,16 @@ class SubscriptionsTest {
 
         read(subscriptions, 60, false);
 
-        assertThat(wire.requests).hasSize(5);
+        assertThat(requests()).hasSize(5);
         assertThat(subscriptions.isMute(Feed.ENCODERS)).isTrue();
         assertThat(subscriptions.isMute(Feed.JOYSTICK)).isFalse();
+    }
+
+    private List<String> requests() {
+        return wire.written.stream()
+                .map(bytes -> Bytes.packet(Bytes.hex(bytes)))
+                .map(packet -> packet.type() + " " + packet.data()[1])
+                .toList();
     }
 
     private Subscriptions on(String address) {
@@ -141,41 +145,5 @@ class SubscriptionsTest {
         data[39] = (byte) gripper;
         data[88] = (byte) gyro;
         return Config.decode(new Packet(Config.TYPE, data, 0, data.length));
-    }
-
-    /** A link that only remembers what is written. */
-    private static final class Wire implements Link {
-        private final List<String> requests = new ArrayList<>();
-        private String address = "";
-
-        @Override
-        public void open(int timeoutMs) {}
-
-        @Override
-        public int read(byte[] buffer) {
-            return -1;
-        }
-
-        @Override
-        public void write(byte[] message) {
-            Packet packet = Bytes.packet(Bytes.hex(message));
-            requests.add(packet.type() + " " + packet.data()[1]);
-        }
-
-        @Override
-        public void close() {}
-
-        @Override
-        public void abort() {}
-
-        @Override
-        public String address() {
-            return address;
-        }
-
-        @Override
-        public Traffic traffic() {
-            return new Traffic("", "", 0, 0, true);
-        }
     }
 }
