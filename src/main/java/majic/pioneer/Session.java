@@ -182,8 +182,8 @@ final class Session implements ArcosLine.Listener {
     }
 
     private void end(LinkLost cause) {
-        owner.lost(this, cause);
         line.abort(cause);
+        owner.lost(this, cause);
     }
 
     /** Stops the robot, switches its motors off, says good-bye and closes the link; bounded by little over a second. */
