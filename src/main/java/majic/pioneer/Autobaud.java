@@ -45,7 +45,7 @@ final class Autobaud {
             return;
         }
         line.send(Command.HOSTBAUD.packet(Rates.FAST_CODE));
-        session.awaitOpening(() -> false, SETTLE_S);
+        session.awaitState(state -> false, SETTLE_S);
         line.setBaud(Rates.FAST);
         if (!isHeard(PULSES)) {
             fallBack();
@@ -57,7 +57,7 @@ final class Autobaud {
         long seen = session.state().atNanos();
         for (int pulse = 0; pulse < pulses; pulse++) {
             line.send(Command.PULSE.packet());
-            if (session.awaitOpening(() -> session.state().atNanos() != seen, PULSE_S)) {
+            if (session.awaitState(state -> state.atNanos() != seen, PULSE_S)) {
                 return true;
             }
         }
@@ -68,7 +68,7 @@ final class Autobaud {
         LOG.log(Level.DEBUG, () -> line.address() + " does not follow to " + Rates.FAST + " baud");
         line.setBaud(Rates.POWER_UP);
         long seen = session.state().atNanos();
-        if (!session.awaitOpening(() -> session.state().atNanos() != seen, FALL_BACK_S)) {
+        if (!session.awaitState(state -> state.atNanos() != seen, FALL_BACK_S)) {
             throw new BotException(line.address() + " is not heard any more since its speed was to change from "
                     + Rates.POWER_UP + " to " + Rates.FAST + " baud; try again");
         }

@@ -264,6 +264,11 @@ public final class MajicPioneer extends MajicBot {
         }
 
         @Override
+        public void heardMore() {
+            news();
+        }
+
+        @Override
         public void lost(Session from, LinkLost cause) {
             if (from == session.get()) {
                 MajicPioneer.this.lost(cause);
@@ -273,11 +278,6 @@ public final class MajicPioneer extends MajicBot {
         @Override
         public void say(String message) {
             notice(message);
-        }
-
-        @Override
-        public void heardMore() {
-            news();
         }
 
         @Override

@@ -9,8 +9,8 @@ import majic.pioneer.arcos.Command;
 
 /**
  * Makes a session from a closed line: handshake, OPEN, CONFIG, speed of the line, ramps, packets beside the SIPs, sonar
- * (ARCOS sheet 13.1), without moving anything
- * or switching motors on. Runs on the thread that connects, once for each session.
+ * (ARCOS sheet 13.1), without moving anything or switching motors on. Runs on the thread that connects, once for each
+ * session.
  */
 final class Opening {
     private static final double FIRST_SIP_S = 2;
@@ -21,12 +21,14 @@ final class Opening {
     private final Session session;
     private final ArcosLine line;
     private final Inbox inbox;
+    private final ConnectWait wait;
     private final TimeSource time;
 
-    Opening(Session session, ArcosLine line, Inbox inbox, TimeSource time) {
+    Opening(Session session, ArcosLine line, Inbox inbox, ConnectWait wait, TimeSource time) {
         this.session = session;
         this.line = line;
         this.inbox = inbox;
+        this.wait = wait;
         this.time = time;
     }
 
@@ -45,11 +47,11 @@ final class Opening {
             session.begin(new Handshake(line, inbox, rates, time).run(), start);
             startSips();
             askConfig();
-            new Autobaud(session, line).run(session.config(), rates.now());
+            session.autobaud().run(session.config(), rates.now());
             session.tell(dynamics.fit(Limits.of(session.model(), session.config())));
             session.subscriptions().begin(session.config());
             startSonar();
-        } catch (BotException e) {
+        } catch (RuntimeException e) {
             if (session.hasBegun()) {
                 line.sendIfPossible(Command.CLOSE.packet(1));
             }
@@ -66,13 +68,13 @@ final class Opening {
     private void askConfig() {
         for (int tries = 0; tries < CONFIG_TRIES && session.config() == null; tries++) {
             line.send(Command.CONFIG.packet(1));
-            session.awaitOpening(() -> session.config() != null, CONFIG_S);
+            await(() -> session.config() != null, CONFIG_S);
         }
     }
 
     private void startSonar() {
         line.send(Command.SONAR.packet(1));
-        session.awaitOpening(this::seesAllAround, SONAR_CYCLE_S);
+        await(this::seesAllAround, SONAR_CYCLE_S);
         require(() -> !line.hasEnded(), 0, "closed the connection right after the handshake");
     }
 
@@ -83,8 +85,13 @@ final class Opening {
                         .allMatch(session.state().gaps()::containsKey);
     }
 
+    private boolean await(BooleanSupplier condition, double seconds) {
+        wait.await(() -> condition.getAsBoolean() || line.hasEnded(), seconds);
+        return condition.getAsBoolean();
+    }
+
     private void require(BooleanSupplier condition, double seconds, String complaint) {
-        if (!session.awaitOpening(condition, seconds)) {
+        if (!await(condition, seconds)) {
             throw new BotException(line.address() + " " + complaint);
         }
     }

@@ -9,7 +9,6 @@ import majic.bot.Patience;
 import majic.bot.Pose;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
-import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Identity;
 import majic.pioneer.arcos.Packet;
@@ -23,15 +22,15 @@ import org.jspecify.annotations.Nullable;
  * everything else may be called from any thread.
  */
 final class Session implements ArcosLine.Listener {
-    private static final double GOODBYE_S = 0.1;
-
     private final ArcosLine line;
     private final Wheels wheels;
     private final LinkWatch watch;
     private final Motors motors;
     private final Driving driving;
     private final Subscriptions subscriptions;
+    private final ConnectWait connecting;
     private final Inbox inbox;
+    private final Autobaud autobaud;
     private final TimeSource time;
     private final Signal changes;
     private final Owner owner;
@@ -69,7 +68,9 @@ final class Session implements ArcosLine.Listener {
         this.motors = new Motors(this, time, owner::say);
         this.driving = new Driving(this, motors, time, owner::say);
         this.subscriptions = new Subscriptions(line, time);
-        this.inbox = new Inbox(changes, owner::hasGivenUp);
+        this.connecting = new ConnectWait(changes, owner::hasGivenUp);
+        this.inbox = new Inbox(connecting);
+        this.autobaud = new Autobaud(this, line);
     }
 
     /**
@@ -81,7 +82,7 @@ final class Session implements ArcosLine.Listener {
      * @throws BotException if there is no such robot
      */
     void open(Pose start, Dynamics dynamics) {
-        new Opening(this, line, inbox, time).run(start, dynamics);
+        new Opening(this, line, inbox, connecting, time).run(start, dynamics);
     }
 
     /** The handshake is over; what comes from now on are SIPs. */
@@ -93,25 +94,6 @@ final class Session implements ArcosLine.Listener {
 
     boolean hasBegun() {
         return tracker != null;
-    }
-
-    /**
-     * Waits while the session is being opened.
-     *
-     * @return whether it came to be so in time
-     * @throws BotException if the connection is not wanted any more
-     */
-    boolean awaitOpening(BooleanSupplier condition, double seconds) {
-        try {
-            changes.await(() -> condition.getAsBoolean() || line.hasEnded() || owner.hasGivenUp(), seconds);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new BotException("interrupted while connecting", e);
-        }
-        if (owner.hasGivenUp()) {
-            throw new BotException("closed while connecting");
-        }
-        return condition.getAsBoolean();
     }
 
     @Override
@@ -189,22 +171,9 @@ final class Session implements ArcosLine.Listener {
     /** Stops the robot, switches its motors off, says good-bye and closes the link; bounded by little over a second. */
     void finish() {
         if (hasBegun()) {
-            line.sendIfPossible(
-                    Command.STOP.packet(), Command.VEL.packet(0), Command.RVEL.packet(0), Command.ENABLE.packet(0));
-            linger();
-            line.sendIfPossible(Command.CLOSE.packet(1));
-            linger();
+            new Farewell(line, autobaud, changes).run();
         }
         line.close();
-    }
-
-    /** Gives the robot the time it needs, or to hang up by itself. */
-    private void linger() {
-        try {
-            changes.await(line::hasEnded, GOODBYE_S);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
     }
 
     /**
@@ -261,6 +230,10 @@ final class Session implements ArcosLine.Listener {
     /** Tells the robot its ramps, for as long as this session lasts. */
     void tell(Ramps ramps) {
         line.send(ramps.packets());
+    }
+
+    Autobaud autobaud() {
+        return autobaud;
     }
 
     Subscriptions subscriptions() {
