@@ -28,6 +28,7 @@ final class Autobaud {
 
     private final Session session;
     private final ArcosLine line;
+    private volatile boolean raised;
 
     Autobaud(Session session, ArcosLine line) {
         this.session = session;
@@ -44,18 +45,51 @@ final class Autobaud {
         if (config == null || config.autobaud() != AUTOMATIC || rate != Rates.POWER_UP || !line.setBaud(rate)) {
             return;
         }
-        line.send(Command.HOSTBAUD.packet(Rates.FAST_CODE));
-        session.awaitState(state -> false, SETTLE_S);
-        line.setBaud(Rates.FAST);
-        if (!isHeard(PULSES)) {
+        change(Rates.FAST_CODE, Rates.FAST);
+        raised = isHeard();
+        if (!raised) {
             fallBack();
         }
     }
 
+    /**
+     * Makes the line as slow again as it was, for the next program that looks for the robot there. A robot that is not heard
+     * then is told to end the session at either speed. For the end of a session; throws nothing.
+     */
+    void restore() {
+        try {
+            if (raised && !line.hasEnded()) {
+                raised = false;
+                slowDown();
+            }
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, () -> line.address() + " was not made slow again: " + e.getMessage());
+        }
+    }
+
+    private void slowDown() {
+        change(Rates.POWER_UP_CODE, Rates.POWER_UP);
+        if (!isHeard()) {
+            line.send(Command.CLOSE.packet(1));
+            settle();
+            line.setBaud(Rates.FAST);
+        }
+    }
+
+    private void change(int code, int baud) {
+        line.send(Command.HOSTBAUD.packet(code));
+        settle();
+        line.setBaud(baud);
+    }
+
+    private void settle() {
+        session.awaitState(state -> false, SETTLE_S);
+    }
+
     /** Any valid packet of ours tells the robot that the change has worked. */
-    private boolean isHeard(int pulses) {
+    private boolean isHeard() {
         long seen = session.state().atNanos();
-        for (int pulse = 0; pulse < pulses; pulse++) {
+        for (int pulse = 0; pulse < PULSES; pulse++) {
             line.send(Command.PULSE.packet());
             if (session.awaitState(state -> state.atNanos() != seen, PULSE_S)) {
                 return true;

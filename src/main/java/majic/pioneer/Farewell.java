@@ -22,6 +22,7 @@ final class Farewell {
         line.sendIfPossible(
                 Command.STOP.packet(), Command.VEL.packet(0), Command.RVEL.packet(0), Command.ENABLE.packet(0));
         linger();
+        autobaud.restore();
         line.sendIfPossible(Command.CLOSE.packet(1));
         linger();
     }

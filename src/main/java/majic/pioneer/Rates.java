@@ -8,6 +8,9 @@ final class Rates {
     /** After power-up, baud. */
     static final int POWER_UP = 9600;
 
+    /** HOSTBAUD's code of {@link #POWER_UP}. */
+    static final int POWER_UP_CODE = 0;
+
     /** What a robot that allows it is set to, baud. */
     static final int FAST = 38_400;
 

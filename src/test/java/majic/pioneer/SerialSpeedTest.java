@@ -25,6 +25,8 @@ import org.junit.jupiter.api.condition.OS;
 @Timeout(20)
 @EnabledOnOs(value = OS.LINUX, disabledReason = "the port's speed is read as Linux keeps it")
 class SerialSpeedTest {
+    private static final int PULSE = 0;
+    private static final int CLOSE = 2;
     private static final int HOSTBAUD = 50;
     private static final int B9600 = 13;
     private static final int B38400 = 15;
@@ -78,6 +80,28 @@ class SerialSpeedTest {
 
         assertThat(plug.speedCode()).isEqualTo(B38400);
         assertThat(heard).doesNotContain(HOSTBAUD);
+    }
+
+    @Test
+    void theNextProgramFindsTheRobotAsSlowAsThisOneDid() {
+        connect();
+
+        bot.close();
+
+        assertThat(heard).endsWith(HOSTBAUD, PULSE, CLOSE);
+        assertThat(speed).isEqualTo(B9600);
+        assertThat(plug.speedCode()).isEqualTo(B9600);
+    }
+
+    @Test
+    void aRobotThatStaysFastHearsTheGoodByeAllTheSame() {
+        connect();
+        changesSpeed = false;
+
+        bot.close();
+
+        assertThat(heard).endsWith(CLOSE);
+        assertThat(speed).isEqualTo(B38400);
     }
 
     private void converse() {
