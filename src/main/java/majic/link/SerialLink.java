@@ -4,7 +4,9 @@ import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
 import java.io.File;
 import java.io.IOException;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
@@ -16,6 +18,11 @@ import org.jspecify.annotations.Nullable;
  * here, and a negative count is what tells a dead line.
  */
 final class SerialLink implements Link {
+    /** A quarter of a kilobyte at 9600 baud takes no longer. */
+    private static final long LONGEST_OUTPUT_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
+
+    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
+
     private final String name;
     private final int baud;
     private final Counter counter = new Counter();
@@ -46,7 +53,7 @@ final class SerialLink implements Link {
         try {
             return Bounded.call("opening " + name, timeoutMs, () -> opening.openPort() && keep(opening));
         } catch (TimeoutException e) {
-            close();
+            end();
             throw new IOException(
                     "the serial port " + name + " did not open within " + timeoutMs / 1000.0
                             + " s; is the robot on and in reach?",
@@ -124,6 +131,22 @@ final class SerialLink implements Link {
 
     @Override
     public void close() {
+        SerialPort open = port;
+        if (open != null) {
+            waitForOutput(open);
+        }
+        end();
+    }
+
+    /** The library throws away what is still in the port's buffer when it closes the port. */
+    private static void waitForOutput(SerialPort open) {
+        long deadlineNanos = System.nanoTime() + LONGEST_OUTPUT_NANOS;
+        while (open.bytesAwaitingWrite() > 0 && System.nanoTime() < deadlineNanos) {
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
+    }
+
+    private void end() {
         SerialPort open;
         synchronized (this) {
             open = port;
@@ -143,7 +166,7 @@ final class SerialLink implements Link {
         if (open != null) {
             open.flushIOBuffers();
         }
-        close();
+        end();
     }
 
     @Override

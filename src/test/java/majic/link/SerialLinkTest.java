@@ -112,6 +112,16 @@ class SerialLinkTest {
     }
 
     @Test
+    void abortingThrowsAwayWhatIsStillOnItsWay() throws IOException {
+        int queued = 6000;
+        link.write(new byte[queued]);
+
+        link.abort();
+
+        assertThat(arrivesInAll()).isLessThan(queued);
+    }
+
+    @Test
     void canBeOpenedAgainAfterClosing() throws IOException {
         link.close();
         SerialLink again = new SerialLink(plug.name(), 115_200);
@@ -140,6 +150,18 @@ class SerialLinkTest {
 
         assertThat(link.traffic().written()).isEqualTo(2);
         assertThat(link.traffic().remote()).isEqualTo(plug.name());
+    }
+
+    /** What the robot's side still gets of a port that was closed. */
+    private int arrivesInAll() {
+        int count = 0;
+        try {
+            while (true) {
+                count += plug.read().length();
+            }
+        } catch (IOException e) {
+            return count;
+        }
     }
 
     private void unplug() {
