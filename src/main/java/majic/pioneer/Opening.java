@@ -52,10 +52,7 @@ final class Opening {
             session.subscriptions().begin(session.config());
             startSonar();
         } catch (RuntimeException e) {
-            if (session.hasBegun()) {
-                line.sendIfPossible(Command.CLOSE.packet(1));
-            }
-            line.close();
+            session.finish();
             throw e;
         }
     }
