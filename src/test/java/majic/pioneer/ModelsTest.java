@@ -1,15 +1,22 @@
 package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+import majic.bot.Pose;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.SipBytes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ModelsTest {
+    private static final double SONARS_STAND_OUT_MM = 20;
 
     @Test
     void theHullOfAP3DxLiesAsTheSheetSays() {
@@ -26,6 +33,39 @@ class ModelsTest {
         assertThat(Models.of("p3dx-sh").scaling().mmPerCount()).isEqualTo(1);
         assertThat(Models.of("p2de").scaling().mmPerRangeCount()).isEqualTo(0.268);
         assertThat(Models.of("amigo").scaling().mmPerSecPerCount()).isEqualTo(0.6154);
+    }
+
+    /** Columns as the head of the table names them. */
+    @ParameterizedTest(name = "{0}")
+    @CsvFileSource(resources = "/majic/pioneer/models.csv")
+    void everyRowOfTheTableIsTheModelThatIsDriven(ArgumentsAccessor row) {
+        Model model = Models.of(row.getString(0));
+
+        assertThat(model.known()).isTrue();
+        assertThat(model.scaling())
+                .isEqualTo(new Scaling(row.getDouble(6), row.getDouble(7), row.getDouble(8), row.getDouble(9)));
+        assertThat(List.of(model.topSpeedMmPerSec(), model.topTurnDegPerSec()))
+                .isEqualTo(List.of(row.getDouble(4), row.getDouble(5)));
+        assertThat(List.of(model.frontBumpers(), model.rearBumpers()))
+                .isEqualTo(List.of(row.getInteger(10), row.getInteger(11)));
+        assertThat(model.hull().halfWidthMm() * 2).isEqualTo(row.getDouble(3));
+        assertThat(model.hull().frontMm() + model.hull().rearMm())
+                .isBetween(row.getDouble(2), row.getDouble(2) + SONARS_STAND_OUT_MM);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvFileSource(resources = "/majic/pioneer/models.csv")
+    void everyModelsCountsBecomeMillimetresByItsOwnFactors(ArgumentsAccessor row) {
+        Tracker tracker = new Tracker(Models.of(row.getString(0)), Pose.START);
+        tracker.track(new SipBytes().pose(0, 0, 0).sip(), 1);
+        PioneerState state = tracker.track(
+                new SipBytes().pose(1000, 0, 0).wheels(-100, 300).sonar(0, 1000).sip(), 2);
+
+        assertThat(state.pose().xMm()).isCloseTo(1000 * row.getDouble(6), within(1e-9));
+        assertThat(state.speedMmPerSec()).isCloseTo(100 * row.getDouble(7), within(1e-9));
+        assertThat(Math.toRadians(state.turnRateDegPerSec()))
+                .isCloseTo(200 * row.getDouble(7) * row.getDouble(9), within(1e-9));
+        assertThat(state.sonar().rangeMm(0)).isEqualTo((int) Math.round(1000 * row.getDouble(8)));
     }
 
     @Test
