@@ -115,10 +115,11 @@ final class Session implements ArcosLine.Listener {
     private void heard(@Nullable Report report) {
         Tracker tracking = tracker;
         if (report != null && tracking != null) {
-            subscriptions.heard(report);
             Reports reports = tracking.keep(report);
             PioneerState now = state;
             state = now == null ? null : now.with(reports);
+            // Last: who waits for a fresh report looks into the state next.
+            subscriptions.heard(report);
             owner.heardMore();
         }
     }
