@@ -34,10 +34,10 @@ class EarlyStopTest {
 
     @Test
     void aStopGoesAheadOfACommandThatIsStuckAndOnceMoreBehindIt() {
-        CompletableFuture<Void> drive = CompletableFuture.runAsync(() -> bot.drive(100, 0));
+        CompletableFuture<Void> drive = aside(() -> bot.drive(100, 0));
         await(sending);
 
-        CompletableFuture<Void> stop = CompletableFuture.runAsync(bot::stop);
+        CompletableFuture<Void> stop = aside(bot::stop);
 
         await(toldAhead);
         assertThat(bot.sent()).isEmpty();
@@ -55,6 +55,11 @@ class EarlyStopTest {
         bot.stop();
 
         assertThat(bot.sent()).containsExactly("halt");
+    }
+
+    /** On a thread of its own: the common pool may have just one. */
+    private static CompletableFuture<Void> aside(Runnable work) {
+        return CompletableFuture.runAsync(work, task -> new Thread(task).start());
     }
 
     private static void await(CountDownLatch latch) {
