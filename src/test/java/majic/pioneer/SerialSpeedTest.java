@@ -87,6 +87,7 @@ class SerialSpeedTest {
         connect();
 
         bot.close();
+        awaitGoodBye();
 
         assertThat(heard).endsWith(HOSTBAUD, PULSE, CLOSE);
         assertThat(speed).isEqualTo(B9600);
@@ -99,9 +100,17 @@ class SerialSpeedTest {
         changesSpeed = false;
 
         bot.close();
+        awaitGoodBye();
 
         assertThat(heard).endsWith(CLOSE);
         assertThat(speed).isEqualTo(B38400);
+    }
+
+    /** What was sent last may still be on the line. */
+    private void awaitGoodBye() {
+        while (heard.get(heard.size() - 1) != CLOSE) {
+            Thread.onSpinWait();
+        }
     }
 
     private void converse() {

@@ -62,7 +62,8 @@ class SilenceTest {
         assertThat(robot.heardLast("VEL 0", "RVEL 0")).isTrue();
         assertThat(robot.heard).last().isEqualTo("RVEL 0");
         assertThat(robot.heardAt.get(robot.heardAt.size() - 1) - silentMs[0]).isBetween(500L, 620L);
-        assertThat(stage.line.endMs - silentMs[0]).isBetween(1000L, 1150L);
+        // The clock waits for bytes but not for an end, and may go on for a cycle or two until that is seen.
+        assertThat(stage.line.endMs - silentMs[0]).isBetween(1000L, 1350L);
         assertThat(stage.line.endedHard).isTrue();
     }
 
