@@ -1,8 +1,10 @@
 package majic.act;
 
+import java.io.ObjectStreamField;
 import java.io.Serializable;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Function;
 import majic.bot.BotControl;
@@ -23,6 +25,9 @@ public abstract class MajicAct extends Thread implements Serializable {
     private static final long serialVersionUID = 1;
     private static final Logger LOG = System.getLogger(MajicAct.class.getName());
 
+    /** Nothing of this class is saved: a saved act has no thread, no robot and no clock, and is as new when read. */
+    private static final ObjectStreamField[] serialPersistentFields = {};
+
     /** The robot, from the start of {@link #behave()} to its end; null before and after. */
     protected transient volatile @Nullable BotControl bot;
 
@@ -30,10 +35,19 @@ public abstract class MajicAct extends Thread implements Serializable {
     private transient volatile @Nullable TimeSource time;
     private transient volatile @Nullable CountDownLatch joined;
 
-    /** A behaviour that has no robot yet. Needed also when a saved act is read back. */
+    /** A behaviour that has no robot yet. Reading a saved act does not come by here. */
     protected MajicAct() {
         super("act");
-        setDaemon(true);
+    }
+
+    /**
+     * Which robots the act asks for, the first being the one it is loaded onto. Written into the act's file when that is
+     * made, and asked again before the act starts; called without a robot, on any thread.
+     *
+     * @return at least one role; unless overridden, any one robot
+     */
+    public List<Role> roles() {
+        return List.of(Role.any(Role.ME));
     }
 
     /**
@@ -87,6 +101,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         time = clock;
         CountDownLatch begun = new CountDownLatch(1);
         joined = begun;
+        setDaemon(true);
         setName("act " + getClass().getSimpleName());
         start();
         awaitQuietly(begun);

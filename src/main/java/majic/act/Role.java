@@ -1,0 +1,113 @@
+package majic.act;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import majic.bot.Parameter;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot that an act asks for: what the act calls it, and what it has to be able to do. Immutable.
+ *
+ * @param name the act's word for it, letters and digits; {@value #ME} is the robot the act is loaded onto
+ * @param types the types of robots that will do, as in addresses; empty for any
+ * @param parameters the parameters it must have
+ */
+public record Role(String name, List<String> types, List<String> parameters) {
+    /** The role of the robot that an act is loaded onto. */
+    public static final String ME = "me";
+
+    private static final Pattern TEXT = Pattern.compile("(\\w+)(?: (\\w+(?:\\|\\w+)*))?(?: \\((\\w+(?:,\\w+)*)\\))?");
+
+    /**
+     * Keeps copies of the lists.
+     *
+     * @throws IllegalArgumentException if a name is not letters and digits
+     */
+    public Role {
+        types = types.stream().map(type -> type.toLowerCase(Locale.ROOT)).toList();
+        parameters = List.copyOf(parameters);
+        if (!TEXT.matcher(textOf(name, types, parameters)).matches()) {
+            throw new IllegalArgumentException("a role is named in letters and digits, with types and parameters");
+        }
+    }
+
+    /**
+     * A role for any robot.
+     *
+     * @param name the act's word for it
+     * @return a role with no further needs
+     */
+    public static Role any(String name) {
+        return new Role(name, List.of(), List.of());
+    }
+
+    /**
+     * This role, for robots of some types only.
+     *
+     * @param wanted the types, as in addresses: {@code aibo}
+     * @return a role with the same parameters
+     */
+    public Role types(String... wanted) {
+        return new Role(name, List.of(wanted), parameters);
+    }
+
+    /**
+     * This role, for robots that have some parameters.
+     *
+     * @param wanted their names: {@code distanceFront}
+     * @return a role for the same types
+     */
+    public Role with(String... wanted) {
+        return new Role(name, types, List.of(wanted));
+    }
+
+    /**
+     * Why a robot cannot play this role.
+     *
+     * @param type the robot's type, as in addresses
+     * @param has the parameters it has
+     * @return what it lacks, to put behind the robot's number ({@code is a hemisson, not an aibo}); empty if it will do
+     */
+    public Optional<String> unfit(String type, List<Parameter> has) {
+        if (!types.isEmpty() && !types.contains(type.toLowerCase(Locale.ROOT))) {
+            return Optional.of("is of type " + type + ", not " + String.join(" or ", types));
+        }
+        return parameters.stream()
+                .filter(wanted -> has.stream().noneMatch(one -> one.name().equalsIgnoreCase(wanted)))
+                .findFirst()
+                .map(missing -> "has no parameter " + missing);
+    }
+
+    /**
+     * Reads a role from the form that {@link #toString()} gives.
+     *
+     * @param text for instance {@code me aibo|pioneer (distanceFront,bumped)}
+     * @return the role
+     * @throws IllegalArgumentException if the text is none
+     */
+    public static Role parse(String text) {
+        Matcher parts = TEXT.matcher(text.strip());
+        if (!parts.matches()) {
+            throw new IllegalArgumentException("'" + text + "' is not a role, as in: me aibo|pioneer (distanceFront)");
+        }
+        return new Role(parts.group(1), listed(parts.group(2), "\\|"), listed(parts.group(3), ","));
+    }
+
+    private static List<String> listed(@Nullable String text, String separator) {
+        return text == null ? List.of() : List.of(text.split(separator));
+    }
+
+    /** The role as one reads and types it: {@code me aibo|pioneer (distanceFront,bumped)}. */
+    @Override
+    public String toString() {
+        return textOf(name, types, parameters);
+    }
+
+    private static String textOf(String name, List<String> types, List<String> parameters) {
+        String ofTypes = types.isEmpty() ? "" : " " + String.join("|", types);
+        return name + ofTypes + (parameters.isEmpty() ? "" : " (" + String.join(",", parameters) + ")");
+    }
+}
