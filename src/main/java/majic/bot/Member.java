@@ -1,14 +1,13 @@
 package majic.bot;
 
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
-import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot in a team: its number, its queue with the one worker that empties it, its owner. Thread-safe.
+ * A robot in a team: its number, its queue with the one worker that empties it, its owner, and the act it is lent to.
+ * Thread-safe.
  */
 public final class Member {
     /** How many orders may wait for one robot. */
@@ -17,18 +16,19 @@ public final class Member {
     private final Team team;
     private final int number;
     private final MajicBot bot;
-    private final Signal work;
-    private final Deque<Pending> queue = new ArrayDeque<>();
-    private @Nullable Pending current;
+    private final Lane lane;
     private @Nullable Owner owner;
+    private @Nullable Loan loan;
     private int stopsUnderWay;
-    private boolean closed;
+
+    /** Somebody the owner gave the robot to for a while, and the orders he gives. */
+    private record Loan(Owner to, Lane lane) {}
 
     Member(Team team, int number, MajicBot bot) {
         this.team = team;
         this.number = number;
         this.bot = bot;
-        this.work = bot.time().signal();
+        this.lane = new Lane(team, number, bot, () -> mayWork(null));
     }
 
     /**
@@ -61,19 +61,29 @@ public final class Member {
     /**
      * Who has it to himself.
      *
-     * @return null if nobody
+     * @return who it is lent to, otherwise its owner; null if nobody
      */
     public synchronized @Nullable Owner owner() {
-        return owner;
+        return loan != null ? loan.to : owner;
     }
 
     /**
      * Whether it has nothing to do and nothing to wait for.
      *
-     * @return true when the queue is empty and no order or stop is under way
+     * @return true when the queue is empty, no order or stop is under way, and it is not lent to anybody
      */
     public synchronized boolean isIdle() {
-        return queue.isEmpty() && current == null && stopsUnderWay == 0;
+        return loan == null && lane.isIdle() && stopsUnderWay == 0;
+    }
+
+    /**
+     * Whether it has done all that somebody told it.
+     *
+     * @param by who; only for the one it is lent to it makes a difference to {@link #isIdle()}
+     * @return true when no order of his, and no stop, is under way
+     */
+    public synchronized boolean isIdle(@Nullable Owner by) {
+        return loan != null && loan.to == by ? loan.lane.isIdle() && stopsUnderWay == 0 : isIdle();
     }
 
     /**
@@ -90,8 +100,22 @@ public final class Member {
      *
      * @return false while the queue is full
      */
-    public synchronized boolean hasRoom() {
-        return queue.size() < QUEUE_DEPTH;
+    public boolean hasRoom() {
+        return hasRoom(null);
+    }
+
+    /**
+     * Whether another order of somebody would be accepted.
+     *
+     * @param by who; only for the one it is lent to it makes a difference to {@link #hasRoom()}
+     * @return false while his queue is full
+     */
+    public synchronized boolean hasRoom(@Nullable Owner by) {
+        return laneOf(by).hasRoom();
+    }
+
+    private Lane laneOf(@Nullable Owner by) {
+        return loan != null && loan.to == by ? loan.lane : lane;
     }
 
     /**
@@ -104,14 +128,25 @@ public final class Member {
     public synchronized void check(boolean moves, @Nullable Owner by) {
         if (moves) {
             team.checkLatch();
-            if (owner != null && owner != by) {
-                throw owner.inTheWay(number);
-            }
+            inTheWayOf(by).ifPresent(other -> {
+                throw other.inTheWay(number);
+            });
         }
-        if (!hasRoom()) {
+        if (!hasRoom(by)) {
             throw new BotException(number + ": its queue is full (" + QUEUE_DEPTH + " commands); wait, or \"" + number
                     + " stop\" empties it");
         }
+    }
+
+    /** The owner's own orders wait for their turn while the robot is lent; everybody else's are refused. */
+    private Optional<Owner> inTheWayOf(@Nullable Owner by) {
+        if (loan != null && loan.to == by) {
+            return Optional.empty();
+        }
+        if (owner != null && owner != by) {
+            return Optional.of(owner());
+        }
+        return owner == null && loan != null ? Optional.of(loan.to) : Optional.empty();
     }
 
     /**
@@ -125,12 +160,14 @@ public final class Member {
      */
     public Pending submit(Order order, @Nullable Owner by) {
         Pending pending;
+        Lane used;
         synchronized (this) {
             check(order.moves(), by);
             pending = new Pending(order, bot.permit());
-            queue.add(pending);
+            used = laneOf(by);
+            used.add(pending);
         }
-        work.raise();
+        used.wake();
         return pending;
     }
 
@@ -143,7 +180,7 @@ public final class Member {
     public Pending runNow(Order order) {
         Pending pending = new Pending(order, bot.permit());
         bot.time()
-                .thread("robot " + number + " " + order.text(), () -> carryOut(pending))
+                .thread("robot " + number + " " + order.text(), () -> lane.carryOut(pending))
                 .start();
         return pending;
     }
@@ -156,9 +193,9 @@ public final class Member {
      */
     public void claim(Owner newOwner) {
         synchronized (this) {
-            if (owner != null && owner != newOwner) {
-                throw owner.inTheWay(number);
-            }
+            inTheWayOf(newOwner).ifPresent(other -> {
+                throw other.inTheWay(number);
+            });
             owner = newOwner;
         }
         team.tell(listener -> listener.ownerChanged(this));
@@ -181,6 +218,58 @@ public final class Member {
     }
 
     /**
+     * Lends the robot: until {@link #takeBack} only his orders are carried out, and those of its owner wait.
+     *
+     * @param to who gets it
+     * @param by the owner, who stays that; null if it has none
+     * @throws BotException if it is somebody else's, or lent already
+     */
+    public void lend(Owner to, @Nullable Owner by) {
+        Loan begun = new Loan(to, new Lane(team, number, bot, () -> mayWork(to)));
+        synchronized (this) {
+            Owner other = owner();
+            if (other != null && other != by) {
+                throw other.inTheWay(number);
+            }
+            loan = begun;
+        }
+        begun.lane.start("robot " + number + " " + to.name());
+        team.tell(listener -> listener.ownerChanged(this));
+    }
+
+    /**
+     * Ends a loan.
+     *
+     * @param from who has it; nothing happens if he has not
+     */
+    public void takeBack(Owner from) {
+        Loan ended;
+        synchronized (this) {
+            if (loan == null || loan.to != from) {
+                return;
+            }
+            ended = loan;
+            loan = null;
+        }
+        ended.lane.close();
+        ended.lane.tellDropped(ended.lane.drop(), from.name() + " has ended");
+        lane.wake();
+        team.changes().raise();
+        team.tell(listener -> listener.ownerChanged(this));
+    }
+
+    /**
+     * Tells what the one who has the robot says of his doings.
+     *
+     * @param from who
+     * @param words half a sentence or a whole one
+     */
+    public void tell(Owner from, String words) {
+        from.said(words);
+        team.tell(listener -> listener.noticed(number, number + ": " + from.name() + ": " + words));
+    }
+
+    /**
      * The robot in the hands of an owner, for calls past the queue.
      *
      * @param lease the owner's leave; revoking it makes every further motion throw
@@ -196,13 +285,14 @@ public final class Member {
     }
 
     void start() {
-        bot.time().thread("robot " + number + " worker", this::work).start();
+        lane.start("robot " + number + " worker");
     }
 
     /** Empties the queue and forbids the worker to go on until {@link #stopEnded}. */
     void stopBegins(@Nullable Owner by) {
-        List<Pending> dropped;
-        Owner ended;
+        List<Lane> lanes;
+        List<List<Pending>> dropped;
+        List<Owner> ended;
         synchronized (this) {
             stopsUnderWay++;
             if (team.isLatched()) {
@@ -210,14 +300,17 @@ public final class Member {
             } else {
                 bot.revokeMotions();
             }
-            dropped = new ArrayList<>(queue);
-            queue.clear();
-            ended = owner != by ? owner : null;
+            lanes = lanes();
+            dropped = lanes.stream().map(Lane::drop).toList();
+            ended = Stream.of(Optional.ofNullable(loan).map(Loan::to), Optional.ofNullable(owner))
+                    .flatMap(Optional::stream)
+                    .filter(holder -> holder != by)
+                    .toList();
         }
-        dropped.forEach(pending -> end(pending, Answer.Outcome.NOT_RUN, "not run: stopped"));
-        if (ended != null) {
-            end(ended);
+        for (int index = 0; index < lanes.size(); index++) {
+            lanes.get(index).tellDropped(dropped.get(index), "stopped");
         }
+        ended.forEach(this::end);
     }
 
     /** Allows motion again, unless STOP came anew meanwhile. */
@@ -244,79 +337,20 @@ public final class Member {
         synchronized (this) {
             stopsUnderWay--;
         }
-        work.raise();
+        lanes().forEach(Lane::wake);
         team.changes().raise();
+    }
+
+    private synchronized List<Lane> lanes() {
+        return loan == null ? List.of(lane) : List.of(lane, loan.lane);
+    }
+
+    private synchronized boolean mayWork(@Nullable Owner by) {
+        return stopsUnderWay == 0 && (loan == null || loan.to == by);
     }
 
     void close() {
-        synchronized (this) {
-            closed = true;
-        }
-        work.raise();
+        lanes().forEach(Lane::close);
         bot.close();
-    }
-
-    private void work() {
-        try {
-            while (true) {
-                work.await(this::mayWork, Signal.FOR_EVER);
-                Pending next = next();
-                if (next == null) {
-                    return;
-                }
-                Answer.Outcome outcome = carryOut(next);
-                finish(next, outcome);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    private synchronized boolean mayWork() {
-        return closed || (stopsUnderWay == 0 && !queue.isEmpty());
-    }
-
-    private synchronized @Nullable Pending next() {
-        current = closed ? null : queue.poll();
-        return current;
-    }
-
-    /** What failed takes along what was queued behind it. */
-    private void finish(Pending done, Answer.Outcome outcome) {
-        List<Pending> dropped = List.of();
-        synchronized (this) {
-            current = null;
-            if (outcome == Answer.Outcome.FAILED) {
-                dropped = new ArrayList<>(queue);
-                queue.clear();
-            }
-        }
-        String because = "not run: " + number + " " + done.order().text() + " failed";
-        dropped.forEach(pending -> end(pending, Answer.Outcome.NOT_RUN, because));
-        team.changes().raise();
-    }
-
-    private Answer.Outcome carryOut(Pending pending) {
-        try {
-            BotControl robot = new PermittedControl(bot, pending::permit);
-            List<String> answers = pending.order().job().carryOut(robot);
-            answers.forEach(line -> team.answer(new Answer(number, Answer.Outcome.DONE, number + " " + line)));
-            pending.end(Answer.Outcome.DONE);
-            team.changes().raise();
-        } catch (MotionStopped e) {
-            end(pending, Answer.Outcome.STOPPED, "stopped");
-        } catch (BotException e) {
-            end(pending, Answer.Outcome.FAILED, "failed: " + e.getMessage());
-        } catch (RuntimeException | Error e) {
-            Team.LOG.log(System.Logger.Level.ERROR, "an order to robot " + number + " failed", e);
-            end(pending, Answer.Outcome.FAILED, "failed: an error in MAJIC, see its log (" + e + ")");
-        }
-        return Objects.requireNonNull(pending.outcome());
-    }
-
-    private void end(Pending pending, Answer.Outcome outcome, String how) {
-        team.answer(new Answer(number, outcome, number + " " + pending.order().text() + ": " + how));
-        pending.end(outcome);
-        team.changes().raise();
     }
 }

@@ -17,6 +17,7 @@ public final class Owner {
     private final Kind kind;
     private final String name;
     private final Runnable end;
+    private volatile String said = "";
 
     /**
      * Describes an owner.
@@ -49,7 +50,23 @@ public final class Owner {
         return name;
     }
 
-    void end() {
+    /**
+     * What it said last of its doings.
+     *
+     * @return its words; empty until it says something
+     */
+    public String said() {
+        return said;
+    }
+
+    void said(String words) {
+        said = words;
+    }
+
+    /**
+     * Ends it, without stopping any robot: that is for it to do, or was done.
+     */
+    public void end() {
         end.run();
     }
 

@@ -148,7 +148,7 @@ final class Execution {
     void read(List<Member> members, Function<Member, Order> orders) {
         List<Order> ready = members.stream().map(orders).toList();
         if (manner == Manner.IN_TURN) {
-            await(() -> members.stream().allMatch(Member::hasRoom), Double.POSITIVE_INFINITY);
+            await(() -> members.stream().allMatch(member -> member.hasRoom(owner)), Double.POSITIVE_INFINITY);
         }
         for (int index = 0; index < ready.size(); index++) {
             members.get(index).check(ready.get(index).moves(), owner);
@@ -226,14 +226,15 @@ final class Execution {
 
     private boolean isFinished(Member member) {
         Owner other = member.owner();
-        return member.isIdle() && (other == null || other == owner);
+        return member.isIdle(owner) && (other == null || other == owner);
     }
 
     /** Waits until robots have done what they were told, unless they are somebody else's anyway. */
     void awaitReadable(Collection<Member> members) {
         await(
                 () -> members.stream()
-                        .allMatch(member -> member.isIdle() || (member.owner() != null && member.owner() != owner)),
+                        .allMatch(
+                                member -> member.isIdle(owner) || (member.owner() != null && member.owner() != owner)),
                 Double.POSITIVE_INFINITY);
     }
 
@@ -254,7 +255,7 @@ final class Execution {
     void stopAllUsed() {
         Member failed = own.trouble().map(Tally.Trouble::robot).orElse(null);
         List<Member> busy = used.stream()
-                .filter(member -> member != failed && !member.isIdle() && !member.isStopping())
+                .filter(member -> member != failed && !member.isIdle(owner) && !member.isStopping())
                 .toList();
         if (!team.isLatched() && !busy.isEmpty()) {
             team.stop(busy, owner);
