@@ -136,7 +136,7 @@ final class Conversation {
             Exchange open = inFlight;
             if (open != null && time.nanos() - open.sentNanos() >= timeoutNanos) {
                 missed = open;
-                meter.missed();
+                meter.missed(time.nanos());
                 LOG.log(Level.DEBUG, "no answer to {0}", open.question().text());
                 giveUp(open, "no answer within " + timeoutNanos / 1_000_000 + " ms");
             }
@@ -298,6 +298,9 @@ final class Conversation {
             Exchange next = queue.next();
             if (next != null) {
                 inFlight = next;
+                if (next.sendings() > 0) {
+                    meter.repeated();
+                }
                 mayMove |= next.purpose() == Purpose.MOTION;
                 next.sent(time.nanos());
             }

@@ -106,6 +106,7 @@ final class HemissonParameters {
                 (leds, on) -> leds.withLeft(on).withRight(on));
         lamp("ledLeft", "front left lamp", Leds::left, Leds::withLeft);
         lamp("ledRight", "front right lamp", Leds::right, Leds::withRight);
+        lamp("ledOnOff", "the On/Off lamp; the robot takes it back within half a second", Leds::onOff, Leds::withOnOff);
         lamp("ledPgm", "the Pgm/Exec lamp", Leds::pgm, Leds::withPgm);
         table.add(
                         Parameter.onOff("beep", "the buzzer, until it is switched off"),

@@ -11,6 +11,10 @@ package majic.hemisson;
 record Leds(boolean onOff, boolean pgm, boolean left, boolean right) {
     static final Leds OFF = new Leds(false, false, false, false);
 
+    Leds withOnOff(boolean on) {
+        return new Leds(on, pgm, left, right);
+    }
+
     Leds withPgm(boolean on) {
         return new Leds(onOff, on, left, right);
     }

@@ -48,6 +48,7 @@ public final class MajicHemisson extends MajicBot {
     private final String address;
     private final Overseer overseer;
     private final Lamps lamps = new Lamps(this);
+    private final Spectator spectator = new Spectator(this);
     private volatile @Nullable Session session;
     private volatile Identity identity = Identity.NOBODY;
 
@@ -120,6 +121,8 @@ public final class MajicHemisson extends MajicBot {
             throw e;
         }
         overseer.watch();
+        spectator.begin();
+        every("hemisson spectator", Spectator.PERIOD_S, spectator::tick);
         warnOfMode();
     }
 
@@ -269,6 +272,10 @@ public final class MajicHemisson extends MajicBot {
         return lamps;
     }
 
+    Spectator spectator() {
+        return spectator;
+    }
+
     Identity identity() {
         return identity;
     }
@@ -281,6 +288,18 @@ public final class MajicHemisson extends MajicBot {
     void recalibrate(Consumer<Calibration> change) {
         change.accept(calibration);
         overseer.use(calibration.table());
+    }
+
+    /** Begins something that waits for the robot, on a thread of its own. */
+    void aside(String what, Runnable task) {
+        time().thread(name() + ": " + what, task).start();
+    }
+
+    /** Whether its wheels may turn though nobody can tell it anything: the link is lost, or it misses answers. */
+    boolean isOutOfControl() {
+        Session open = session;
+        boolean deaf = isLost() || overseer.trouble() != null;
+        return open != null && deaf && open.conversation().mayMove();
     }
 
     /** How well the line works; nothing counted while there is none. */

@@ -180,6 +180,12 @@ final class Overseer implements ConversationListener {
         }
     }
 
+    /** Whether the stop of a timed motion is so near that nothing else may be asked. */
+    boolean isStopNear() {
+        Session open = session;
+        return open != null && stopIsNear(open);
+    }
+
     private void lookAround(Session open) {
         Exchange last = look;
         boolean moving = open.conversation().mayMove();
