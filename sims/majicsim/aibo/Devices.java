@@ -24,8 +24,9 @@ final class Devices {
         Stream.concat(JointType.HEAD_AND_TAIL.stream(), JointType.LEGS.stream()).forEach(this::joint);
         JointType.LEGS.forEach(type -> joint(type.name()).angle().properties().blend(Blend.MIX));
         faceLeds().forEach(this::lamp);
-        Stream.concat(BACK_LEDS.stream(), HEAD_LEDS.stream()).forEach(this::lamp);
-        List.of("earL", "earR").forEach(this::lamp);
+        BACK_LEDS.forEach(this::lamp);
+        HEAD_LEDS.forEach(this::switched);
+        List.of("earL", "earR").forEach(this::switched);
         group();
         legGroups();
     }
@@ -46,9 +47,16 @@ final class Devices {
         return Objects.requireNonNull(joints.get(name), name);
     }
 
-    /** A lamp or an ear: it shows what it is told, within 0 to 1. */
+    /** A lamp that can be dimmed: it shows what it is told, within 0 to 1. */
     private void lamp(String name) {
-        Variable variable = new Variable(name + ".val", Value.of(0));
+        install(new Variable(name + ".val", Value.of(0)));
+    }
+
+    private void switched(String name) {
+        install(new Variable(name + ".val", Value.of(0), new OnOff()));
+    }
+
+    private void install(Variable variable) {
         variable.properties().range(0, 1);
         variables.put(variable);
     }

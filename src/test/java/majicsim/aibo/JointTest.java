@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Joints, lamps and their modifiers (URBI sheet, sections 6, 13 and 14). */
 class JointTest {
@@ -123,6 +124,13 @@ class JointTest {
         assertThat(client.ask("p+end: robot.StandUp();", 400)).containsExactly("[p] *** end");
         assertThat(client.ask("p+end: robot.SitDown();", 11_500)).isEmpty();
         assertThat(client.ask("", 1000)).containsExactly("[p] *** end");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"earL", "ledHC", "ledHW", "modeR", "modeG", "modeB", "ledWIFI"})
+    void whatKnowsOnlyOnAndOffIsOnFromOneHalf(String name) {
+        assertThat(client.ask("n = 0.3; n; %1$s = 0.5; %1$s; %1$s = 0.4; %1$s;".formatted(name)))
+                .containsExactly("[notag] 0.300000", "[notag] 1.000000", "[notag] 0.000000");
     }
 
     private double number(String question) {
