@@ -6,16 +6,15 @@ import org.jspecify.annotations.Nullable;
 /** An assignment of a number under way: at once, or along a trajectory; it heeds the variable's blend mode. */
 final class AssignTask extends Task {
     private final Variable variable;
-    private final double target;
-    private final Modifiers modifiers;
+    private final Course course;
     private @Nullable Trajectory trajectory;
     private double beganMs;
+    private double from;
 
-    AssignTask(Context context, Variable variable, double target, Modifiers modifiers) {
+    AssignTask(Context context, Variable variable, Course course) {
         super(context);
         this.variable = variable;
-        this.target = target;
-        this.modifiers = modifiers;
+        this.course = course;
     }
 
     @Override
@@ -29,7 +28,11 @@ final class AssignTask extends Task {
                 return false;
             }
             way = begin();
+        } else if (course.renew()) {
+            way = plan();
+            trajectory = way;
         }
+        Modifiers modifiers = course.aim().modifiers();
         double elapsedMs = elapsedMs() - beganMs;
         if (elapsedMs >= modifiers.get("timelimit", Double.POSITIVE_INFINITY)) {
             variable.submit(now(), context.kernel().pass());
@@ -40,7 +43,7 @@ final class AssignTask extends Task {
 
     private boolean follow(Trajectory way, double elapsedMs) {
         variable.submit(way.curve().at(elapsedMs), context.kernel().pass());
-        Variable phase = modifiers.phase();
+        Variable phase = course.aim().modifiers().phase();
         if (phase != null) {
             phase.write(Value.of(way.phase().at(elapsedMs)));
         }
@@ -48,13 +51,16 @@ final class AssignTask extends Task {
     }
 
     private boolean pursue(double elapsedMs) {
-        Pursuit pursuit = new Pursuit(variable.properties().clip(target), modifiers);
+        Pursuit pursuit = new Pursuit(
+                variable.properties().clip(course.aim().target()), course.aim().modifiers());
         variable.submit(pursuit.next(now(), elapsedMs), context.kernel().pass());
         return pursuit.isThere(now(), variable.properties().number("delta"));
     }
 
     private double now() {
-        return variable.read() instanceof Value.Num num ? num.number() : target;
+        return variable.read() instanceof Value.Num num
+                ? num.number()
+                : course.aim().target();
     }
 
     @Override
@@ -87,24 +93,41 @@ final class AssignTask extends Task {
             motions.add(this);
         }
         beganMs = elapsedMs();
-        Trajectory way = plan(variable.target() instanceof Value.Num now ? now.number() : target);
+        from = variable.target() instanceof Value.Num now
+                ? now.number()
+                : course.aim().target();
+        Trajectory way = plan();
         trajectory = way;
         return way;
     }
 
-    private Trajectory plan(double from) {
-        double clipped = variable.properties().clip(target);
-        Trajectory way = Trajectory.of(from, clipped, modifiers);
-        return Double.isFinite(way.durationMs()) ? within(way, from, clipped) : way;
+    private Trajectory plan() {
+        double to = variable.properties().clip(course.aim().target());
+        Trajectory way = Trajectory.of(from, to, course.aim().modifiers());
+        return Double.isFinite(way.durationMs()) ? within(way, to) : way;
     }
 
     /** The same way not faster than speedmax and not slower than speedmin. */
-    private Trajectory within(Trajectory way, double from, double to) {
+    private Trajectory within(Trajectory way, double to) {
         double speedMax = variable.properties().number("speedmax");
         double speedMin = variable.properties().number("speedmin");
         Trajectory fast = speedMin > 0 ? Trajectory.paced(from, to, speedMin) : way;
-        Trajectory chosen = fast.durationMs() < way.durationMs() ? fast : way;
-        Trajectory slow = speedMax > 0 && speedMax < Value.INFINITY ? Trajectory.paced(from, to, speedMax) : chosen;
-        return slow.durationMs() > chosen.durationMs() ? slow : chosen;
+        Trajectory slow = speedMax > 0 && speedMax < Value.INFINITY ? Trajectory.paced(from, to, speedMax) : way;
+        if (slow.durationMs() > way.durationMs()) {
+            warn("Warning: request exceeds speedmax. Enforcing limitation");
+            return slow;
+        }
+        if (fast.durationMs() < way.durationMs()) {
+            warn("low speed: increased to speedmin");
+            return fast;
+        }
+        return way;
+    }
+
+    /** At the start only: a way that is planned again was warned of already. */
+    private void warn(String text) {
+        if (context.warns() && trajectory == null) {
+            context.error(text);
+        }
     }
 }

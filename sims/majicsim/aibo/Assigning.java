@@ -64,11 +64,6 @@ final class Assigning {
         if (!modifiers.isEmpty() && !modifiers.oscillates() && !hasStart) {
             throw Failure.of("Modificator error: " + variable.name() + " unknown (no start value)");
         }
-        if (!assignment.target().suffix().equals("'n")) {
-            return new AssignTask(context, variable, value, modifiers);
-        }
-        Properties properties = variable.properties();
-        double target = properties.denormalize(variable.name(), Math.max(0, Math.min(1, value)));
-        return new AssignTask(context, variable, target, modifiers.scaled(properties.range()));
+        return new AssignTask(context, variable, new Course(context, assignment, variable, value, modifiers));
     }
 }

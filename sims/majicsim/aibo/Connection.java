@@ -51,7 +51,7 @@ final class Connection {
     }
 
     Context context() {
-        return new Context(this, null, Parser.NO_TAG, 0);
+        return new Context(this, null, Parser.NO_TAG, 0, false);
     }
 
     String describe() {

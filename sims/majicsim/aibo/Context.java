@@ -1,20 +1,27 @@
 package majicsim.aibo;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
  * On whose behalf a command runs: its connection, the function call it belongs to (null outside of one) and the tag of its replies.
  *
  * @param depth how many commands it is inside of, through all function calls
+ * @param warns whether an assignment tells where it was held to its limits, as the flag {@code +error} asks
  */
-record Context(Connection connection, @Nullable Frame frame, String tag, int depth) {
+record Context(Connection connection, @Nullable Frame frame, String tag, int depth, boolean warns) {
     /** For a command inside this one. */
     Context inner(String itsTag) {
-        return new Context(connection, frame, itsTag, depth + 1);
+        return inner(itsTag, List.of());
+    }
+
+    /** For a command inside this one with flags of its own. */
+    Context inner(String itsTag, List<Flag> flags) {
+        return new Context(connection, frame, itsTag, depth + 1, Flag.in(flags, "error"));
     }
 
     Context withFrame(Frame other) {
-        return new Context(connection, other, tag, depth);
+        return new Context(connection, other, tag, depth, warns);
     }
 
     Kernel kernel() {

@@ -12,8 +12,18 @@ sealed interface Expr {
         return List.of();
     }
 
+    /** Whether its value is the same whenever it is asked for. */
+    default boolean isConstant() {
+        return !parts().isEmpty() && parts().stream().allMatch(Expr::isConstant);
+    }
+
     /** A number, a time or a string as written. */
     record Constant(Value value) implements Expr {
+        @Override
+        public boolean isConstant() {
+            return true;
+        }
+
         @Override
         public Value value(Evaluator evaluator) {
             return value;
@@ -22,6 +32,11 @@ sealed interface Expr {
 
     /** A variable or a device's field. */
     record Variable(Name name) implements Expr {
+        @Override
+        public boolean isConstant() {
+            return false;
+        }
+
         @Override
         public Value value(Evaluator evaluator) throws Failure {
             return evaluator.variable(name);
@@ -85,6 +100,11 @@ sealed interface Expr {
 
     /** A function call. Two calls that read alike are still two: they are told apart by identity. */
     record Call(Name function, List<Expr> parts) implements Expr {
+        @Override
+        public boolean isConstant() {
+            return false;
+        }
+
         @Override
         public Value value(Evaluator evaluator) throws Failure {
             return evaluator.call(this);

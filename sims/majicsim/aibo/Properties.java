@@ -116,17 +116,18 @@ final class Properties {
         if (property.equals("blend")) {
             Blend mode = value instanceof Value.Text text ? Blend.named(text.raw()) : null;
             if (mode == null) {
-                throw Failure.of("Invalid blend mode.");
+                throw Failure.of(
+                        value instanceof Value.Text text ? "Unknown blend mode: " + text.raw() : "Invalid blend mode.");
             }
             blend = mode;
         } else if (property.equals("unit")) {
             unit = value.join();
         } else if (!numbers.containsKey(property)) {
-            throw Failure.inExpression("Unknown property: " + property);
+            throw Failure.of("Unknown property: " + property);
         } else if (value instanceof Value.Num num) {
             numbers.put(property, num.number());
         } else {
-            throw Failure.of("Invalid " + (property.startsWith("range") ? "range" : property) + " type. NUM expected.");
+            throw Failure.of("Invalid " + property.replaceFirst("m(in|ax)$", "") + " type. NUM expected.");
         }
     }
 }

@@ -29,7 +29,7 @@ sealed interface Statement
         public Task start(Context context) {
             return Flag.in(flags, "connection")
                     ? Delegation.start(context.inner(tag), this)
-                    : new TaggedTask(context.inner(tag), flags, body);
+                    : new TaggedTask(context.inner(tag, flags), flags, body);
         }
     }
 

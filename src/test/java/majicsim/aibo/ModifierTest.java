@@ -71,6 +71,35 @@ class ModifierTest {
                 .containsExactly("[notag] \"I am Aibo, 3\"");
     }
 
+    @Test
+    void aSwingFollowsTheVariablesInIt() {
+        client.ask("x = 0; a = 1; c = 10; x = c sin:100ms ampli:a phase:pi/2 - 2*pi*time()/100,");
+        assertThat(value(client.ask("x;"))).isBetween(9.0, 11.0);
+
+        client.ask("c = 20; a = 0;");
+
+        assertThat(value(client.ask("x;"))).isEqualTo(20);
+    }
+
+    @Test
+    void aSpeedThatChangesUnderWayCounts() {
+        client.say("x = 0; s = 1; t+end: x = 10 speed:s,");
+        assertThat(client.ask("", 1000)).isEmpty();
+
+        assertThat(client.ask("s = 100;", 64)).containsExactly("[t] *** end");
+        assertThat(client.ask("x;")).containsExactly("[notag] 10.000000");
+    }
+
+    @Test
+    void theFlagErrorTellsOfLimitsThatAreHeldTo() {
+        client.say("x = 0; x->speedmin = 20; y = 0; y->speedmax = 20;");
+
+        assertThat(client.ask("t+error: x = 10 time:5s; u+error: y = 10 time:100; x = 0 time:5s;", 2000))
+                .containsExactly(
+                        "[t] !!! low speed: increased to speedmin",
+                        "[u] !!! Warning: request exceeds speedmax. Enforcing limitation");
+    }
+
     private static double value(List<String> lines) {
         return Double.parseDouble(lines.get(0).replaceFirst("\\[notag] ", ""));
     }
