@@ -9,6 +9,11 @@ final class PauseTask extends Task {
         this.ms = ms;
     }
 
+    /** Lets one cycle go by. */
+    static PauseTask cycle(Context context) {
+        return new PauseTask(context, Double.MIN_VALUE);
+    }
+
     static PauseTask of(Context context, Value ms) throws Failure {
         if (ms instanceof Value.Num number) {
             return new PauseTask(context, number.number());

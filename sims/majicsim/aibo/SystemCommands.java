@@ -24,8 +24,11 @@ final class SystemCommands {
             case "strict", "unstrict" -> kernel.variables().strict(word.equals("strict"));
             case "stopall" -> stopAll(context);
             case "reset" -> reset(context);
+            case "noop" -> {
+                return PauseTask.cycle(context);
+            }
             default -> {
-                // What is left has no reply here: noop, and what would switch the robot off.
+                // What is left has no reply here: what would switch the robot off.
             }
         }
         return null;

@@ -36,7 +36,8 @@ final class Variable {
     private long lastPass = -1;
     private double sum;
     private int writers;
-    private Properties kept = new Properties();
+    private final Properties keptProperties = new Properties();
+    private Value kept = Value.VOID;
 
     Variable(String name, Value value) {
         this(name, value, null);
@@ -56,14 +57,20 @@ final class Variable {
         return properties;
     }
 
-    /** Remembers the properties as they are now for {@link #restoreProperties}. */
-    void keepProperties() {
-        kept = new Properties();
-        kept.take(properties);
+    /** Remembers for {@link #restore} how it is now. */
+    void keep() {
+        keptProperties.take(properties);
+        kept = target;
     }
 
-    void restoreProperties() {
-        properties.take(kept);
+    /** Becomes as it was kept, and the hardware with it; but what moves stays where it is. */
+    void restore() {
+        properties.take(keptProperties);
+        if (hardware == null) {
+            target = kept;
+        } else if (!hardware.moves()) {
+            write(kept);
+        }
     }
 
     boolean isDevice() {

@@ -30,7 +30,7 @@ final class Variables {
 
     /** From now on what is there is the system's: {@link #forget} leaves it. */
     void seal() {
-        all.values().forEach(Variable::keepProperties);
+        all.values().forEach(Variable::keep);
         system.putAll(all);
     }
 
@@ -41,7 +41,7 @@ final class Variables {
     /** Goes back to what the system has. */
     void forget() {
         all.clear();
-        system.values().forEach(Variable::restoreProperties);
+        system.values().forEach(Variable::restore);
         all.putAll(system);
         aliases.clear();
         strict = false;

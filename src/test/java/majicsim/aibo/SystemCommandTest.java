@@ -116,6 +116,30 @@ class SystemCommandTest {
                         "[notag] !!! identifier nothing.here does not exist");
     }
 
+    @Test
+    void resetPutsTheDevicesBack() {
+        client.ask(
+                "motors on; headPan = 20; ledF1 = 1; camera.format = 0; robot.walkspeed = 500; neck.PGain = 1;", 500);
+
+        client.ask("reset;", 3000);
+
+        assertThat(client.ask("headPan; headPan.load; ledF1; camera.format; robot.walkspeed; neck.PGain;"))
+                .containsExactly(
+                        "[notag] 20.000000",
+                        "[notag] 0.000000",
+                        "[notag] 0.000000",
+                        "[notag] 1.000000",
+                        "[notag] 1000.000000",
+                        "[notag] 14.000000");
+    }
+
+    @Test
+    void noopTakesACycle() {
+        assertThat(client.ask("noop; noop; 1;", 32)).isEmpty();
+
+        assertThat(client.ask("", 32)).containsExactly("[notag] 1.000000");
+    }
+
     private String name(Bench.Client of) {
         String answer = of.ask("nothing;").get(0);
         return answer.replaceFirst(".*: (U\\d+)\\..*", "$1");
