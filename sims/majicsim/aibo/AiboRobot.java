@@ -116,12 +116,6 @@ public final class AiboRobot implements Firmware {
         gait.drive(kernel.nowMs(), stepMs);
     }
 
-    /** What the stick's CLIENT.INI does in a new connection (URBI sheet, section 2). */
-    private void greet(Connection connection) {
-        kernel.load(StickScript.CLIENT);
-        connection.watch(new PowerMonitor(connection.context().inner("power"), battery));
-    }
-
     private void install(Noise noise) {
         BuiltIns.install(kernel, noise.fork("random"));
         sensors.install(kernel.variables());
@@ -135,8 +129,9 @@ public final class AiboRobot implements Firmware {
         speaker.install();
         microphone.install();
         camera.install();
-        new Stick().install(functions);
-        kernel.greet(this::greet);
+        Stick stick = new Stick();
+        stick.install(functions);
+        kernel.greet(stick::greet);
         kernel.boot(StickScript.PROGRAM);
     }
 }

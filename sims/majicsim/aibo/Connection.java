@@ -108,11 +108,6 @@ final class Connection {
         }
     }
 
-    /** Lets something run in the background that the client did not ask for. */
-    void watch(Task task) {
-        stream.adopt(new TaggedTask(task.context, List.of(), task));
-    }
-
     /** Steps everything that runs in this connection. */
     void cycle() {
         stream.step();

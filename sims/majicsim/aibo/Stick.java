@@ -10,14 +10,21 @@ final class Stick {
     /** The stick holds this many characters that programs saved. */
     private static final int MAX_SAVED = 1 << 20;
 
+    private static final String CLIENT = "CLIENT.INI";
+
     private final Map<String, String> files = new HashMap<>(
-            Map.of("motion.u", StickScript.PROGRAM, "URBI.INI", "load(\"motion.u\");", "CLIENT.INI", "modeB.val = 1;"));
+            Map.of("motion.u", StickScript.PROGRAM, "URBI.INI", "load(\"motion.u\");", CLIENT, StickScript.CLIENT));
     private int saved;
 
     void install(Functions functions) {
         functions.lasting("exec", 1, (context, arguments) -> run(context, shown(arguments.get(0))));
         functions.lasting("load", 1, this::load);
         functions.builtIn("save", this::save);
+    }
+
+    /** Runs CLIENT.INI in a connection, from the next cycle on and beside what the client sends (URBI sheet, section 2). */
+    void greet(Connection connection) {
+        connection.stream().adopt(run(connection.context(), files.getOrDefault(CLIENT, "")));
     }
 
     private Task load(Context context, List<Value> arguments) throws Failure {

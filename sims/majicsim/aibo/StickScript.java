@@ -38,12 +38,21 @@ final class StickScript {
             };
             function robot.swalk(n) { robot.place(-17.4, 10, 80.5, -28.8, 11.1, 90.3, 2400) | robot.stepwalk(n) };
             function robot.sturn(n) { robot.place(-19.4, 17.8, 82.2, -20, 12.8, 89.3, 700) | robot.stepturn(n) };
+            chintoggle: at (chinSensor.val > 0 ~ 2s) { if (headPan.load > 0) motors off else motors on },
+            lowbattery: at (power() < 0.2) lowbattery.sounds = speaker.play("battery.wav"),
             anim: { ledF12.val = 1 & ledBFW.val = 0.5 sin:4s ampli:0.5 & ledBMW.val = 0.5 sin:4s ampli:0.5 phase:-1
               & ledBRW.val = 0.5 sin:4s ampli:0.5 phase:-2 },
             """;
 
-    /** What happens when a client comes, beside the battery monitor (URBI sheet, section 2). */
-    static final String CLIENT = "speaker.play(\"client.wav\"), modeB.val = 1,";
+    /** What happens in each connection when it comes (URBI sheet, section 2). */
+    static final String CLIENT = """
+            if (speaker.play("client.wav")) noop,
+            modeB.val = 1;
+            power__shown = 101;
+            power: whenever (round(power() * 100) < power__shown) {
+              power__shown = round(power() * 100) | power: echo "Battery at " + power__shown + " %"
+            },
+            """;
 
     private StickScript() {}
 }

@@ -30,4 +30,38 @@ class BatteryTest {
 
         assertThat(bench.client().ask("power();")).containsExactly("[notag] 0.550000");
     }
+
+    @Test
+    void aLowOneIsSoundedOnce() {
+        bench.dog().keeper().changeBattery(0.2001);
+        client.ask("", 20_000);
+
+        assertThat(bench.dog().keeper().played().stream()
+                        .filter(each -> each.what().equals("battery.wav")))
+                .hasSize(1);
+    }
+
+    @Test
+    void theMonitorIsAScriptInEachConnectionThatAnyoneCanStop() {
+        Bench.Client other = bench.client();
+        assertThat(client.ask("stop power; power__shown;")).containsExactly("[notag] 87.000000");
+
+        bench.dog().keeper().changeBattery(0.505);
+
+        assertThat(client.ask("")).isEmpty();
+        assertThat(other.ask("")).isEmpty();
+        assertThat(bench.client().ask("power__shown;")).containsExactly("[notag] 50.000000");
+    }
+
+    @Test
+    void aStickWithAnotherClientScriptRunsThatInstead() {
+        client.ask("save(\"CLIENT.INI\", \"hello: 1; x = 5;\");");
+        Bench.Client late = bench.new Client();
+        bench.dog().connected(late);
+        late.take();
+        bench.run(64);
+
+        assertThat(late.take()).containsExactly("[hello] 1.000000");
+        assertThat(late.ask("x;")).containsExactly("[notag] 5.000000");
+    }
 }

@@ -119,6 +119,20 @@ class SensorTest {
                 .withMessageContaining("nose");
     }
 
+    @Test
+    void twoSecondsOnTheChinToggleTheMotors() {
+        bench.dog().keeper().touch("chinSensor", 1);
+        assertThat(client.ask("headPan.load;", 1900)).containsExactly("[notag] 0.000000");
+        assertThat(client.ask("", 200)).isEmpty();
+        assertThat(client.ask("headPan.load; legRF1.load;")).containsExactly("[notag] 1.000000", "[notag] 1.000000");
+
+        bench.dog().keeper().touch("chinSensor", 0);
+        client.ask("", 100);
+        bench.dog().keeper().touch("chinSensor", 1);
+
+        assertThat(client.ask("wait(2200); headPan.load;", 2300)).containsExactly("[notag] 0.000000");
+    }
+
     private double number(String question) {
         return Double.parseDouble(client.ask(question).get(0).substring(8));
     }
