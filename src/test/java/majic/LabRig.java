@@ -94,7 +94,13 @@ public final class LabRig implements AutoCloseable {
         return said();
     }
 
-    /** What was said since the last {@link #run}. */
+    /** Begins a line of MAJIC Script, without waiting for its end. */
+    public void say(String line) {
+        said.clear();
+        parser.parseText(line);
+    }
+
+    /** What was said since the last {@link #run} or {@link #say}. */
     public List<String> said() {
         synchronized (said) {
             return List.copyOf(said);

@@ -11,7 +11,7 @@ final class AiboParameters {
     private final ParameterTable table;
     private final List<Theme> themes;
 
-    AiboParameters(ParameterTable table, Dog dog, Access access) {
+    AiboParameters(ParameterTable table, Dog dog, Access access, Volume volume) {
         this.table = table;
         Limbs limbs = new Limbs(access);
         this.themes = List.of(
@@ -23,7 +23,7 @@ final class AiboParameters {
                 new EarParameters(access, limbs),
                 new LightParameters(access),
                 new CameraParameters(access),
-                new SoundParameters(access));
+                new SoundParameters(access, volume));
     }
 
     /** Describes what a dog with a stick of this generation has. */

@@ -49,6 +49,7 @@ final class AiboSession {
     private final Runner runner;
     private final DogGuard guard;
     private final HeadSweep sweep;
+    private final Microphone microphone;
     private final Feet feet;
     private final Driving driving;
     private final BatteryWatch battery;
@@ -64,6 +65,7 @@ final class AiboSession {
         this.runner = new Runner(links, tags, watch, dog, robot::sensed);
         this.guard = new DogGuard(links, tags, watch);
         this.sweep = new HeadSweep(links.sensors(), tags);
+        this.microphone = new Microphone(links.sensors(), tags);
         Consumer<String> notice = robot::say;
         this.feet = new Feet(this, dog, notice);
         this.driving = new Driving(this, notice);
@@ -118,6 +120,10 @@ final class AiboSession {
 
     HeadSweep sweep() {
         return sweep;
+    }
+
+    Microphone microphone() {
+        return microphone;
     }
 
     Feet feet() {
@@ -218,7 +224,7 @@ final class AiboSession {
     void close() {
         driving.forget();
         links.close(Runner.STOP_GAITS + own(runner.current()) + sweep.halt() + " " + guard.stop() + " " + poll.stop()
-                + dog.legSpeed().restore());
+                + microphone.stopCommand() + " " + dog.legSpeed().restore());
     }
 
     private static String own(@Nullable Running running) {
@@ -237,7 +243,7 @@ final class AiboSession {
             sensed(sensor, message);
         } else if (message.tag().equals("power") && message.body() instanceof UrbiMessage.Info info) {
             heardPower(info.text());
-        } else {
+        } else if (!microphone.hears(message)) {
             LOG.log(Level.TRACE, "unasked: {0}", message);
             hearers.forEach(hearer -> hearer.accept(message));
         }

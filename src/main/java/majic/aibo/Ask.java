@@ -55,9 +55,15 @@ final class Ask {
             fail(wrong.text(), message.timeMs());
         } else if (message.body() instanceof UrbiMessage.Info info) {
             acceptInfo(info.text(), message.timeMs());
-        } else if (message.body() instanceof UrbiMessage.Result result && expects == Expects.VALUE) {
-            value = result.value();
-            finish(message.timeMs());
+        } else if (message.body() instanceof UrbiMessage.Result result) {
+            acceptValue(result.value(), message.timeMs());
+        }
+    }
+
+    private void acceptValue(UrbiValue told, long timeMs) {
+        value = told;
+        if (expects == Expects.VALUE) {
+            finish(timeMs);
         }
     }
 
@@ -91,6 +97,7 @@ final class Ask {
         return done;
     }
 
+    /** The last value under its tag; a command that an end is expected of may tell one before. */
     @Nullable
     UrbiValue value() {
         return value;

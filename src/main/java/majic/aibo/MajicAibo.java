@@ -58,11 +58,14 @@ public final class MajicAibo extends MajicBot {
         this.dog = new Dog(calibration(address, environment));
         link();
         Access access = new Access(dog.senses(), this::session);
-        this.parameters = new AiboParameters(table(), dog, access);
+        Volume volume = new Volume();
+        this.parameters = new AiboParameters(table(), dog, access, volume);
         parameters.describe(Dialect.V1_0);
         new CalibrationParameters(dog.calibration(), this::learn).describe(table());
         add(CalibrateCommand.of(new Lesson(this::session, this::stride, this::learn)));
         add(new RawCommand(access).command());
+        add(new PlayCommand(new Speaker(this::session, volume)).command());
+        add(new RecordCommand(this::session).command());
     }
 
     private static String rest(String address) {

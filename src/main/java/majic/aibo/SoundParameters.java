@@ -6,18 +6,25 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 
-/** The speaker. The dog tells of no volume that could be set (URBI sheet 13). */
+/** The speaker. The dog itself has no volume that could be set (URBI sheet 13). */
 final class SoundParameters implements Theme {
     private final Access access;
+    private final Volume volume;
 
-    SoundParameters(Access access) {
+    SoundParameters(Access access, Volume volume) {
         this.access = access;
+        this.volume = volume;
     }
 
     @Override
     public void describe(ParameterTable table, Dialect dialect) {
         table.add(Parameter.onOff("beep", "on beeps once"), () -> Value.onOff(false))
                 .writes(values -> beep(values.get(0).isYes()));
+        table.add(
+                        Parameter.number("volume", Unit.PERCENT, "how loud play is with files of this computer")
+                                .within(0, Volume.FULL_PERCENT),
+                        () -> Value.of(volume.percent(), Unit.PERCENT))
+                .writes(values -> volume.set(values.get(0).number()));
         table.add(
                 Parameter.yesNo("playing", "whether the dog plays a sound"),
                 access.asked("speaker.playing", amount -> Value.yesNo(amount > 0)));

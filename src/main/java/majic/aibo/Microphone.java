@@ -1,0 +1,69 @@
+package majic.aibo;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The order by which the dog sends what it hears, one block of 32 ms each cycle (URBI sheet 8, 13). It runs out by itself
+ * on the dog, should nobody be left to end it. Safe from any thread.
+ */
+final class Microphone {
+    private static final Logger LOG = System.getLogger(Microphone.class.getName());
+
+    private final UrbiConnection on;
+    private final String order;
+    private final String tag;
+    private final AtomicReference<@Nullable Consumer<UrbiMessage>> ear = new AtomicReference<>();
+
+    Microphone(UrbiConnection on, Tags tags) {
+        this.on = on;
+        this.order = tags.named("listen");
+        this.tag = tags.named("ear");
+    }
+
+    /**
+     * Begins.
+     *
+     * @param hearer gets each message on the reader's thread, until {@link #stop}
+     * @param longestMs when the dog is to end it by itself
+     * @throws BotException if somebody listens already
+     */
+    void start(Consumer<UrbiMessage> hearer, long longestMs) {
+        if (!ear.compareAndSet(null, hearer)) {
+            throw new BotException("the dog is being recorded already; it makes one recording at a time");
+        }
+        on.send(order + ": timeout(" + longestMs + ") loop { " + on.dialect().labelled(tag, "micro.val") + " },");
+    }
+
+    /** Ends it on the dog; what is on its way still goes nowhere. */
+    void stop() {
+        ear.set(null);
+        try {
+            on.send(stopCommand());
+        } catch (LinkLost e) {
+            LOG.log(Level.DEBUG, "the microphone's order ends with its connection", e);
+        }
+    }
+
+    /** What ends the order, if there is one. */
+    String stopCommand() {
+        return "stop " + order + ",";
+    }
+
+    /** Takes a message if it is of the microphone. */
+    boolean hears(UrbiMessage message) {
+        if (!message.tag().equals(tag)) {
+            return false;
+        }
+        Consumer<UrbiMessage> hearer = ear.get();
+        if (hearer != null) {
+            hearer.accept(message);
+        }
+        return true;
+    }
+}

@@ -1,0 +1,91 @@
+package majic.aibo;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Supplier;
+import majic.bot.BotCommand;
+import majic.bot.BotException;
+import majic.bot.Motion;
+import majic.bot.Parameter;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** Records what the dog's microphone hears into a WAV file of this computer. */
+final class RecordCommand {
+    private static final double LONGEST_S = 60;
+    private static final double QUIET_S = 2;
+    private static final PcmFormat NOTHING_YET = new PcmFormat(2, 16_000, 16, PcmFormat.Coding.SIGNED);
+
+    private final Supplier<AiboSession> session;
+
+    RecordCommand(Supplier<AiboSession> session) {
+        this.session = session;
+    }
+
+    BotCommand command() {
+        return new BotCommand(
+                "record",
+                List.of(
+                        Parameter.number("seconds", Unit.S, "for how long").within(1, LONGEST_S),
+                        Parameter.text("file", "a WAV file that is not there yet")),
+                false,
+                "records the dog's microphone for 1 to 60 s into a new WAV file on this computer",
+                (arguments, motion) -> record(
+                        arguments.get(0).number(),
+                        LocalFile.named(arguments.get(1).toString()),
+                        motion));
+    }
+
+    /** Takes the name at once: who is told after a minute that it cannot be written has spoken for nothing. */
+    private String record(double seconds, LocalFile file, Motion motion) {
+        AiboSession open = session.get();
+        Recording recording = new Recording(seconds, open.watch().changes()::raise);
+        file.create(WaveFile.write(new Pcm(NOTHING_YET, new byte[0])));
+        try {
+            listen(open, recording, seconds, motion);
+        } catch (BotException e) {
+            open.say(rest(recording, file));
+            throw e;
+        }
+        return kept(recording, file);
+    }
+
+    /** What is left of a recording that was not finished. */
+    private static String rest(Recording recording, LocalFile file) {
+        try {
+            return "the recording was not finished: " + kept(recording, file);
+        } catch (BotException e) {
+            return String.valueOf(e.getMessage());
+        }
+    }
+
+    private static String kept(Recording recording, LocalFile file) {
+        Pcm sound = recording.sound();
+        if (sound == null) {
+            file.delete();
+            return "nothing was heard, and there is no " + file.name();
+        }
+        file.replace(WaveFile.write(sound));
+        String lost = recording.lostMs() == 0
+                ? ""
+                : String.format(Locale.ROOT, ", %.0f ms of it silent because they were lost", recording.lostMs());
+        return Value.of(sound.seconds(), Unit.S) + " in " + file.name() + lost;
+    }
+
+    private static void listen(AiboSession open, Recording recording, double seconds, Motion motion) {
+        open.microphone().start(recording::take, (long) ((seconds + QUIET_S) * 1000));
+        try {
+            for (int before = 0; !motion.await(recording::isDone, QUIET_S); before = recording.blocks()) {
+                if (recording.blocks() == before) {
+                    throw new BotException("the dog's microphone has said nothing for " + (int) QUIET_S + " s");
+                }
+            }
+        } finally {
+            open.microphone().stop();
+        }
+        String failure = recording.failure();
+        if (failure != null) {
+            throw new BotException(failure);
+        }
+    }
+}
