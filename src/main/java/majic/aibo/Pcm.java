@@ -7,8 +7,6 @@ package majic.aibo;
  * @param bytes whole frames; not to be changed
  */
 record Pcm(PcmFormat format, byte[] bytes) {
-    private static final int FULL_SCALE = 32_767;
-
     int frames() {
         return bytes.length / format.frameBytes();
     }
@@ -46,7 +44,7 @@ record Pcm(PcmFormat format, byte[] bytes) {
 
     /** A sample of −1 to 1 as a signed number of 16 bits. */
     static short sixteenBits(double sample) {
-        return (short) Math.rint(Math.max(-1, Math.min(1, sample)) * FULL_SCALE);
+        return (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.rint(sample * -Short.MIN_VALUE)));
     }
 
     /** Writes a sample of 16 bits, low byte first. */

@@ -27,6 +27,7 @@ final class ScriptedDog implements AutoCloseable {
     private static final Pattern READING = Pattern.compile("(\\w+)(:| <<) ([\\w.]+(?:\\(\\))?)");
     private static final Pattern ENDING = Pattern.compile("(\\w+)(\\+begin)?\\+end: (.*)", Pattern.DOTALL);
     private static final Pattern GAIT = Pattern.compile("robot\\.(?:walk|turn)\\((-?\\d+)\\)");
+    private static final Pattern BINARY = Pattern.compile(".*BIN (\\d+) [^;]*;", Pattern.DOTALL);
     private static final Pattern JOINT = Pattern.compile("(\\w+)\\.val = (-?[\\d.]+)(?: time:(\\d+))?");
 
     private final ServerSocket server;
@@ -36,6 +37,7 @@ final class ScriptedDog implements AutoCloseable {
     private final Map<String, ScheduledFuture<?>> running = new ConcurrentHashMap<>();
     private final Map<String, String> values = new ConcurrentHashMap<>();
     private final List<String> received = new CopyOnWriteArrayList<>();
+    private final List<String> binaries = new CopyOnWriteArrayList<>();
     volatile boolean answersPolls = true;
     volatile boolean introducesItself = true;
     volatile boolean refusesGuards;
@@ -126,6 +128,11 @@ final class ScriptedDog implements AutoCloseable {
         }
     }
 
+    /** Every assignment of a binary, byte for byte, behind the index of its connection and a colon. */
+    List<String> binaries() {
+        return List.copyOf(binaries);
+    }
+
     private void remember(String command) {
         synchronized (received) {
             received.add(command);
@@ -202,6 +209,9 @@ final class ScriptedDog implements AutoCloseable {
                     awaitEndIfDeaf();
                     pending.append((char) next);
                     boolean whole = next == '\n';
+                    if (next == ';') {
+                        takeBinary(pending, in);
+                    }
                     if (whole) {
                         split(pending.toString());
                         pending.setLength(0);
@@ -209,6 +219,15 @@ final class ScriptedDog implements AutoCloseable {
                 }
             } catch (IOException e) {
                 close();
+            }
+        }
+
+        private void takeBinary(StringBuilder pending, InputStream in) throws IOException {
+            Matcher header = BINARY.matcher(pending);
+            if (header.matches()) {
+                byte[] bytes = in.readNBytes(Integer.parseInt(header.group(1)));
+                binaries.add(lines.indexOf(this) + ":" + pending + new String(bytes, StandardCharsets.ISO_8859_1));
+                pending.setLength(0);
             }
         }
 

@@ -1,0 +1,132 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javax.sound.sampled.AudioFileFormat;
+import javax.sound.sampled.AudioSystem;
+import majic.bot.BotEnvironment;
+import majic.bot.BotListener;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.TimeSource;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Timeout(30)
+class RecordCommandTest {
+    private static final int SENSORS = 1;
+    private static final String BLOCK = "BIN 2048 raw 2 16000 16 1 1\n" + "a".repeat(2048);
+
+    private final List<String> notices = new CopyOnWriteArrayList<>();
+
+    @TempDir
+    Path folder;
+
+    private ScriptedDog dog;
+    private MajicAibo aibo;
+
+    @BeforeEach
+    void start() throws IOException {
+        dog = new ScriptedDog();
+        aibo = new MajicAibo(dog.address(), BotEnvironment.plain());
+        aibo.addListener(new BotListener() {
+            @Override
+            public void notice(MajicBot bot, String message) {
+                notices.add(message);
+            }
+        });
+        aibo.connect();
+    }
+
+    @AfterEach
+    void end() throws IOException {
+        aibo.close();
+        dog.close();
+    }
+
+    @Test
+    void theOrderRunsOutOnTheDogAndIsEnded() {
+        assertThatThrownBy(() -> record(folder.resolve("a.wav")))
+                .hasMessage("the dog's microphone has said nothing for 2 s");
+
+        String order = dog.received("micro.val").get(0);
+        String tag = order.substring(0, order.indexOf(':'));
+        assertThat(order).matches("\\w+: timeout\\(7000\\) loop \\{ \\w+: micro\\.val \\}");
+        dog.awaitReceived("stop " + tag);
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void aDogThatRefusesIsQuotedAndThereIsNoFile() {
+        CompletableFuture<String> recording = recording(folder.resolve("a.wav"));
+
+        dog.say(SENSORS, ear(), "!!! Unknown identifier: micro.val");
+
+        assertThatThrownBy(recording::join).hasMessageEndingWith("the dog refuses: Unknown identifier: micro.val");
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void aLostLinkLeavesAShorterFileAndSaysHowMuch() throws Exception {
+        Path file = folder.resolve("a.wav");
+        CompletableFuture<String> recording = recording(file);
+        dog.say(SENSORS, ear(), BLOCK);
+        dog.set("power()", "0.420000");
+        dog.say(SENSORS, "power", "*** Battery at 42 %");
+        untilBattery(42);
+
+        dog.hangUp();
+
+        assertThatThrownBy(recording::join).hasCauseInstanceOf(LinkLost.class);
+        assertThat(notices).contains("the recording was not finished: 0.03 s in " + file);
+        AudioFileFormat kept = AudioSystem.getAudioFileFormat(file.toFile());
+        assertThat(kept.getFrameLength()).isEqualTo(512);
+    }
+
+    @Test
+    void secondsAreBounded() {
+        assertThatThrownBy(() -> aibo.run("record", List.of(Value.of(61, Unit.S), Value.text("a.wav"))))
+                .hasMessage("seconds 61 s: outside 1 … 60 s");
+    }
+
+    @Test
+    void aFileThatCannotBeMadeIsSaidAtOnce() {
+        Path nowhere = folder.resolve("none").resolve("a.wav");
+
+        assertThatThrownBy(() -> record(nowhere)).hasMessage(nowhere + ": there is no such folder");
+        assertThat(dog.received("micro.val")).isEmpty();
+    }
+
+    /** What the dog said before that has been heard too, then. */
+    private void untilBattery(int percent) throws InterruptedException {
+        while (!TimeSource.system()
+                .signal()
+                .await(() -> aibo.get("battery").equals(Value.of(percent, Unit.PERCENT)), 0.01)) {
+            assertThat(aibo.isConnected()).isTrue();
+        }
+    }
+
+    private String ear() {
+        dog.awaitReceived("micro.val");
+        return dog.received("micro.val").get(0).replaceAll(".*\\{ (\\w+):.*", "$1");
+    }
+
+    private CompletableFuture<String> recording(Path file) {
+        return CompletableFuture.supplyAsync(() -> record(file));
+    }
+
+    private String record(Path file) {
+        return aibo.run("record", List.of(Value.of(5, Unit.S), Value.text(file.toString())));
+    }
+}
