@@ -1,14 +1,17 @@
 package majic.hemisson;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import majic.bot.Range;
 import majic.bot.Settings;
 
 /** The speed table of one robot, kept in the user's settings under its address. Thread-safe. */
 final class Calibration {
-    private static final double SLOWEST_SCALE = 0.2;
-    private static final double FASTEST_SCALE = 3;
-    private static final double NARROWEST_MM = 30;
-    private static final double WIDEST_MM = 300;
+    static final Range WHEEL_DISTANCE_MM = new Range(30, 300);
+    static final Range TRIM_PERCENT = new Range(-30, 30);
+    static final Range WHEEL_MM_PER_SEC = new Range(0.5, 500);
 
     private final Settings settings;
     private final String prefix;
@@ -18,36 +21,48 @@ final class Calibration {
         this.settings = settings;
         this.prefix = "hemisson." + address.replaceFirst("^(tcp:)?//", "") + ".";
         this.table = new SpeedTable(
-                kept("speedScale", SpeedTable.USUAL.scale(), SLOWEST_SCALE, FASTEST_SCALE),
-                kept("wheelDistance", SpeedTable.USUAL_WHEEL_DISTANCE_MM, NARROWEST_MM, WIDEST_MM));
+                keptSpeeds(),
+                kept("wheelDistance", SpeedTable.USUAL_WHEEL_DISTANCE_MM, WHEEL_DISTANCE_MM),
+                kept("trim", 0, TRIM_PERCENT));
     }
 
     SpeedTable table() {
         return table;
     }
 
-    /** Takes another distance between the wheels, mm, 30 to 300, and keeps it. */
-    void wheelDistance(double mm) {
-        table = new SpeedTable(table.scale(), mm);
-        keep("wheelDistance", mm);
+    /** Takes another table, for the motions from the next one on, and keeps it; it holds also where that fails. */
+    void learn(SpeedTable better) {
+        table = better;
+        settings.put(
+                prefix + "speedTable",
+                better.speedsMmPerSec().stream().map(Calibration::text).collect(Collectors.joining(" ")));
+        settings.put(prefix + "wheelDistance", text(better.wheelDistanceMm()));
+        settings.put(prefix + "trim", text(better.trimPercent()));
     }
 
-    /** Takes another multiple of the manual's speeds, 0.2 to 3, and keeps it. */
-    void speedScale(double scale) {
-        table = new SpeedTable(scale, table.wheelDistanceMm());
-        keep("speedScale", scale);
-    }
-
-    private void keep(String key, double number) {
-        settings.put(prefix + key, String.format(Locale.ROOT, "%.4f", number));
+    private static String text(double number) {
+        return String.format(Locale.ROOT, "%.2f", number);
     }
 
     /** A setting that somebody edited into nonsense counts as none. */
-    private double kept(String key, double usual, double min, double max) {
+    private double kept(String key, double usual, Range sensible) {
         return settings.get(prefix + key)
-                .filter(text -> text.matches("\\d{1,4}(\\.\\d{1,9})?"))
+                .filter(Calibration::isNumber)
                 .map(Double::parseDouble)
-                .filter(number -> number >= min && number <= max)
+                .filter(sensible::contains)
                 .orElse(usual);
+    }
+
+    private List<Double> keptSpeeds() {
+        return settings.get(prefix + "speedTable")
+                .map(text -> Arrays.asList(text.strip().split(" +")))
+                .filter(numbers -> numbers.stream().allMatch(Calibration::isNumber))
+                .map(numbers -> numbers.stream().map(Double::valueOf).toList())
+                .filter(speeds -> speeds.stream().allMatch(WHEEL_MM_PER_SEC::contains) && SpeedTable.isRising(speeds))
+                .orElse(SpeedTable.MANUAL);
+    }
+
+    private static boolean isNumber(String text) {
+        return text.matches("-?\\d{1,4}(\\.\\d{1,9})?");
     }
 }

@@ -4,8 +4,13 @@ import org.jspecify.annotations.Nullable;
 
 /** One question on its way to the robot, and what became of it. Changed by the conversation only; read by any thread. */
 final class Exchange {
+    /** Why a question was forgotten that waited when the robot was switched on or reset. */
+    static final String RESET = "the robot was reset";
+
     private final Question question;
     private volatile int sendings;
+    private volatile boolean written;
+    private volatile boolean refused;
     private volatile long sentNanos;
     private volatile long answeredNanos;
     private volatile @Nullable Reply reply;
@@ -23,9 +28,24 @@ final class Exchange {
         return question.purpose();
     }
 
+    /** Whether it is one of those by which the robot is made to stand. */
+    boolean isOfStop() {
+        return purpose() == Question.Purpose.STOP || purpose() == Question.Purpose.VERIFY;
+    }
+
     void sent(long nowNanos) {
+        written = false;
         sentNanos = nowNanos;
         sendings = sendings + 1;
+    }
+
+    /** It has left this side; before that no answer can be overdue. */
+    void written() {
+        written = true;
+    }
+
+    boolean isWritten() {
+        return written;
     }
 
     void answered(Reply answer, long nowNanos) {
@@ -35,6 +55,15 @@ final class Exchange {
 
     void failed(String why) {
         failure = why;
+    }
+
+    /** Notes that the robot did not understand it. */
+    void refused() {
+        refused = true;
+    }
+
+    boolean isRefused() {
+        return refused;
     }
 
     /** How often it was sent so far. */

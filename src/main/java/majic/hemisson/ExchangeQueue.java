@@ -18,11 +18,11 @@ final class ExchangeQueue {
         waiting.addFirst(exchange);
     }
 
-    /** Puts a stop before everything, and throws away what was to move the robot. */
-    void stop() {
+    /** Puts a way of stopping before everything, and throws away what was to move the robot. */
+    void stop(Question how) {
         discard(Question.Purpose.MOTION, "stopped");
-        if (!holds(Question.Purpose.STOP)) {
-            addFirst(new Exchange(Question.STOP));
+        if (!holds(how.purpose())) {
+            addFirst(new Exchange(how));
         }
     }
 

@@ -11,10 +11,6 @@ import org.jspecify.annotations.Nullable;
  * and in which mode it runs, tell it to stand. Moves nothing.
  */
 final class Handshake {
-    /** The four modes in which the factory firmware answers every command, remote control first (sheet 7). */
-    private static final List<List<Integer>> SOUND_MODES = List.of(
-            List.of(1, 1, 1, 1), List.of(1, 1, 1, 0), List.of(1, 1, 0, 1), List.of(1, 0, 1, 1), List.of(0, 1, 1, 1));
-
     private static final double LONGEST_GREETING_S = 1;
 
     private final Session session;
@@ -51,12 +47,24 @@ final class Handshake {
         return identity;
     }
 
-    /** A robot started in an unknown mode would be deafened by a long command; its motors are held anyway (sheet 7). */
+    /**
+     * A robot started in an unknown mode would be deafened by a long command; its motors are held anyway. One that runs a
+     * behaviour of its own is told to stand once and will not keep to it (sheet 7).
+     */
     private void letStand(Identity identity, @Nullable Reply speeds) {
         boolean held = speeds != null && speeds.numbers().stream().allMatch(speed -> speed == 0);
-        if (held && !SOUND_MODES.contains(identity.switches())) {
+        session.conversation().brief(held && !identity.listens());
+        if (held && !identity.listens()) {
             return;
         }
+        if (identity.isRemoteControlled()) {
+            stop();
+        } else {
+            ask(Question.STAND_ONCE);
+        }
+    }
+
+    private void stop() {
         session.conversation().stop();
         if (!await(() -> session.conversation().isStanding())) {
             throw new BotException("it answers, but does not confirm a stop within " + patience()
@@ -65,11 +73,11 @@ final class Handshake {
     }
 
     private void waitForQuiet() {
-        await(() -> session.conversation().isQuiet(), Conversation.QUIET_NANOS / 1e9);
+        await(() -> session.conversation().isQuiet(), Settling.QUIET_NANOS / 1e9);
         double waited = 0;
         while (!session.conversation().isQuiet() && waited < LONGEST_GREETING_S) {
-            waited += Conversation.QUIET_NANOS / 1e9;
-            await(() -> session.conversation().isQuiet(), Conversation.QUIET_NANOS / 1e9);
+            waited += Settling.QUIET_NANOS / 1e9;
+            await(() -> session.conversation().isQuiet(), Settling.QUIET_NANOS / 1e9);
         }
     }
 
@@ -84,10 +92,20 @@ final class Handshake {
         }
     }
 
+    /** A robot that is switched on just now greets in between, and is asked again. */
     private @Nullable Reply ask(Question question) {
+        Exchange exchange = askOnce(question);
+        if (Exchange.RESET.equals(exchange.failure())) {
+            waitForQuiet();
+            exchange = askOnce(question);
+        }
+        return exchange.reply();
+    }
+
+    private Exchange askOnce(Question question) {
         Exchange exchange = session.conversation().ask(question);
         await(exchange::isDone);
-        return exchange.reply();
+        return exchange;
     }
 
     private boolean await(BooleanSupplier condition) {

@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Who answered at connecting. Immutable.
@@ -12,6 +13,10 @@ import java.util.List;
 record Identity(String version, List<Integer> switches, boolean tellsSpeeds) {
     private static final List<Integer> REMOTE_CONTROL = List.of(1, 1, 1, 1);
 
+    /** The modes in which the factory firmware reads every command, remote control first (sheet 7). */
+    private static final List<List<Integer>> LISTENING_MODES =
+            List.of(REMOTE_CONTROL, List.of(1, 1, 1, 0), List.of(1, 1, 0, 1), List.of(1, 0, 1, 1), List.of(0, 1, 1, 1));
+
     static final Identity NOBODY = new Identity("", List.of(), false);
 
     Identity {
@@ -21,6 +26,25 @@ record Identity(String version, List<Integer> switches, boolean tellsSpeeds) {
     /** Whether the switches select the mode in which the robot does what it is told, and nothing else (sheet 7). */
     boolean isRemoteControlled() {
         return switches.isEmpty() || switches.equals(REMOTE_CONTROL);
+    }
+
+    /** Whether it takes every command, whatever else it does; in other modes a long one may deafen it (sheet 7). */
+    boolean listens() {
+        return switches.isEmpty() || LISTENING_MODES.contains(switches);
+    }
+
+    /** The same robot after a restart, in the mode that its switches select now. */
+    Identity restarted(List<Integer> newSwitches) {
+        return new Identity(version, newSwitches, tellsSpeeds);
+    }
+
+    /** What is to be said of its mode; null if nothing is wrong with it. */
+    @Nullable
+    String warning() {
+        return isRemoteControlled()
+                ? null
+                : "its switches read " + switches + ", so it does not run in remote control mode and may do "
+                        + "as it likes; put all four to the side that reads 1 and switch it off and on";
     }
 
     /** Whether it speaks the dialect of the robots that RoadNarrows sold (sheet 10). */

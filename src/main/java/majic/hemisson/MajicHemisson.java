@@ -2,13 +2,13 @@ package majic.hemisson;
 
 import java.io.IOException;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
+import majic.bot.CalibrateCommand;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
@@ -50,6 +50,7 @@ public final class MajicHemisson extends MajicBot {
     private final Lamps lamps = new Lamps(this);
     private final Spectator spectator = new Spectator(this);
     private volatile @Nullable Session session;
+    private final Access access = new Access(this);
     private volatile Identity identity = Identity.NOBODY;
 
     /**
@@ -76,7 +77,8 @@ public final class MajicHemisson extends MajicBot {
         this.calibration = new Calibration(settings(), address);
         this.overseer = new Overseer(this, Track.standing(Pose.START, nanos(), calibration.table()));
         profile(profileFor(calibration.table()));
-        HemissonParameters.describe(table(), this);
+        HemissonParameters.describe(table(), access);
+        add(CalibrateCommand.of(new Lesson(this)));
     }
 
     private static BotProfile profileFor(SpeedTable table) {
@@ -121,16 +123,15 @@ public final class MajicHemisson extends MajicBot {
             throw e;
         }
         overseer.watch();
-        spectator.begin();
-        every("hemisson spectator", Spectator.PERIOD_S, spectator::tick);
-        warnOfMode();
+        recognise(identity);
     }
 
-    private void warnOfMode() {
-        if (!identity.isRemoteControlled()) {
-            notice("its switches read " + identity.switches()
-                    + ", so it does not run in remote control mode and may do "
-                    + "as it likes; put all four to the side that reads 1 and switch it off and on");
+    /** Takes over who answers, and warns if it runs in a mode of its own. */
+    void recognise(Identity found) {
+        identity = found;
+        String warning = found.warning();
+        if (warning != null) {
+            notice(warning);
         }
     }
 
@@ -153,17 +154,17 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
-        return new OpenLoop(this, overseer, motion).run(Leg.straight(mm, cruiseMmPerSec(), calibration.table()));
+        return new OpenLoop(this, motion).run(Leg.straight(mm, cruiseMmPerSec(), calibration.table()));
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
-        return new OpenLoop(this, overseer, motion).run(Leg.spin(degrees, cruiseTurnDegPerSec(), calibration.table()));
+        return new OpenLoop(this, motion).run(Leg.spin(degrees, cruiseTurnDegPerSec(), calibration.table()));
     }
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
-        overseer.driveBeginsOrGoesOn();
+        overseer.motion().drives(nanos());
         Wheels wheels = calibration.table().curve(mmPerSec, degPerSec);
         String failure = conversation().ask(Question.wheels(wheels)).failure();
         if (failure != null) {
@@ -234,6 +235,16 @@ public final class MajicHemisson extends MajicBot {
         }
     }
 
+    /** Lets time pass, unless the connection is lost. */
+    void pause(double seconds) {
+        try {
+            changes().await(() -> !isConnected(), seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new MotionStopped("interrupted");
+        }
+    }
+
     long nanos() {
         return time().nanos();
     }
@@ -284,10 +295,22 @@ public final class MajicHemisson extends MajicBot {
         return calibration.table();
     }
 
-    /** Changes the calibration, for all motions from the next one on. */
-    void recalibrate(Consumer<Calibration> change) {
-        change.accept(calibration);
-        overseer.use(calibration.table());
+    /** Takes over and keeps another calibration, for all motions from the next one on; holds even where it could not be kept. */
+    void learn(SpeedTable better) {
+        try {
+            calibration.learn(better);
+        } finally {
+            overseer.use(better);
+            profile(profileFor(better));
+        }
+    }
+
+    double cruise() {
+        return cruiseMmPerSec();
+    }
+
+    double cruiseTurn() {
+        return cruiseTurnDegPerSec();
     }
 
     /** Begins something that waits for the robot, on a thread of its own. */
@@ -298,7 +321,7 @@ public final class MajicHemisson extends MajicBot {
     /** Whether its wheels may turn though nobody can tell it anything: the link is lost, or it misses answers. */
     boolean isOutOfControl() {
         Session open = session;
-        boolean deaf = isLost() || overseer.trouble() != null;
+        boolean deaf = isLost() || overseer.motion().trouble() != null;
         return open != null && deaf && open.conversation().mayMove();
     }
 

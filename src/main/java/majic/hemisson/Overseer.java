@@ -3,7 +3,6 @@ package majic.hemisson;
 import java.io.IOException;
 import java.util.List;
 import majic.bot.LinkLost;
-import majic.bot.MotionFailed;
 import majic.bot.Pose;
 import majic.hemisson.Question.Purpose;
 import org.jspecify.annotations.Nullable;
@@ -13,41 +12,33 @@ import org.jspecify.annotations.Nullable;
  * is, notices missed answers, disobedience and silence. Called by the keeper and the reader; never waits.
  */
 final class Overseer implements ConversationListener {
-    /** A drive that nobody renews has lapsed before this; calls nearer to each other are one drive, ns. */
-    private static final long LONGEST_DRIVE_NANOS = 700_000_000;
-
-    /** How long after the planned end of a motion the robot is told to stand whatever the motion's thread does, ns. */
-    private static final long OVERTIME_NANOS = 300_000_000;
-
     private static final double SILENCE_S = 2;
     private static final int IDLE_TICKS_PER_LOOK = 2;
-    private static final int LOOKS_PER_SPEED_CHECK = 8;
-    private static final double LINE_KEPT_FREE_S = 0.01;
 
     private final MajicHemisson bot;
+    private final MotionWatch motion;
+    private final Senses senses = new Senses();
+    private final Lookout lookout = new Lookout(senses);
     private volatile @Nullable Session session;
     private volatile @Nullable Exchange look;
-    private volatile @Nullable String trouble;
-    private volatile @Nullable Proximity seen;
     private volatile Track track;
-    private volatile long motionDueNanos = Long.MAX_VALUE;
-    private volatile long drivenNanos;
     private volatile boolean watching;
+    private volatile boolean modeUnknown;
     private long ticks;
-    private long looks;
 
     Overseer(MajicHemisson bot, Track track) {
         this.bot = bot;
         this.track = track;
-        this.drivenNanos = bot.nanos() - LONGEST_DRIVE_NANOS;
+        this.motion = new MotionWatch(bot.nanos());
     }
 
     /** Takes over a new connection. */
     void begin(Session opened) {
         watching = false;
+        modeUnknown = false;
         look = null;
-        seen = null;
-        trouble = null;
+        senses.forget();
+        motion.begins(Long.MAX_VALUE);
         session = opened;
         track = Track.standing(Pose.START, bot.nanos(), track.table());
     }
@@ -65,44 +56,19 @@ final class Overseer implements ConversationListener {
     /** What it saw last; null before the first reading. */
     @Nullable
     Proximity seen() {
-        return seen;
+        return senses.seen();
+    }
+
+    Senses senses() {
+        return senses;
     }
 
     Track track() {
         return track;
     }
 
-    /** What went wrong since the last motion began, as half a sentence; null if nothing did. */
-    @Nullable
-    String trouble() {
-        return trouble;
-    }
-
-    /** Forgets earlier trouble, and sets when the motion that begins must be over at the latest. */
-    void motionBegins(long dueNanos) {
-        trouble = null;
-        motionDueNanos = dueNanos;
-    }
-
-    /**
-     * Notes that somebody drives, once more or anew.
-     *
-     * @throws MotionFailed if this drive has met with trouble; it does not resume until it was let go
-     */
-    void driveBeginsOrGoesOn() {
-        long now = bot.nanos();
-        String met = trouble;
-        boolean goesOn = now - drivenNanos < LONGEST_DRIVE_NANOS;
-        drivenNanos = now;
-        if (goesOn && met != null) {
-            throw new MotionFailed(met);
-        }
-        motionBegins(now + LONGEST_DRIVE_NANOS);
-    }
-
-    /** Sets when the motion under way is to end; the line is kept free for its stop shortly before. */
-    void motionEnds(long dueNanos) {
-        motionDueNanos = dueNanos;
+    MotionWatch motion() {
+        return motion;
     }
 
     /** Looks after everything whose time has come. Called by the keeper. */
@@ -128,36 +94,67 @@ final class Overseer implements ConversationListener {
     @Override
     public void answered(Exchange exchange) {
         Reply reply = exchange.reply();
-        if (exchange.question() == Question.PROXIMITY && reply != null) {
-            Proximity before = seen;
-            seen = before == null ? new Proximity(reply.numbers()) : before.next(reply.numbers());
-            bot.publishTrack(track);
-        } else if (exchange.purpose() == Purpose.MOTION) {
+        if (exchange.purpose() == Purpose.MOTION) {
             follow(exchange.question().told(), exchange.middleNanos());
         } else if (exchange.purpose() == Purpose.STOP) {
             follow(Wheels.STILL, exchange.middleNanos());
-        } else if (exchange == look && reply != null) {
-            checkSpeeds(reply);
+        } else if (exchange.purpose() == Purpose.ASK && reply != null) {
+            take(exchange, reply);
         }
         bot.raise();
+    }
+
+    private void take(Exchange exchange, Reply reply) {
+        Question question = exchange.question();
+        if (!question.isLong() && reply.kind() == Reply.Kind.ANSWER) {
+            senses.take(question, reply, bot.nanos());
+            bot.publishTrack(track);
+        }
+        if (question == Question.SWITCHES && modeUnknown) {
+            modeUnknown = false;
+            learnMode(reply.numbers());
+        }
+        if (exchange == look && question == Question.SPEEDS) {
+            checkSpeeds(reply);
+        }
     }
 
     @Override
     public void missed(Exchange exchange) {
+        if (exchange.isRefused()) {
+            senses.refuse(exchange.question());
+        }
         Session open = session;
-        if (open != null && open.conversation().mayMove() && trouble == null) {
-            trouble = exchange.failure() == null ? "it missed an answer" : "it missed an answer: " + exchange.failure();
-            bot.say("it did not answer while moving; it is told to stand again and again; " + MajicHemisson.HELP);
+        if (open != null && open.conversation().mayMove()) {
+            String failure = exchange.failure();
+            if (motion.meets(failure == null ? "it missed an answer" : "it missed an answer: " + failure)) {
+                bot.say("it did not answer while moving; it is told to stand again and again; " + MajicHemisson.HELP);
+            }
         }
         bot.raise();
     }
 
+    /** It reads its switches anew, and so may run in another mode from now on (sheet 4.3). */
     @Override
     public void wasReset() {
-        trouble = "it was switched on or reset meanwhile";
+        motion.meets("it was switched on or reset meanwhile");
+        modeUnknown = watching;
         follow(Wheels.STILL, bot.nanos());
         bot.lamps().forget();
+        Session open = session;
+        if (open != null && watching) {
+            open.conversation().ask(Question.SWITCHES);
+        }
         bot.say("it was switched on or reset; its motors stand and its lamps are off");
+    }
+
+    private void learnMode(List<Integer> switches) {
+        Identity identity = bot.identity().restarted(switches);
+        Session open = session;
+        if (open != null) {
+            open.conversation().brief(!identity.listens());
+        }
+        bot.recognise(identity);
     }
 
     @Override
@@ -175,34 +172,21 @@ final class Overseer implements ConversationListener {
     }
 
     private void endOverdueMotion(Conversation conversation) {
-        if (conversation.mayMove() && bot.nanos() - motionDueNanos > OVERTIME_NANOS) {
+        if (conversation.mayMove() && motion.isOverdue(bot.nanos())) {
             conversation.stop();
         }
-    }
-
-    /** Whether the stop of a timed motion is so near that nothing else may be asked. */
-    boolean isStopNear() {
-        Session open = session;
-        return open != null && stopIsNear(open);
     }
 
     private void lookAround(Session open) {
         Exchange last = look;
         boolean moving = open.conversation().mayMove();
         boolean turn = moving || ticks % IDLE_TICKS_PER_LOOK == 0;
-        if (!turn || (last != null && !last.isDone()) || (moving && stopIsNear(open))) {
-            return;
+        boolean stopIsNear =
+                moving && motion.isEndNear(bot.nanos(), open.conversation().quality());
+        if (turn && (last == null || last.isDone()) && !stopIsNear) {
+            look = open.conversation()
+                    .ask(lookout.next(bot.nanos(), moving, bot.identity().tellsSpeeds()));
         }
-        looks++;
-        boolean check = moving && bot.identity().tellsSpeeds() && looks % LOOKS_PER_SPEED_CHECK == 0;
-        look = open.conversation().ask(check ? Question.SPEEDS : Question.PROXIMITY);
-    }
-
-    /** A question begun now could delay the stop of a timed motion. */
-    private boolean stopIsNear(Session open) {
-        double leftSeconds = (motionDueNanos - bot.nanos()) / 1e9;
-        double roundTrip = open.conversation().quality().roundTripMs() / 1000;
-        return leftSeconds >= 0 && leftSeconds < Math.min(2 * roundTrip, open.timeoutSeconds()) + LINE_KEPT_FREE_S;
     }
 
     /** Other speeds than were set come from the TV remote or from another running mode (sheet 7 and 8). */
@@ -213,9 +197,9 @@ final class Overseer implements ConversationListener {
             return;
         }
         open.conversation().stop();
-        trouble =
-                "its wheels were set to " + reply.rest() + " by something else: a TV remote control, or a running mode "
-                        + "other than remote control (put all four switches to the side that reads 1 and restart it)";
+        motion.meets("its wheels were set to " + reply.rest()
+                + " by something else: a TV remote control, or a running mode "
+                + "other than remote control (put all four switches to the side that reads 1 and restart it)");
     }
 
     private void noticeSilence(Session open) {

@@ -9,8 +9,20 @@ import java.util.regex.Pattern;
  * @param text the command without its CR; at most 50 characters (sheet 4.2)
  * @param answer the form of a whole, undamaged answer
  * @param purpose what it is for
+ * @param lineMs how long the robot hears nothing else for its sake, to the end of the answer, ms (sheet 4.6)
  */
-record Question(String text, Pattern answer, Purpose purpose) {
+record Question(String text, Pattern answer, Purpose purpose, double lineMs) {
+    /** Longer commands are sometimes corrupted (sheet 4.2). */
+    static final int LONGEST_TEXT = 50;
+
+    /** What takes the line for longer than this would hold up a stop, ms. */
+    private static final double LONGEST_IN_MOTION_MS = 5;
+
+    /** A robot that nobody reads its commands holds two characters, the CR included (sheet 7). */
+    private static final int BRIEF = 1;
+
+    private static final double MS_PER_CHARACTER = 0.088;
+
     /** What a question is for; decides who goes first and what becomes of it when no answer comes. */
     enum Purpose {
         /** Asks or switches something; may be repeated. */
@@ -24,33 +36,66 @@ record Question(String text, Pattern answer, Purpose purpose) {
     }
 
     private static final String EIGHT_VALUES = "(,\\d{3}){8}";
+    private static final double WHEELS_MS = 0.8;
 
-    static final Question VERSION = ask("B", "b,.+");
-    static final Question SWITCHES = ask("I", "i(,[01]){4}");
-    static final Question SPEEDS = ask("E", "e(,-?\\d{1,3}){2}");
-    static final Question PROXIMITY = ask("N", "n" + EIGHT_VALUES);
-    static final Question LIGHT = ask("O", "o" + EIGHT_VALUES);
-    static final Question STOP = new Question("D,0,0", wheelsAnswer(), Purpose.STOP);
-    static final Question VERIFY = new Question("E", SPEEDS.answer, Purpose.VERIFY);
+    static final Question VERSION = ask("B", "b,.+", 1.5);
+    static final Question SWITCHES = ask("I", "i(,[01]){4}", 1);
+    static final Question SPEEDS = ask("E", "e(,-?\\d{1,3}){2}", 0.8);
+    static final Question PROXIMITY = ask("N", "n" + EIGHT_VALUES, 3.1);
+    static final Question LIGHT = ask("O", "o" + EIGHT_VALUES, 3.1);
+    static final Question REMOTE = ask("T", "t,\\d{3}", 0.5);
+    static final Question MODULES = ask("J", "j(,.*)?", 18);
+    static final Question STOP = new Question("D,0,0", wheelsAnswer(), Purpose.STOP, WHEELS_MS);
+    static final Question VERIFY = new Question("E", SPEEDS.answer, Purpose.VERIFY, SPEEDS.lineMs);
+
+    /** A stop that nobody follows up, for a robot whose own behaviour sets its speeds again anyway. */
+    static final Question STAND_ONCE = ask("D,0,0", wheelsAnswer().pattern(), WHEELS_MS);
 
     /** Ends half a command that somebody else left behind; answered by a refusal (sheet 11). */
-    static final Question NOTHING = ask("", "(?!)");
+    static final Question NOTHING = ask("", "(?!)", 1.6);
+
+    Question {
+        if (text.length() > LONGEST_TEXT || text.indexOf('\r') >= 0 || text.indexOf('\n') >= 0) {
+            throw new IllegalArgumentException("no command of the Hemisson: " + text);
+        }
+    }
 
     static Question wheels(Wheels wheels) {
         return wheels.isStill()
                 ? STOP
-                : new Question("D," + wheels.left() + "," + wheels.right(), wheelsAnswer(), Purpose.MOTION);
+                : new Question("D," + wheels.left() + "," + wheels.right(), wheelsAnswer(), Purpose.MOTION, WHEELS_MS);
     }
 
     static Question buzzer(boolean on) {
-        return ask("H," + digit(on), "h(,\\d)?");
+        return ask("H," + digit(on), "h(,\\d)?", 0.4);
     }
 
     static Question leds(Leds leds) {
         return ask(
                 "L," + digit(leds.onOff()) + "," + digit(leds.pgm()) + "," + digit(leds.left()) + ","
                         + digit(leds.right()),
-                "l(,\\d){0,4}");
+                "l(,\\d){0,4}",
+                1);
+    }
+
+    /** A question or an order that moves nothing; the answer ends after at most so many ms. */
+    static Question ask(String text, String answer, double lineMs) {
+        return new Question(text, Pattern.compile(answer), Purpose.ASK, lineMs);
+    }
+
+    /** How long an answer of so many characters is on the line, its end and the robot's thinking included, ms. */
+    static double msFor(int characters) {
+        return 0.4 + (characters + 2) * MS_PER_CHARACTER;
+    }
+
+    /** Whether a stop could not be sent in time behind it. */
+    boolean isLong() {
+        return lineMs > LONGEST_IN_MOTION_MS;
+    }
+
+    /** Whether it cannot deafen a robot that does not read what it is sent. */
+    boolean isBrief() {
+        return text.length() <= BRIEF;
     }
 
     /** The bytes on the wire: the text and one CR, never a LF (sheet 4.1). */
@@ -67,10 +112,6 @@ record Question(String text, Pattern answer, Purpose purpose) {
     /** Whether a reply is the whole answer to this question. */
     boolean isAnsweredBy(Reply reply) {
         return reply.kind() == Reply.Kind.ANSWER && answer.matcher(reply.text()).matches();
-    }
-
-    private static Question ask(String text, String answer) {
-        return new Question(text, Pattern.compile(answer), Purpose.ASK);
     }
 
     private static Pattern wheelsAnswer() {

@@ -1,6 +1,8 @@
 package majic.hemisson;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.TimeSource;
@@ -9,6 +11,8 @@ import org.jspecify.annotations.Nullable;
 
 /** One connection, from opening to its end: the link, its reader thread and the conversation over it. */
 final class Session {
+    private static final Logger LOG = System.getLogger(Session.class.getName());
+
     /** How long an answer may take on a cable or over TCP, seconds (Hemisson sheet 4.6). */
     static final double CABLE_TIMEOUT_S = 0.3;
 
@@ -88,7 +92,16 @@ final class Session {
         conversation.heard();
         List<String> lines = decoder.feed(chunk, count);
         telnet = decoder.isTelnet();
-        lines.forEach(line -> conversation.received(Reply.of(line)));
+        lines.forEach(line -> receive(Reply.of(line)));
+    }
+
+    /** Whatever a line does to its hearer, the next ones are read: the answer to a stop may be among them. */
+    private void receive(Reply reply) {
+        try {
+            conversation.received(reply);
+        } catch (RuntimeException e) {
+            LOG.log(Level.WARNING, "could not take in " + reply.text(), e);
+        }
     }
 
     private void broken(IOException cause) {

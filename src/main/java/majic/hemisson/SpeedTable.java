@@ -1,37 +1,85 @@
 package majic.hemisson;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
- * How fast a wheel runs for each motor value, and how far apart the wheels are, for one robot. Nothing on the robot
- * measures it, so it can only be calibrated by a person. Immutable.
+ * How fast the wheels run for each motor value, and how far apart they are, for one robot. Nothing on the robot measures
+ * it, so it can only be calibrated by a person. Immutable.
  *
- * @param scale this robot's speeds as a multiple of the manual's curve (Hemisson sheet 5)
+ * @param speedsMmPerSec the mean speed of the two wheels for the motor values 1 to 9, mm/s, rising
  * @param wheelDistanceMm from wheel to wheel, mm
+ * @param trimPercent by how much the right wheel runs faster than the left one at the same value, %
  */
-record SpeedTable(double scale, double wheelDistanceMm) {
+record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double trimPercent) {
     /** The sheet's credible value; makers of other clients used 110 and 112. */
     static final double USUAL_WHEEL_DISTANCE_MM = 90;
 
     /** The slowest value that reliably overcomes friction. */
     static final int SLOWEST = 2;
 
-    private static final double[] MM_PER_SEC = {0, 3, 18, 42, 64, 86, 109, 134, 156, 184};
+    /** The curve in the manual (Hemisson sheet 5). */
+    static final List<Double> MANUAL = List.of(3.0, 18.0, 42.0, 64.0, 86.0, 109.0, 134.0, 156.0, 184.0);
 
-    static final SpeedTable USUAL = new SpeedTable(1, USUAL_WHEEL_DISTANCE_MM);
+    static final SpeedTable USUAL = new SpeedTable(MANUAL, USUAL_WHEEL_DISTANCE_MM, 0);
 
     SpeedTable {
-        if (!(scale > 0) || !(wheelDistanceMm > 0)) {
-            throw new IllegalArgumentException("not a calibration: " + scale + ", " + wheelDistanceMm);
+        speedsMmPerSec = List.copyOf(speedsMmPerSec);
+        if (!isRising(speedsMmPerSec) || !(wheelDistanceMm > 0) || !(Math.abs(trimPercent) < 100)) {
+            throw new IllegalArgumentException(
+                    "not a calibration: " + speedsMmPerSec + ", " + wheelDistanceMm + ", " + trimPercent);
         }
     }
 
-    /** The speed of a wheel, mm/s, for a motor value of -9 to 9. */
-    double mmPerSec(int value) {
-        return Math.signum(value) * MM_PER_SEC[Math.abs(value)] * scale;
+    /** Whether these can be the speeds for the motor values 1 to 9. */
+    static boolean isRising(List<Double> speeds) {
+        double before = 0;
+        for (double speed : speeds) {
+            if (!(speed > before)) {
+                return false;
+            }
+            before = speed;
+        }
+        return speeds.size() == Wheels.MAX;
     }
 
-    /** The highest speed of a wheel, mm/s. */
+    /** All speeds multiplied by a factor. */
+    SpeedTable scaled(double factor) {
+        List<Double> scaled = new ArrayList<>();
+        speedsMmPerSec.forEach(speed -> scaled.add(speed * factor));
+        return new SpeedTable(scaled, wheelDistanceMm, trimPercent);
+    }
+
+    SpeedTable withSpeeds(List<Double> newMmPerSec) {
+        return new SpeedTable(newMmPerSec, wheelDistanceMm, trimPercent);
+    }
+
+    SpeedTable withWheelDistance(double mm) {
+        return new SpeedTable(speedsMmPerSec, mm, trimPercent);
+    }
+
+    SpeedTable withTrim(double percent) {
+        return new SpeedTable(speedsMmPerSec, wheelDistanceMm, percent);
+    }
+
+    /** The mean speed of the wheels, mm/s, for a motor value of -9 to 9. */
+    double mmPerSec(int value) {
+        return value == 0 ? 0 : Math.signum(value) * speedsMmPerSec.get(Math.abs(value) - 1);
+    }
+
+    /** What the left wheel's speed is of the mean. */
+    double leftFactor() {
+        return 1 - trimPercent / 200;
+    }
+
+    /** What the right wheel's speed is of the mean. */
+    double rightFactor() {
+        return 1 + trimPercent / 200;
+    }
+
+    /** The highest speed that both wheels reach, mm/s. */
     double fastestMmPerSec() {
-        return mmPerSec(Wheels.MAX);
+        return mmPerSec(Wheels.MAX) * Math.min(leftFactor(), rightFactor());
     }
 
     /** The rate at which it spins with both wheels at a value, deg/s. */
@@ -39,7 +87,7 @@ record SpeedTable(double scale, double wheelDistanceMm) {
         return Math.toDegrees(2 * mmPerSec(value) / wheelDistanceMm);
     }
 
-    /** The value that comes nearest to a wheel speed; 0 or one that turns the wheel. */
+    /** The value that comes nearest to a mean wheel speed; 0 or one that turns the wheel. */
     int nearest(double wantedMmPerSec) {
         int best = 0;
         for (int value = SLOWEST; value <= Wheels.MAX; value++) {
@@ -57,16 +105,24 @@ record SpeedTable(double scale, double wheelDistanceMm) {
         double left = speedMmPerSec - half;
         double right = speedMmPerSec + half;
         double slower = Math.min(1, fastestMmPerSec() / Math.max(1, Math.max(Math.abs(left), Math.abs(right))));
-        return new Wheels(nearest(left * slower), nearest(right * slower));
+        return new Wheels(nearest(left * slower / leftFactor()), nearest(right * slower / rightFactor()));
     }
 
     /** The path speed for wheel values, mm/s, ahead positive. */
     double speedMmPerSec(Wheels wheels) {
-        return (mmPerSec(wheels.left()) + mmPerSec(wheels.right())) / 2;
+        return (leftMmPerSec(wheels) + rightMmPerSec(wheels)) / 2;
     }
 
     /** The turn rate for wheel values, deg/s, left positive. */
     double turnDegPerSec(Wheels wheels) {
-        return Math.toDegrees((mmPerSec(wheels.right()) - mmPerSec(wheels.left())) / wheelDistanceMm);
+        return Math.toDegrees((rightMmPerSec(wheels) - leftMmPerSec(wheels)) / wheelDistanceMm);
+    }
+
+    private double leftMmPerSec(Wheels wheels) {
+        return mmPerSec(wheels.left()) * leftFactor();
+    }
+
+    private double rightMmPerSec(Wheels wheels) {
+        return mmPerSec(wheels.right()) * rightFactor();
     }
 }

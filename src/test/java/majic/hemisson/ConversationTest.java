@@ -20,6 +20,7 @@ class ConversationTest {
     @BeforeEach
     void begin() {
         conversation = new Conversation(link, clock, 0.3, listener());
+        conversation.brief(false);
     }
 
     @Test
@@ -52,7 +53,7 @@ class ConversationTest {
         hear("d");
 
         assertThat(motion.failure()).isEqualTo("stopped");
-        assertThat(link.commands()).containsExactly("N", "D,0,0");
+        assertThat(link.commands()).containsExactly("N", "D,0,0", "E");
     }
 
     @Test
@@ -161,7 +162,78 @@ class ConversationTest {
 
         assertThat(look.failure()).isEqualTo("the robot was reset");
         assertThat(told).contains("reset");
-        assertThat(link.commands()).endsWith("D,0,0");
+    }
+
+    @Test
+    void aRobotThatWasResetIsAskedForItsSpeedsBeforeItIsSentAnythingLong() {
+        hear("HemiOS V1.50 , K-Team");
+        Exchange motion = conversation.ask(Question.wheels(AHEAD));
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("E");
+        assertThat(motion.failure()).isNotNull();
+
+        hear("e,03,03");
+        assertThat(link.commands()).containsExactly("E", "D,0,0");
+    }
+
+    @Test
+    void whatSetsItsOwnSpeedsIsStoppedAgainButNotWithoutPause() {
+        conversation.stop();
+        hear("d");
+        hear("e,10,05");
+        hear("d");
+        hear("e,-5,-10");
+        assertThat(link.commands()).containsExactly("D,0,0", "E", "D,0,0", "E");
+
+        pass(0.1);
+        assertThat(link.commands()).endsWith("E", "D,0,0");
+    }
+
+    @Test
+    void noiseWithoutEndDoesNotHoldUpAStop() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.ask(Question.PROXIMITY);
+        pass(0.3);
+        for (int noise = 0; noise < 30; noise++) {
+            hear("x");
+            pass(0.05);
+        }
+
+        assertThat(link.commands()).contains("D,0,0");
+    }
+
+    @Test
+    void whatTakesTheLineForLongIsNotBegunWhileItMoves() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+
+        assertThat(conversation.ask(Question.MODULES).failure()).contains("while the robot moves");
+        assertThat(conversation.ask(Bus.read(0xC0, 0x10, 102)).failure()).contains("while the robot moves");
+        assertThat(conversation.ask(Bus.read(0xE0, 1, 3)).failure()).isNull();
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
+    }
+
+    @Test
+    void whatTakesTheLineForLongIsGivenUpWhenAMotionHasOvertakenIt() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.wheels(AHEAD));
+        Exchange camera = conversation.ask(Bus.read(0xC0, 0x10, 102));
+        hear("n,004,004,004,004,004,004,060,060");
+        hear("d");
+
+        assertThat(camera.failure()).contains("while the robot moves");
+        assertThat(link.commands()).containsExactly("N", "D,3,3");
+    }
+
+    @Test
+    void anUnansweredVerificationBeginsTheStopAnew() {
+        conversation.stop();
+        hear("d");
+        pass(0.3);
+
+        assertThat(conversation.isStanding()).isFalse();
+        assertThat(link.commands()).containsExactly("D,0,0", "E", "D,0,0");
     }
 
     @Test

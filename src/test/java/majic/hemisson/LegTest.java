@@ -43,17 +43,39 @@ class LegTest {
     void widerWheelsTurnLonger() {
         double usual = Leg.spin(360, 53, SpeedTable.USUAL).seconds();
 
-        assertThat(Leg.spin(360, 47, new SpeedTable(1, 100)).seconds()).isCloseTo(usual * 100 / 90, within(1e-9));
+        assertThat(Leg.spin(360, 47, SpeedTable.USUAL.withWheelDistance(100)).seconds())
+                .isCloseTo(usual * 100 / 90, within(1e-9));
     }
 
     @Test
     void aSlowRobotMovesLonger() {
-        assertThat(Leg.straight(100, 21, new SpeedTable(0.5, 90)).seconds()).isCloseTo(100 / 21.0, within(1e-9));
+        assertThat(Leg.straight(100, 21, SpeedTable.USUAL.scaled(0.5)).seconds())
+                .isCloseTo(100 / 21.0, within(1e-9));
     }
 
     @ParameterizedTest
     @CsvSource({"42,0,3,3", "0,53,-3,3", "0,-53,3,-3", "-64,0,-4,-4", "86,29,4,6", "184,234,0,9", "5,0,0,0"})
     void aCurveGetsTheNearestWheelValues(double speed, double turn, int left, int right) {
         assertThat(SpeedTable.USUAL.curve(speed, turn)).isEqualTo(new Wheels(left, right));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"5", "-5", "12"})
+    void theFasterWheelIsEasedUntilBothGoEquallyFar(double trimPercent) {
+        SpeedTable table = SpeedTable.USUAL.withTrim(trimPercent);
+        Leg leg = Leg.straight(420, 42, table);
+
+        double drift = table.turnDegPerSec(leg.wheels()) * (1 - leg.easedShare())
+                + table.turnDegPerSec(leg.eased()) * leg.easedShare();
+        double speed = table.speedMmPerSec(leg.wheels()) * (1 - leg.easedShare())
+                + table.speedMmPerSec(leg.eased()) * leg.easedShare();
+        assertThat(drift).isCloseTo(0, within(1e-9));
+        assertThat(speed).isCloseTo(leg.perSecond(), within(1e-9));
+        assertThat(leg.rounds()).isEqualTo((int) Math.round(leg.seconds()));
+    }
+
+    @Test
+    void withoutTrimNoWheelIsEased() {
+        assertThat(Leg.straight(420, 42, SpeedTable.USUAL).rounds()).isZero();
     }
 }

@@ -35,6 +35,8 @@ final class ScriptedHemisson implements AutoCloseable {
         answers.put('O', command -> "o,220,220,220,220,220,220,220,200");
         answers.put('E', command -> "e," + speeds);
         answers.put('H', command -> "h");
+        answers.put('J', command -> "j");
+        answers.put('T', command -> "t,000");
         answers.put('L', command -> "l");
         answers.put('D', this::setSpeeds);
         Thread thread = new Thread(this::serve, "scripted hemisson");

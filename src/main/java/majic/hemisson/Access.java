@@ -1,0 +1,90 @@
+package majic.hemisson;
+
+import java.util.function.Function;
+import java.util.function.Supplier;
+import majic.bot.Patience;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The way from a parameter to the robot: what is heard of it all the while, and questions of its own. Thread-safe.
+ *
+ * <p>Who must not wait, as the guard of a robot that moves, is served with what was heard last; what nobody asks all the
+ * while is asked from then on in turn with the rest.
+ */
+final class Access {
+    /** The robot itself has new readings every 41 ms (Hemisson sheet 4.6). */
+    private static final long FRESH_NANOS = 100_000_000;
+
+    private static final long STALE_NANOS = 1_500_000_000;
+
+    private final MajicHemisson bot;
+
+    Access(MajicHemisson bot) {
+        this.bot = bot;
+    }
+
+    MajicHemisson bot() {
+        return bot;
+    }
+
+    /** Reads what the proximity sensors saw last. */
+    Supplier<Value> seen(Function<Proximity, Value> reading) {
+        return () -> {
+            Proximity seen = bot.overseer().seen();
+            return seen == null ? Value.unknown("no reading yet") : reading.apply(seen);
+        };
+    }
+
+    /** Reads what is among the usual looks; asks where that is not fresh. */
+    Supplier<Value> asked(Question question, Function<Reply, Value> reading) {
+        return () -> {
+            Reply reply = reply(question);
+            return reply == null ? Value.unknown("no reading yet") : reading.apply(reply);
+        };
+    }
+
+    /** Reads what nobody but those asks for who want it. */
+    Supplier<Value> wanted(Question question, Function<Reply, Value> reading) {
+        Look look = now -> question;
+        Supplier<Value> asked = asked(question, reading);
+        return () -> {
+            want(look);
+            return asked.get();
+        };
+    }
+
+    /** Has something looked at for the next seconds. */
+    void want(Look look) {
+        bot.overseer().senses().want(look, bot.nanos());
+    }
+
+    /** Lets a module do its work. */
+    void pause(double seconds) {
+        bot.pause(seconds);
+    }
+
+    /** The answer to a question, fresh if there is time to wait for it; null if there is not and it was not heard. */
+    @Nullable
+    Reply reply(Question question) {
+        boolean mayWait = Patience.isAllowed();
+        Reply last = last(question, mayWait ? FRESH_NANOS : STALE_NANOS);
+        return last == null && mayWait ? bot.ask(question) : last;
+    }
+
+    /** What was heard of late. */
+    @Nullable
+    Reply last(Question question, long ageNanos) {
+        return bot.overseer().senses().last(question, bot.nanos(), ageNanos);
+    }
+
+    /** Tells the robot something and waits until it has confirmed it. */
+    void tell(Question order) {
+        bot.ask(order);
+    }
+
+    static Value count(int number) {
+        return Value.of(number, Unit.NONE);
+    }
+}

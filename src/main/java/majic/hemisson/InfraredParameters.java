@@ -1,0 +1,99 @@
+package majic.hemisson;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The eight infra-red sensors: how far, how near, how bright. */
+final class InfraredParameters {
+    private static final List<String> NAMES =
+            List.of("front", "front right", "front left", "right", "left", "rear", "ground right", "ground left");
+
+    private final ParameterTable table;
+    private final Access access;
+
+    InfraredParameters(ParameterTable table, Access access) {
+        this.table = table;
+        this.access = access;
+    }
+
+    void describe() {
+        describeDistances();
+        describeProximity();
+        describeGround();
+        describeLight();
+    }
+
+    private void describeDistances() {
+        distance(
+                "distanceFront",
+                "free way ahead by five infra-red sensors; dark things seem farther",
+                Clearance::front);
+        distance("distanceLeft", "from the hull to the left, up to 50 mm; dark things seem farther", Clearance::left);
+        distance(
+                "distanceRight", "from the hull to the right, up to 50 mm; dark things seem farther", Clearance::right);
+        distance("distanceBack", "from the hull backward, up to 60 mm; dark things seem farther", Clearance::back);
+    }
+
+    private void distance(String name, String help, Function<Proximity, OptionalDouble> from) {
+        table.add(Parameter.number(name, Unit.MM, help), access.seen(seen -> {
+            OptionalDouble mm = from.apply(seen);
+            return mm.isPresent() ? Value.about(mm.getAsDouble(), Unit.MM) : Value.CLEAR;
+        }));
+    }
+
+    private void describeProximity() {
+        table.add(
+                Parameter.list("prox", Unit.NONE, "0 nothing to 255 near: " + String.join(", ", NAMES)),
+                access.seen(seen ->
+                        Value.many(seen.raw().stream().map(Access::count).toList())));
+        for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
+            int index = sensor;
+            table.add(
+                    Parameter.number("prox" + sensor, Unit.NONE, "0 nothing to 255 near, in the order of prox"),
+                    access.seen(seen -> Access.count(seen.value(index))));
+        }
+    }
+
+    private void describeGround() {
+        table.add(
+                Parameter.number("groundRight", Unit.NONE, "what the ground reflects on the right, large when white"),
+                access.seen(seen -> Access.count(seen.value(Proximity.GROUND_RIGHT))));
+        table.add(
+                Parameter.number(
+                        "groundLeft",
+                        Unit.NONE,
+                        "the same on the left; corrected for a slip of the firmware, which prox7 shows"),
+                access.asked(Question.LIGHT, light -> groundLeft(light.numbers())));
+    }
+
+    private Value groundLeft(List<Integer> light) {
+        return access.seen(seen -> Access.count(Proximity.correctedGroundLeft(
+                        seen.value(Proximity.GROUND_LEFT),
+                        light.get(Proximity.GROUND_RIGHT),
+                        light.get(Proximity.GROUND_LEFT))))
+                .get();
+    }
+
+    private void describeLight() {
+        table.add(
+                Parameter.list(
+                        "lightSensors", Unit.NONE, "0 bright to 255 dark (infra-red): " + String.join(", ", NAMES)),
+                access.asked(
+                        Question.LIGHT,
+                        light -> Value.many(
+                                light.numbers().stream().map(Access::count).toList())));
+        for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
+            int index = sensor;
+            table.add(
+                    Parameter.number("light" + sensor, Unit.NONE, "0 bright to 255 dark, in the order of prox"),
+                    access.asked(
+                            Question.LIGHT,
+                            light -> Access.count(light.numbers().get(index))));
+        }
+    }
+}

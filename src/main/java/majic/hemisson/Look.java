@@ -1,0 +1,16 @@
+package majic.hemisson;
+
+import org.jspecify.annotations.Nullable;
+
+/** Something that is looked at again and again, in turn with others. */
+@FunctionalInterface
+interface Look {
+    /**
+     * What to ask when it is its turn.
+     *
+     * @param nowNanos the robot's clock
+     * @return null if nothing is to be asked yet
+     */
+    @Nullable
+    Question next(long nowNanos);
+}

@@ -1,0 +1,64 @@
+package majic.hemisson;
+
+import java.util.function.Function;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** What the robot tells of itself, how well it is heard, and what it has not. */
+final class RobotParameters {
+    private final ParameterTable table;
+    private final Access access;
+
+    RobotParameters(ParameterTable table, Access access) {
+        this.table = table;
+        this.access = access;
+    }
+
+    void describe() {
+        describeRobot();
+        describeLink();
+        describeWhatItLacks();
+    }
+
+    private void describeRobot() {
+        table.add(
+                Parameter.list("switches", Unit.NONE, "the four switches on top; 1, 1, 1, 1 is remote control"),
+                access.asked(
+                        Question.SWITCHES,
+                        switches -> Value.many(
+                                switches.numbers().stream().map(Access::count).toList())));
+        table.add(
+                Parameter.number("tvRemote", Unit.NONE, "the last key of a TV remote control, 0 to 63; 0 before any"),
+                access.asked(Question.REMOTE, key -> Access.count(key.numbers().get(0))));
+        table.add(Parameter.text("version", "the firmware"), () -> identified(Identity::version));
+    }
+
+    private Value identified(Function<Identity, String> text) {
+        Identity identity = access.bot().identity();
+        return identity == Identity.NOBODY ? Value.unknown("not connected yet") : Value.text(text.apply(identity));
+    }
+
+    private void describeLink() {
+        table.add(
+                Parameter.number("roundTrip", Unit.MS, "from a question to its answer, a mean of the last ones"),
+                () -> Value.of(access.bot().quality().roundTripMs(), Unit.MS));
+        table.add(
+                Parameter.number("missedAnswers", Unit.NONE, "that did not come in time, since it was connected"),
+                () -> Value.of(access.bot().quality().misses(), Unit.NONE));
+    }
+
+    private void describeWhatItLacks() {
+        String noBattery = "no command of the Hemisson tells it";
+        lacking(Parameter.number("battery", Unit.PERCENT, "cannot be told by a Hemisson"), noBattery);
+        lacking(Parameter.number("voltage", Unit.V, "cannot be told by a Hemisson"), noBattery);
+        lacking(
+                Parameter.number("odometer", Unit.MM, "cannot be told by a Hemisson"),
+                "the Hemisson has no wheel encoders; x, y and heading are estimates");
+    }
+
+    private void lacking(Parameter parameter, String reason) {
+        table.add(parameter, () -> Value.unknown(reason));
+    }
+}

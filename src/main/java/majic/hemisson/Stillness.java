@@ -1,0 +1,102 @@
+package majic.hemisson;
+
+import majic.hemisson.Question.Purpose;
+
+/**
+ * Whether the robot stands, as far as its answers tell, and how it may be told to. Guarded by its owner.
+ *
+ * <p>The answer to a stop is one letter, and after missed answers it could be a late one to an earlier command; nor does
+ * it tell whether the digits arrived whole. So a robot that may have moved is asked for its speeds as well.
+ */
+final class Stillness {
+    private boolean mayMove;
+    private boolean doubtful = true;
+    private boolean brief = true;
+    private int disobeyed;
+
+    /** What is to be sent behind an answer. */
+    enum Next {
+        NOTHING,
+        /** The question whether it stands. */
+        VERIFY,
+        /** Another stop, at once. */
+        STOP,
+        /** Another stop, but not without pause: something else sets its speeds again and again. */
+        STOP_LATER
+    }
+
+    /** Whether the wheels may turn now. */
+    boolean mayMove() {
+        return mayMove;
+    }
+
+    /** Whether what was asked last may not have arrived, so that late answers have to be reckoned with. */
+    boolean isDoubtful() {
+        return doubtful;
+    }
+
+    /**
+     * Whether the robot may be in a state in which it holds its motors at 0 and is deafened by more than two characters
+     * (Hemisson sheet 7). It is asked for its speeds then instead of being told to stand.
+     */
+    boolean isBrief() {
+        return brief;
+    }
+
+    void brief(boolean now) {
+        brief = now;
+    }
+
+    void sent(Purpose purpose) {
+        mayMove |= purpose == Purpose.MOTION;
+    }
+
+    void missed() {
+        doubtful = true;
+    }
+
+    /** An older firmware cannot tell its speeds, and is believed (Hemisson sheet 4.3). */
+    void cannotTell() {
+        stands();
+    }
+
+    /** Its motors are off, and it may run in any mode. */
+    void wasReset() {
+        doubtful = true;
+        mayMove = false;
+        brief = true;
+    }
+
+    /** What the answer to a question says about it. */
+    Next answered(Purpose purpose, Reply reply) {
+        return switch (purpose) {
+            case ASK, MOTION -> Next.NOTHING;
+            case STOP -> stopped();
+            case VERIFY -> verified(reply);
+        };
+    }
+
+    private Next stopped() {
+        if (doubtful || mayMove) {
+            return Next.VERIFY;
+        }
+        stands();
+        return Next.NOTHING;
+    }
+
+    private void stands() {
+        doubtful = false;
+        mayMove = false;
+        disobeyed = 0;
+    }
+
+    private Next verified(Reply reply) {
+        if (reply.numbers().stream().anyMatch(speed -> speed != 0)) {
+            brief = false;
+            disobeyed++;
+            return disobeyed == 1 ? Next.STOP : Next.STOP_LATER;
+        }
+        stands();
+        return Next.NOTHING;
+    }
+}
