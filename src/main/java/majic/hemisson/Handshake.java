@@ -47,6 +47,12 @@ final class Handshake {
         return identity;
     }
 
+    /** What is plugged in, of a robot that {@link #run} has let stand. Firmware before 1.41 cannot tell. */
+    Modules scan() {
+        Reply modules = ask(Question.MODULES);
+        return modules == null ? Modules.NONE : Modules.of(modules);
+    }
+
     /**
      * A robot started in an unknown mode would be deafened by a long command; its motors are held anyway. One that runs a
      * behaviour of its own is told to stand once and will not keep to it (sheet 7).

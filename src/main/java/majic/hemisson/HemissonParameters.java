@@ -2,7 +2,7 @@ package majic.hemisson;
 
 import majic.bot.ParameterTable;
 
-/** What can be read from and set on every Hemisson. */
+/** What can be read from and set on every Hemisson; {@link Modules} adds what is plugged in. */
 final class HemissonParameters {
     private HemissonParameters() {}
 
@@ -11,5 +11,6 @@ final class HemissonParameters {
         new LampParameters(table, access.bot().lamps()).describe();
         new WheelParameters(table, access).describe();
         new RobotParameters(table, access).describe();
+        new PinParameters(table, access).describe();
     }
 }

@@ -52,6 +52,7 @@ public final class MajicHemisson extends MajicBot {
     private volatile @Nullable Session session;
     private final Access access = new Access(this);
     private volatile Identity identity = Identity.NOBODY;
+    private volatile Modules modules = Modules.NONE;
 
     /**
      * Makes a driver that lives by the system's clock and remembers nothing.
@@ -79,6 +80,7 @@ public final class MajicHemisson extends MajicBot {
         profile(profileFor(calibration.table()));
         HemissonParameters.describe(table(), access);
         add(CalibrateCommand.of(new Lesson(this)));
+        new I2cCommands(access).all().forEach(this::add);
     }
 
     private static BotProfile profileFor(SpeedTable table) {
@@ -117,13 +119,23 @@ public final class MajicHemisson extends MajicBot {
         opened.start();
         every("hemisson line", TICK_S, overseer::tick);
         try {
-            identity = new Handshake(opened, changes()).run();
+            Handshake handshake = new Handshake(opened, changes());
+            identity = handshake.run();
+            equip(handshake.scan());
         } catch (BotException e) {
             endSession();
             throw e;
         }
         overseer.watch();
         recognise(identity);
+    }
+
+    /** Takes over what is plugged in. */
+    void equip(Modules found) {
+        modules = found;
+        table().renew(fresh -> found.describe(fresh, access));
+        Modules.COMMANDS.forEach(this::removeCommand);
+        found.commands(access).forEach(this::add);
     }
 
     /** Takes over who answers, and warns if it runs in a mode of its own. */
@@ -303,6 +315,10 @@ public final class MajicHemisson extends MajicBot {
             overseer.use(better);
             profile(profileFor(better));
         }
+    }
+
+    Modules modules() {
+        return modules;
     }
 
     double cruise() {

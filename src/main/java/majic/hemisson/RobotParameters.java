@@ -33,6 +33,9 @@ final class RobotParameters {
                 Parameter.number("tvRemote", Unit.NONE, "the last key of a TV remote control, 0 to 63; 0 before any"),
                 access.asked(Question.REMOTE, key -> Access.count(key.numbers().get(0))));
         table.add(Parameter.text("version", "the firmware"), () -> identified(Identity::version));
+        table.add(
+                Parameter.text("modules", "what was found on its I2C bus at connecting"),
+                () -> identified(identity -> access.bot().modules().names()));
     }
 
     private Value identified(Function<Identity, String> text) {

@@ -1,0 +1,50 @@
+package majic.hemisson;
+
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Value;
+
+/**
+ * One number of a module that can be read and set. Immutable.
+ *
+ * @param get asks for it
+ * @param number finds it in the answer
+ * @param set sets it, 0 to 255
+ */
+record Dial(Question get, Function<Reply, Integer> number, IntFunction<Question> set) {
+    /** A register (Hemisson sheet 9). */
+    static Dial register(int address, int register) {
+        return new Dial(
+                Bus.read(address, register, 1),
+                reply -> reply.numbers().get(0),
+                value -> Bus.write(address, register, value));
+    }
+
+    /** A pair of module commands of the RoadNarrows firmware (sheet 10), with a number in hex. */
+    static Dial roadNarrows(char module, char getter, char setter) {
+        String asked = "A," + module + "," + getter;
+        String set = "A," + module + "," + setter + ",";
+        return new Dial(
+                Question.ask(asked, "a," + module + "," + getter + ",[0-9A-Fa-f]{1,2}", Question.msFor(8)),
+                reply -> Integer.parseInt(reply.text().substring(asked.length() + 1), 16),
+                value -> Question.ask(
+                        set + String.format(Locale.ROOT, "%02X", value),
+                        "a," + module + "," + setter + "(,.*)?",
+                        Question.msFor(8)));
+    }
+
+    /** Makes a number of it that can be read and set. */
+    void describe(ParameterTable table, Access access, Parameter parameter) {
+        table.add(parameter.inWholes(), access.wanted(get, reply -> Access.count(number.apply(reply))))
+                .writes(values -> access.tell(set.apply((int) values.get(0).number())));
+    }
+
+    /** Makes a switch of it. */
+    void describeSwitch(ParameterTable table, Access access, Parameter parameter) {
+        table.add(parameter, access.wanted(get, reply -> Value.onOff(number.apply(reply) != 0)))
+                .writes(values -> access.tell(set.apply(values.get(0).isYes() ? 1 : 0)));
+    }
+}

@@ -1,0 +1,16 @@
+package majic.hemisson;
+
+import java.util.List;
+import majic.bot.BotCommand;
+import majic.bot.ParameterTable;
+
+/** Something plugged into the extension connector, as far as the robot can be asked about it (Hemisson sheet 9). */
+interface ExtensionModule {
+    /** Adds its parameters. */
+    void describe(ParameterTable table, Access access);
+
+    /** Its commands. */
+    default List<BotCommand> commands(Access access) {
+        return List.of();
+    }
+}

@@ -1,0 +1,74 @@
+package majic.hemisson;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import majic.bot.BotCommand;
+import majic.bot.BotException;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The display of two lines with its three keys (Hemisson sheet 9). */
+final class Lcd implements ExtensionModule {
+    private static final int ADDRESS = 0xA0;
+    private static final int KEYS = 0x10;
+    private static final int CLEAR_ALL = 0x30;
+
+    /** Registers that take text. */
+    private static final Map<String, Integer> LINES = new TreeMap<>(Map.of(
+            "upper", 0x10,
+            "upperCentre", 0x12,
+            "upperRight", 0x13,
+            "lower", 0x20,
+            "lowerCentre", 0x22,
+            "lowerRight", 0x23));
+
+    @Override
+    public void describe(ParameterTable table, Access access) {
+        table.add(
+                Parameter.number("lcdKeys", Unit.NONE, "which of the display's three keys are pressed, as a number"),
+                access.wanted(
+                        Bus.read(ADDRESS, KEYS, 1),
+                        reply -> Access.count(reply.numbers().get(0))));
+        writeOnly(table, access, Parameter.onOff("lcdLight", "the light behind the display"), 0x40);
+        writeOnly(
+                table,
+                access,
+                Parameter.number("lcdContrast", Unit.NONE, "of the display")
+                        .within(0, 255)
+                        .inWholes(),
+                0x41);
+    }
+
+    private static void writeOnly(ParameterTable table, Access access, Parameter parameter, int register) {
+        table.addWriteOnly(parameter)
+                .writes(values -> access.tell(
+                        Bus.write(ADDRESS, register, (int) values.get(0).number())));
+    }
+
+    @Override
+    public List<BotCommand> commands(Access access) {
+        Parameter line = Parameter.choice("line", List.copyOf(LINES.keySet()), "where");
+        Parameter text = Parameter.text("text", "at most " + Bus.MOST_BYTES + " letters");
+        BotCommand write = new BotCommand(
+                "lcd", List.of(line, text), false, "writes on the display", (values, motion) -> write(access, values));
+        BotCommand clear = new BotCommand("lcdClear", List.of(), false, "clears the display", (values, motion) -> {
+            access.tell(Bus.write(ADDRESS, CLEAR_ALL, 0));
+            return "cleared";
+        });
+        return List.of(write, clear);
+    }
+
+    private static String write(Access access, List<Value> values) {
+        String text = values.get(1).toString();
+        if (!text.matches("[ -~]{1," + Bus.MOST_BYTES + "}")) {
+            throw new BotException(
+                    "lcd: 1 to " + Bus.MOST_BYTES + " letters and signs of plain English, not \"" + text + "\"");
+        }
+        List<Integer> bytes = text.chars().boxed().toList();
+        access.tell(Bus.write(ADDRESS, LINES.get(values.get(0).toString()), bytes));
+        return "written";
+    }
+}

@@ -1,0 +1,80 @@
+package majic.hemisson;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import majic.bot.BotCommand;
+import majic.bot.ParameterTable;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What is plugged into a robot's I2C bus. Immutable.
+ *
+ * @param found the modules in the order of their addresses
+ * @param roadNarrows whether the firmware has commands of its own for them
+ */
+record Modules(List<Found> found, boolean roadNarrows) {
+    static final Modules NONE = new Modules(List.of(), false);
+
+    /** The names of all commands that modules bring. */
+    static final List<String> COMMANDS = List.of("phrase", "say", "lcd", "lcdClear");
+
+    /**
+     * One that answered.
+     *
+     * @param address as the robot tells it, hex
+     * @param kind null for one that is not known
+     */
+    record Found(String address, @Nullable ModuleKind kind) {
+        String name() {
+            return (kind == null ? "unknown" : kind.label()) + " at " + address;
+        }
+    }
+
+    Modules {
+        found = List.copyOf(found);
+    }
+
+    /** Reads the answer to a scan: addresses, or with a letter before and a version behind each. */
+    static Modules of(Reply scan) {
+        String[] words = scan.rest().isEmpty() ? new String[0] : scan.rest().split(",");
+        List<Found> found = new ArrayList<>();
+        boolean letters = words.length > 0 && words[0].length() == 1;
+        for (int index = 0; index < words.length; index += letters ? 3 : 1) {
+            if (!letters && words[index].matches("[0-9A-Fa-f]{2}")) {
+                int address = Integer.parseInt(words[index], 16);
+                found.add(new Found(words[index].toUpperCase(Locale.ROOT), ModuleKind.at(address)));
+            } else if (letters && words[index].length() == 1 && index + 1 < words.length) {
+                found.add(new Found(words[index + 1], ModuleKind.of(words[index].charAt(0))));
+            }
+        }
+        return new Modules(found, letters);
+    }
+
+    /** As people read it. */
+    String names() {
+        return found.isEmpty() ? "none" : found.stream().map(Found::name).collect(Collectors.joining(", "));
+    }
+
+    void describe(ParameterTable table, Access access) {
+        known().forEach(module -> module.describe(table, access));
+    }
+
+    List<BotCommand> commands(Access access) {
+        return known().stream()
+                .flatMap(module -> module.commands(access).stream())
+                .toList();
+    }
+
+    private List<ExtensionModule> known() {
+        return found.stream()
+                .map(Found::kind)
+                .filter(Objects::nonNull)
+                .distinct()
+                .map(kind -> kind.module(roadNarrows))
+                .filter(Objects::nonNull)
+                .toList();
+    }
+}

@@ -1,0 +1,52 @@
+package majic.hemisson;
+
+import java.util.ArrayList;
+import java.util.List;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/**
+ * The ultrasonic module behind the RoadNarrows firmware, which answers when the echoes are in (Hemisson sheet 10). That
+ * takes the line for 65 ms, so it is not done while the robot moves.
+ */
+final class RoadNarrowsUltrasonic implements ExtensionModule {
+    private static final double MEASURING_MS = 70;
+    private static final int ECHOES = 17;
+    private static final int HEX = 16;
+    private static final double MM_PER_CM = 10;
+
+    private static final Question CENTIMETRES = Question.ask("A,U,U,C", "a,U,U(,.*)?", Question.msFor(8));
+    private static final Question MEASURE = Question.ask("A,U,M", "a,U,M(,.*)?", MEASURING_MS);
+    private static final Question ALL =
+            Question.ask("A,U,A", "a,U,A(,[0-9A-Fa-f]{4}){" + ECHOES + "}", Question.msFor(5 + 5 * ECHOES));
+
+    @Override
+    public void describe(ParameterTable table, Access access) {
+        table.add(
+                Parameter.number("ultrasonic", Unit.MM, "the nearest echo, 30 to 6000 mm ahead; not while it moves"),
+                () -> nearest(echoes(access)));
+        table.add(
+                Parameter.list("ultrasonicEchoes", Unit.MM, "all echoes, nearest first; not while it moves"),
+                () -> Value.many(echoes(access)));
+    }
+
+    private static List<Value> echoes(Access access) {
+        access.tell(CENTIMETRES);
+        access.tell(MEASURE);
+        String[] words = access.bot().ask(ALL).text().split(",");
+        List<Value> echoes = new ArrayList<>();
+        for (int index = words.length - ECHOES; index < words.length; index++) {
+            int cm = Integer.parseInt(words[index], HEX);
+            if (cm > 0) {
+                echoes.add(Value.of(cm * MM_PER_CM, Unit.MM));
+            }
+        }
+        return echoes;
+    }
+
+    private static Value nearest(List<Value> echoes) {
+        return echoes.isEmpty() ? Value.CLEAR : echoes.get(0);
+    }
+}

@@ -1,0 +1,36 @@
+package majic.hemisson;
+
+import java.util.List;
+import majic.bot.BotCommand;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** The speech module; by stock commands it speaks the phrases stored in it (Hemisson sheet 9). */
+final class Speech implements ExtensionModule {
+    private static final int ADDRESS = 0xC4;
+    private static final int COMMAND = 0x00;
+    private static final int BUSY = 0xFF;
+    private static final int PHRASES = 30;
+
+    @Override
+    public void describe(ParameterTable table, Access access) {
+        table.add(
+                Parameter.yesNo("speaking", "whether its voice is busy"),
+                access.wanted(
+                        Bus.read(ADDRESS, COMMAND, 1),
+                        reply -> Value.yesNo(reply.numbers().get(0) == BUSY)));
+    }
+
+    @Override
+    public List<BotCommand> commands(Access access) {
+        Parameter number = Parameter.number("number", Unit.NONE, "which one")
+                .within(1, PHRASES)
+                .inWholes();
+        return List.of(new BotCommand("phrase", List.of(number), false, "speaks a stored phrase", (values, motion) -> {
+            access.tell(Bus.write(ADDRESS, COMMAND, (int) values.get(0).number()));
+            return "speaks";
+        }));
+    }
+}

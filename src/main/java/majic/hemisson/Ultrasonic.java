@@ -1,0 +1,123 @@
+package majic.hemisson;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Patience;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The ultrasonic module, an SRF08 (Hemisson sheet 9): a ping, and 65 ms later up to 17 echoes, 30 mm to 6 m. Two short
+ * exchanges, so it is measured while the robot moves as well.
+ */
+final class Ultrasonic implements ExtensionModule {
+    private static final int ADDRESS = 0xE0;
+    private static final int LIGHT = 0x01;
+    private static final int ECHOES = 0x02;
+    private static final int MOST_ECHOES = 17;
+    private static final double MM_PER_CM = 10;
+
+    /** What the bus reads while the sensor listens for its echoes. */
+    private static final int BUSY = 0xFFFF;
+
+    private static final double LISTENING_S = 0.07;
+    private static final long LISTENING_NANOS = 80_000_000;
+    private static final long RECENT_NANOS = 1_000_000_000;
+
+    /** The sensor's own unit of its range, and the least of it, mm. */
+    private static final double RANGE_STEP_MM = 43;
+
+    private static final Question PING = Bus.write(ADDRESS, 0, 0x51);
+    private static final Question FIRST = Bus.read(ADDRESS, LIGHT, 3);
+    private static final Question ALL = Bus.read(ADDRESS, ECHOES, 2 * MOST_ECHOES);
+
+    private final Look pingAndListen = new PingAndListen();
+    private volatile @Nullable Double rangeMm;
+
+    /** Pings and reads in turn. */
+    private static final class PingAndListen implements Look {
+        private long pingedNanos;
+        private boolean listening;
+
+        @Override
+        public synchronized @Nullable Question next(long nowNanos) {
+            if (!listening) {
+                listening = true;
+                pingedNanos = nowNanos;
+                return PING;
+            }
+            if (nowNanos - pingedNanos < LISTENING_NANOS) {
+                return null;
+            }
+            listening = false;
+            return FIRST;
+        }
+    }
+
+    @Override
+    public void describe(ParameterTable table, Access access) {
+        table.add(
+                Parameter.number("ultrasonic", Unit.MM, "the nearest echo, 30 to 6000 mm ahead within 55 deg"),
+                () -> measured(access, FIRST, reply -> echo(reply.numbers(), 1)));
+        table.add(
+                Parameter.number("ultrasonicLight", Unit.NONE, "how bright its front is, 0 dark to 255"),
+                () -> measured(
+                        access, FIRST, reply -> Access.count(reply.numbers().get(0))));
+        table.add(
+                Parameter.list("ultrasonicEchoes", Unit.MM, "all echoes, nearest first; not while it moves"),
+                () -> measured(access, ALL, Ultrasonic::echoes));
+        table.add(
+                        Parameter.number("ultrasonicRange", Unit.MM, "how far it listens; the robot does not tell it")
+                                .within(RANGE_STEP_MM, RANGE_STEP_MM * 256),
+                        this::range)
+                .writes(values -> setRange(access, values.get(0).number()));
+    }
+
+    private Value range() {
+        Double set = rangeMm;
+        return set == null ? Value.unknown("not set since it was connected") : Value.of(set, Unit.MM);
+    }
+
+    private void setRange(Access access, double mm) {
+        int steps = (int) Math.round(mm / RANGE_STEP_MM) - 1;
+        access.tell(Bus.write(ADDRESS, ECHOES, Math.max(0, steps)));
+        rangeMm = (Math.max(0, steps) + 1) * RANGE_STEP_MM;
+    }
+
+    /** Who asks again and again is served by the robot's watch. */
+    private Value measured(Access access, Question read, Function<Reply, Value> reading) {
+        access.want(pingAndListen);
+        Reply reply = read == FIRST ? access.last(FIRST, RECENT_NANOS) : null;
+        if (reply == null && Patience.isAllowed()) {
+            reply = ping(access, read);
+        }
+        return reply == null ? Value.unknown("no echo yet") : reading.apply(reply);
+    }
+
+    private static Reply ping(Access access, Question read) {
+        access.tell(PING);
+        access.pause(LISTENING_S);
+        return access.bot().ask(read);
+    }
+
+    private static Value echo(List<Integer> bytes, int at) {
+        int cm = 256 * bytes.get(at) + bytes.get(at + 1);
+        if (cm == BUSY) {
+            return Value.unknown("no echo yet");
+        }
+        return cm == 0 ? Value.CLEAR : Value.of(cm * MM_PER_CM, Unit.MM);
+    }
+
+    private static Value echoes(Reply reply) {
+        List<Integer> bytes = reply.numbers();
+        List<Value> echoes = new ArrayList<>();
+        for (int at = 0; at + 1 < bytes.size() && bytes.get(at) + bytes.get(at + 1) > 0; at += 2) {
+            echoes.add(echo(bytes, at));
+        }
+        return Value.many(echoes);
+    }
+}
