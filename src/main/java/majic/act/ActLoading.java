@@ -1,0 +1,55 @@
+package majic.act;
+
+import java.io.IOException;
+import java.io.InvalidClassException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Makes an act of the contents of its file.
+ *
+ * @param label what to call the file in errors
+ * @param contents what lies in it
+ */
+record ActLoading(String label, ActContents contents) {
+    MajicAct load(ClassLoader loader) {
+        ActFilter filter = new ActFilter(contents.family()::has);
+        try (ActObjectInput in = new ActObjectInput(contents.data(), filter, loader)) {
+            return checked(in.readObject());
+        } catch (InvalidClassException e) {
+            throw refused(
+                    "was saved with another version of the class " + e.classname + ", or holds what no act may", e);
+        } catch (ClassNotFoundException | NoClassDefFoundError e) {
+            throw refused("uses the class " + dotted(e) + ", which is neither in it nor in this MAJIC", e);
+        } catch (ExceptionInInitializerError e) {
+            throw refused("failed in its own code when it was loaded: " + e.getCause(), e);
+        } catch (LinkageError e) {
+            throw refused("has a class that this Java cannot use: " + e.getMessage(), e);
+        } catch (IOException e) {
+            throw refused("is damaged: " + e.getMessage(), e);
+        } catch (ActException e) {
+            throw e;
+        } catch (RuntimeException e) {
+            throw refused("failed in its own code when it was loaded: " + e, e);
+        }
+    }
+
+    private MajicAct checked(@Nullable Object loaded) {
+        if (loaded instanceof MajicAct act
+                && act.getClass().getName().equals(contents.manifest().actClass())) {
+            return act;
+        }
+        throw new ActException(label + " says that it is a "
+                + contents.manifest().actClass() + ", but holds "
+                + (loaded == null ? "nothing" : loaded.getClass().getName()));
+    }
+
+    private static String dotted(Throwable missing) {
+        return String.valueOf(missing.getMessage()).replace('/', '.');
+    }
+
+    private ActException refused(String why, Throwable cause) {
+        String version = contents.manifest().majicVersion();
+        return new ActException(
+                label + " " + why + (version.isEmpty() ? "" : " (it was made with MAJIC " + version + ")"), cause);
+    }
+}

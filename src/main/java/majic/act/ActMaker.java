@@ -1,0 +1,152 @@
+package majic.act;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Makes an act's file from compiled classes, or from one source file. The class's constructor runs once, so that its
+ * object can be saved; that is the author's own code on the author's own machine.
+ */
+public final class ActMaker {
+    private final ClassPool pool;
+    private final Map<String, ClassFile> named = new TreeMap<>();
+
+    private ActMaker(ClassPool pool) throws IOException {
+        this.pool = pool;
+        for (Map.Entry<String, byte[]> one : pool.named().entrySet()) {
+            named.put(one.getKey(), ClassFile.parse(one.getValue()));
+        }
+    }
+
+    /**
+     * Takes what an act shall be made of. A source file is compiled; nothing of it runs yet.
+     *
+     * @param classes a class file in the folder of its package, a folder of such, a jar, or a single {@code .java} source
+     * @return a maker for the acts in it
+     * @throws ActException if it cannot be read or compiled
+     */
+    public static ActMaker from(Path classes) {
+        ClassPool pool = ClassPool.of(classes);
+        try {
+            return new ActMaker(pool);
+        } catch (IOException e) {
+            throw new ActException(pool.label() + " " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * The classes that can be acts, as far as can be told without running them.
+     *
+     * @return their names, sorted; possibly none
+     */
+    public List<String> acts() {
+        return named.values().stream()
+                .filter(this::isSuitable)
+                .map(ClassFile::name)
+                .toList();
+    }
+
+    private boolean isSuitable(ClassFile one) {
+        try {
+            Suitability.check(one, named, ActFile.MAJIC);
+            return true;
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    /**
+     * The one act that is in it.
+     *
+     * @return its class
+     * @throws ActException if there is none, saying why, or more than one
+     */
+    public String onlyAct() {
+        List<String> acts = acts();
+        if (acts.size() == 1) {
+            return acts.get(0);
+        }
+        if (acts.isEmpty()) {
+            throw new ActException(pool.label() + " " + whyNone());
+        }
+        throw new ActException(pool.label() + " has several acts; choose one of " + String.join(", ", acts));
+    }
+
+    private String whyNone() {
+        List<ClassFile> meant = named.values().stream()
+                .filter(one -> Suitability.isAct(one, named, ActFile.MAJIC))
+                .toList();
+        for (ClassFile one : meant.isEmpty() && named.size() == 1 ? List.copyOf(named.values()) : meant) {
+            try {
+                Suitability.check(one, named, ActFile.MAJIC);
+            } catch (IOException e) {
+                return "has no act: " + one.name() + " " + e.getMessage();
+            }
+        }
+        return "has no act: none of its classes extends MajicAct";
+    }
+
+    /**
+     * Makes the file of an act, and reads it back to be sure.
+     *
+     * @param actClass the act's class, one of {@link #acts()}
+     * @param details what its author says of it
+     * @return the whole file; the same classes and details give the same bytes
+     * @throws ActException if the class is not suitable, saying why and what would be right
+     */
+    public byte[] make(String actClass, ActDetails details) {
+        try {
+            if (!named.containsKey(actClass)) {
+                throw new Unfit("is not in " + pool.label());
+            }
+            NeededClasses needed = NeededClasses.of(actClass, pool, ActFile.MAJIC);
+            Suitability.check(needed.parsed().get(actClass), needed.parsed(), ActFile.MAJIC);
+            MajicAct act = FreshAct.of(actClass, new ActClassLoader(actClass, byPath(needed.code()), ActFile.MAJIC));
+            return tried(pack(act, Family.of(actClass, needed.parsed(), ActFile.MAJIC), details, needed.code()));
+        } catch (IOException e) {
+            throw new ActException(actClass + " " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Makes the file of an act of a class that MAJIC has itself, such as a script; such a file brings no code.
+     *
+     * @param act the act, with its data, not started
+     * @param details what its author says of it
+     * @return the whole file
+     * @throws ActException if the act cannot be saved, or its class is not MAJIC's
+     */
+    public static byte[] save(MajicAct act, ActDetails details) {
+        String actClass = act.getClass().getName();
+        try {
+            return tried(pack(act, Family.of(actClass, Map.of(), ActFile.MAJIC), details, Map.of()));
+        } catch (IOException e) {
+            throw new ActException(actClass + " " + e.getMessage(), e);
+        }
+    }
+
+    private static byte[] pack(MajicAct act, Family family, ActDetails details, Map<String, byte[]> code)
+            throws IOException {
+        ActManifest manifest = new ActManifest(act.getClass().getName(), details, majicVersion(), FreshAct.roles(act));
+        return ActWriter.pack(manifest, code, SavedAct.of(act, family));
+    }
+
+    private static byte[] tried(byte[] file) {
+        ActFile.of("the new file", file).loadAgreed();
+        return file;
+    }
+
+    private static String majicVersion() {
+        String version = MajicAct.class.getPackage().getImplementationVersion();
+        return version == null ? "" : version;
+    }
+
+    private static Map<String, byte[]> byPath(Map<String, byte[]> code) {
+        Map<String, byte[]> paths = new TreeMap<>();
+        code.forEach((name, bytes) -> paths.put(ActNames.pathOf(name), bytes));
+        return paths;
+    }
+}

@@ -1,0 +1,57 @@
+package majic.act;
+
+import java.io.IOException;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Makes the first object of an act's class, to save it. Here the author's code runs, on the author's own machine. */
+final class FreshAct {
+    private FreshAct() {}
+
+    /**
+     * Makes an act.
+     *
+     * @throws Unfit with what its constructor lacks or did, to go behind the class's name
+     */
+    static MajicAct of(String actClass, ClassLoader loader) throws IOException {
+        try {
+            Constructor<?> constructor = Class.forName(actClass, true, loader).getDeclaredConstructor();
+            constructor.setAccessible(true);
+            return (MajicAct) constructor.newInstance();
+        } catch (NoSuchMethodException e) {
+            throw new Unfit("has no constructor without arguments; give it one", e);
+        } catch (InvocationTargetException e) {
+            throw new Unfit("failed in its constructor, where it has no robot yet: " + e.getCause(), e);
+        } catch (ExceptionInInitializerError e) {
+            throw new Unfit("failed in its static initialiser: " + e.getCause(), e);
+        } catch (ReflectiveOperationException | LinkageError e) {
+            throw new Unfit("cannot be made: " + e, e);
+        }
+    }
+
+    /** The robots it asks for, checked. */
+    static List<Role> roles(MajicAct act) throws IOException {
+        List<Role> roles = rolesAsSaid(act);
+        if (roles.isEmpty()) {
+            throw new Unfit("asks for no robot in its roles()");
+        }
+        Set<String> names = new HashSet<>();
+        for (Role role : roles) {
+            if (!names.add(role.name())) {
+                throw new Unfit("asks in its roles() for two robots of the name " + role.name());
+            }
+        }
+        return roles;
+    }
+
+    private static List<Role> rolesAsSaid(MajicAct act) throws IOException {
+        try {
+            return List.copyOf(act.roles());
+        } catch (RuntimeException e) {
+            throw new Unfit("failed in its roles(): " + e, e);
+        }
+    }
+}
