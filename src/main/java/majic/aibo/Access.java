@@ -1,10 +1,12 @@
 package majic.aibo;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
 
@@ -12,6 +14,8 @@ import majic.bot.Value;
 final class Access {
     /** A slow engine takes two seconds to answer. */
     private static final double ANSWER_S = 4;
+
+    private static final Value NOT_REPORTED = Value.unknown("the dog tells it only when asked");
 
     private final Tags tags = new Tags();
     private final Senses senses;
@@ -53,6 +57,9 @@ final class Access {
     /** What the dog answers to each, in order; unknown with the reason where it gives no number. */
     List<Value> ask(List<String> expressions, DoubleFunction<Value> reading) {
         AiboSession open = session.get();
+        if (!Patience.isAllowed()) {
+            return Collections.nCopies(expressions.size(), NOT_REPORTED);
+        }
         UrbiConnection on = open.links().sensors();
         List<Ask> asks =
                 expressions.stream().map(expression -> put(on, expression)).toList();

@@ -15,8 +15,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The three connections to one dog: one for motion, one for sensors and settings, one for stopping alone, so that a stop
- * never waits behind anything. If one breaks, all end: what has not gone out on the first two is thrown away, lest a
- * walk reach the dog late.
+ * never waits behind anything. If one breaks, all end: what has not gone out is thrown away, lest a walk reach the dog
+ * late, and a stop is sent over what is left.
  */
 final class AiboLinks implements UrbiConnection.Owner {
     private static final Logger LOG = System.getLogger(AiboLinks.class.getName());
@@ -70,18 +70,28 @@ final class AiboLinks implements UrbiConnection.Owner {
     private void open(UrbiConnection connection) {
         try {
             connection.open(OPEN_TIMEOUT_MS);
+            watch.await(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
         } catch (IOException e) {
-            throw new BotException(e.getMessage() + "; is the dog on, in the network, and URBI on its stick?", e);
+            throw new BotException(
+                    refusal(e.getMessage() + "; is the dog on, in the network, and URBI on its stick?"), e);
         }
-        watch.await(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
         if (connection.isEnded()) {
             throw new BotException(
-                    "the dog closed the connection at once; are there too many clients connected to it?");
+                    refusal("the dog closed the connection at once; are there too many clients connected to it?"));
         }
         if (!connection.isIdentified()) {
-            throw new BotException("something answers there, but not as an URBI server within " + (int) IDENT_TIMEOUT_S
-                    + " s; is this the dog, and is 54000 the right port?");
+            throw new BotException(refusal("something answers there, but not as an URBI server within "
+                    + (int) IDENT_TIMEOUT_S + " s; is this the dog, and is 54000 the right port?"));
         }
+    }
+
+    /** A dog that has introduced itself before is no wrong address: it has too little room. */
+    private String refusal(String otherwise) {
+        long granted = all().stream().filter(UrbiConnection::isIdentified).count();
+        return granted == 0
+                ? otherwise
+                : "the dog grants only " + granted + " of the three connections that it takes to drive and stop it; "
+                        + "end other programs that use it, or restart it";
     }
 
     /** From now on a broken connection is news; one that broke before is an error here. */
@@ -109,24 +119,22 @@ final class AiboLinks implements UrbiConnection.Owner {
             brokenBecause = why;
             tell = opened;
         }
-        if (connection != stop) {
-            stopQuietly();
-        }
-        motion.abort();
-        sensors.abort();
-        stop.close();
+        stopQuietly(connection == stop ? sensors : stop);
         if (tell) {
             whenLost.accept(new LinkLost("connection lost: " + why));
         }
         watch.changes().raise();
     }
 
-    private void stopQuietly() {
+    /** Throws away what has not gone out yet but where a stop may still reach the dog, and sends that. */
+    private void stopQuietly(UrbiConnection last) {
+        all().stream().filter(connection -> connection != last).forEach(UrbiConnection::abort);
         try {
-            stop.send(Runner.STOP_GAITS);
+            last.send(Runner.STOP_GAITS);
         } catch (LinkLost e) {
             LOG.log(Level.DEBUG, "no stop could be sent over a broken connection", e);
         }
+        last.close();
     }
 
     /** Ends everything at once. */

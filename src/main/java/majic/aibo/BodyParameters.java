@@ -5,6 +5,7 @@ import majic.bot.BotException;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
+import majic.bot.Patience;
 import majic.bot.Value;
 
 /** The dog as a whole: posture, motors, what it is. */
@@ -21,15 +22,21 @@ final class BodyParameters implements Theme {
 
     @Override
     public void describe(ParameterTable table, Dialect dialect) {
-        table.add(
-                        Parameter.choice("posture", Posture.words(), "how it stands, sits or lies"),
-                        () -> Value.text(access.open().feet().posture()))
+        table.add(Parameter.choice("posture", Posture.words(), "how it stands, sits or lies"), this::posture)
                 .moves(this::take);
         table.add(
                         Parameter.yesNo("motors", "whether the legs are stiff; off lays it down first"),
                         () -> senses.motorsOn().map(Value::yesNo).orElseGet(() -> senses.unknown(Sensor.LEG_LOAD)))
                 .moves(this::power);
         table.add(Parameter.text("version", "the URBI in the dog"), this::version);
+    }
+
+    private Value posture() {
+        if (Patience.isAllowed()) {
+            return Value.text(access.open().feet().posture());
+        }
+        String told = senses.posture();
+        return told == null ? senses.unknown(Sensor.POSTURE) : Value.text(told);
     }
 
     private void take(List<Value> values, Motion motion) {

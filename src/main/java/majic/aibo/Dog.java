@@ -1,6 +1,7 @@
 package majic.aibo;
 
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotState;
 import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
@@ -13,6 +14,7 @@ final class Dog {
     private final Surroundings surroundings = new Surroundings();
     private final LegSpeed legSpeed = new LegSpeed();
     private final DeadReckoning reckoning = new DeadReckoning();
+    private final AtomicReference<@Nullable String> leftovers = new AtomicReference<>();
     private volatile boolean afoot;
     private volatile long serverMs;
 
@@ -57,6 +59,16 @@ final class Dog {
         senses.clear();
         surroundings.clear();
         afoot = false;
+    }
+
+    /** A connection was lost in the midst of a motion; these commands would end what may still go on. */
+    void leave(String commands) {
+        leftovers.set(commands);
+    }
+
+    /** What ends whatever a lost connection has left going on, to be sent by the next one; empty if there is nothing. */
+    Optional<String> takeLeftovers() {
+        return Optional.ofNullable(leftovers.getAndSet(null));
     }
 
     /** A set of fast readings is complete, by the server's clock at this time. */

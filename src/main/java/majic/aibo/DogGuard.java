@@ -2,43 +2,50 @@ package majic.aibo;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The guard that runs on the dog itself (URBI sheet 19): it ends a walk when the program that ordered it has not been
  * heard for {@value #PATIENCE_MS} ms. It lives on the motion connection and is renewed on the sensor connection, with
- * the last time the dog's own clock was heard: a renewal that arrives late says so and renews nothing. While nothing of
- * ours walks it is disarmed, so that it ends nobody else's walk.
+ * what the dog's own clock shows when the renewal goes out: one that arrives late says so and renews nothing. While
+ * nothing of ours walks it is disarmed, so that it ends nobody else's walk.
  */
 final class DogGuard {
     private static final Logger LOG = System.getLogger(DogGuard.class.getName());
     private static final int PATIENCE_MS = 1500;
-    private static final double RENEWAL_S = 0.4;
+
+    /** With an answer two seconds late the clock is known to one: what is left of the guard's patience holds for this. */
+    private static final double RENEWAL_S = 0.2;
+
     private static final String FAR_AHEAD = "1000000000000";
     private static final double ANSWER_S = 4;
 
     private final AiboLinks links;
     private final Tags tags;
     private final Watch watch;
+    private final DogClock clock;
     private final String alive;
     private final String tag;
     private volatile boolean installed;
-    private volatile double clockAheadMs;
+    private volatile double stampAheadMs;
     private boolean armed;
     private long renewedNanos;
 
-    DogGuard(AiboLinks links, Tags tags, Watch watch) {
+    DogGuard(AiboLinks links, Tags tags, Watch watch, DogClock clock) {
         this.links = links;
         this.tags = tags;
         this.watch = watch;
+        this.clock = clock;
         this.alive = tags.sharedVariable("alive");
         this.tag = tags.named("guard");
     }
 
-    /** Sets the guard up, disarmed; without one if the server refuses it. Moves nothing. */
-    void install() {
-        Ask clock = new Ask(tags.next(), Ask.Expects.VALUE);
+    /** Sets the guard up, disarmed; tells whether the server takes it. Moves nothing. */
+    boolean install() {
+        Ask time = new Ask(tags.next(), Ask.Expects.VALUE);
         UrbiConnection motion = links.motion();
-        motion.send(clock, motion.dialect().labelled(clock.tag(), "time()") + ";");
+        long askedNanos = watch.time().nanos();
+        motion.send(time, motion.dialect().labelled(time.tag(), "time()") + ";");
         Ask guard = new Ask(tag, Ask.Expects.END);
         motion.send(
                 guard,
@@ -48,12 +55,14 @@ final class DogGuard {
         motion.send(pong, pong.tag() + ": ping;");
         watch.await(() -> pong.isDone() || motion.isEnded(), ANSWER_S);
         motion.forget(guard);
-        if (guard.failure() == null && clock.value() instanceof UrbiValue.Num serverMs) {
-            clockAheadMs = serverMs.amount() - clock.doneMs();
+        if (guard.failure() == null && time.value() instanceof UrbiValue.Num serverMs) {
+            stampAheadMs = time.doneMs() - serverMs.amount();
+            clock.answered(time.doneMs(), askedNanos);
             installed = true;
         } else {
             LOG.log(Level.INFO, "the dog takes no guard: {0}", guard.failure());
         }
+        return installed;
     }
 
     /** Arms it, or renews it: to be sent before anything walks. It then stays armed for as long as one renewal holds. */
@@ -61,16 +70,20 @@ final class DogGuard {
         if (installed) {
             armed = true;
             renewedNanos = watch.time().nanos();
-            double heardMs = links.sensors().lastTimeMs() + clockAheadMs;
-            links.sensors().send(alive + " = " + Dialect.number(heardMs) + ",");
+            links.sensors().send(alive + " = " + Math.round(clock.estimateMs() - stampAheadMs) + ",");
         }
     }
 
-    /** Renews it in time while the dog walks; disarms it once it does not, unless a walk is just about to begin. */
-    synchronized void tend(boolean walking) {
-        boolean due = !armed || watch.time().secondsSince(renewedNanos) >= RENEWAL_S;
-        if (walking && due) {
-            renew();
+    /**
+     * Renews it in time while the dog walks; disarms it once it does not, unless a walk is just about to begin. What was
+     * told to stop and has not ended yet gets neither: the guard ends it if the stop does not.
+     */
+    synchronized void tend(@Nullable Running running) {
+        boolean due = watch.time().secondsSince(renewedNanos) >= RENEWAL_S;
+        if (running != null && running.mayWalk()) {
+            if (!running.isStopRequested() && (due || !armed)) {
+                renew();
+            }
         } else if (armed && due) {
             armed = false;
             links.sensors().send(alive + " = " + FAR_AHEAD + ",");

@@ -1,11 +1,13 @@
 package majic.aibo;
 
 import java.util.function.Consumer;
+import majic.bot.MotionFailed;
 import org.jspecify.annotations.Nullable;
 
 /**
  * What {@code drive} makes of a speed and a turn rate: the dog has one gait at a time, so whichever dominates is walked,
- * at its speed as far as the legs can, in short pieces, each begun when the one before has ended, as long as somebody drives. Nothing here waits.
+ * at its speed as far as the legs can, in short pieces, each begun when the one before has ended, as long as somebody
+ * drives. What goes wrong ends it, and is said when it is renewed. Nothing here waits.
  */
 final class Driving {
     private static final double PIECE_MS = 600;
@@ -13,21 +15,32 @@ final class Driving {
     /** A drive is renewed at least this often; what is older is forgotten even if nobody says so, seconds. */
     private static final double LEASE_S = 0.7;
 
+    /** A piece and the two seconds that a slow engine is late, with something to spare. */
+    private static final double OVERDUE_S = PIECE_MS / 1000 + 3;
+
     private final AiboSession session;
     private final Consumer<String> notice;
     private volatile @Nullable Stride wanted;
+    private volatile @Nullable String failure;
     private volatile long renewedNanos;
     private volatile @Nullable Gait announced;
-    private @Nullable Running rising;
+    private volatile boolean underWay;
+    private volatile long begunNanos;
+    private @Nullable Running latest;
 
     Driving(AiboSession session, Consumer<String> notice) {
         this.session = session;
         this.notice = notice;
     }
 
-    /** Takes over what is wanted from now on; the motion lock is held. */
+    /**
+     * Takes over what is wanted from now on; the motion lock is held.
+     *
+     * @throws MotionFailed if this drive has gone wrong since it was last renewed; the dog was told to stop
+     */
     void drive(double mmPerSec, double degPerSec) {
         Stride stride = choose(mmPerSec, degPerSec);
+        refuseAfterFailure();
         if (stride != null && session.runner().current() == null) {
             session.feet().refuseFallen(session.dog().senses().posture());
         }
@@ -39,6 +52,14 @@ final class Driving {
         }
         announce(stride.gait());
         tend();
+    }
+
+    private void refuseAfterFailure() {
+        String wrong = failure;
+        if (wrong != null) {
+            forget();
+            throw new MotionFailed(wrong);
+        }
     }
 
     private @Nullable Stride choose(double mmPerSec, double degPerSec) {
@@ -66,6 +87,8 @@ final class Driving {
     void forget() {
         wanted = null;
         announced = null;
+        failure = null;
+        underWay = false;
     }
 
     /** Begins the next piece if it is time, or ends one that is no longer wanted. */
@@ -74,47 +97,85 @@ final class Driving {
         if (stride == null) {
             return;
         }
-        if (session.watch().time().secondsSince(renewedNanos) > LEASE_S || session.isSilent()) {
+        if (session.watch().time().secondsSince(renewedNanos) > LEASE_S) {
             session.halt();
             return;
         }
         Running running = session.runner().current();
-        if (running == null) {
+        String wrong = trouble(running);
+        if (wrong != null) {
+            fail(wrong);
+        } else if (running == null) {
             begin(stride);
         } else if (running.piece() != null && running.piece().gait() != stride.gait() && !running.isStopRequested()) {
             session.runner().halt(session.sweep().halt());
         }
     }
 
+    private void fail(String wrong) {
+        session.halt();
+        failure = wrong;
+    }
+
+    /** Whether the drive must not go on; motors that are off before it has begun are switched on by it. */
+    private @Nullable String trouble(@Nullable Running running) {
+        if (session.isSilent()) {
+            return "no word from the dog for 1.5 s; it was told to stop";
+        }
+        boolean walks = running != null && running.piece() != null;
+        if (walks && session.watch().time().secondsSince(begunNanos) > OVERDUE_S) {
+            return "the dog did not tell the end of its walk in time; it was told to stop";
+        }
+        return underWay ? session.dog().senses().unfit() : null;
+    }
+
     private synchronized void begin(Stride stride) {
         if (session.runner().current() != null) {
             return;
         }
-        settleRising();
-        Running rise = session.feet().rise();
+        String wrong = settle();
+        if (wrong != null) {
+            fail(wrong);
+            return;
+        }
+        Running rise = underWay ? null : session.feet().rise();
         if (rise != null) {
-            rising = rise;
+            latest = rise;
             session.runner().start(rise, this::isWanted);
             return;
         }
+        walk(stride);
+    }
+
+    private void walk(Stride stride) {
+        underWay = true;
         session.guard().renew();
         Running piece = session.runner().piece(stride, PIECE_MS / stride.msPerUnit());
+        latest = piece;
+        begunNanos = session.watch().time().nanos();
         if (session.runner().start(piece, this::isWanted) && stride.gait() == Gait.FORWARD) {
             session.sweep().start();
         }
     }
 
-    private void settleRising() {
-        Running risen = rising;
-        rising = null;
-        if (risen != null && risen.isOver()) {
-            boolean risenWell = risen.failure() == null && !risen.isStopRequested();
-            session.dog().senses().assumeMotors(risenWell);
-            session.dog().setAfoot(risenWell);
-            if (!risenWell) {
-                forget();
-            }
+    /** Looks at how the latest thing that was started has ended; tells what was wrong with it. */
+    private @Nullable String settle() {
+        Running ended = latest;
+        latest = null;
+        if (ended == null || ended.isStopRequested()) {
+            return null;
         }
+        String refusal = ended.failure();
+        if (refusal != null) {
+            return Gait.refusal(refusal);
+        }
+        Piece piece = ended.piece();
+        if (piece == null) {
+            session.dog().senses().assumeMotors(true, ended.endedMs());
+            session.dog().setAfoot(true);
+            return null;
+        }
+        return piece.isCutShort() ? "another program, or its guard, ended the walk" : null;
     }
 
     private boolean isWanted() {

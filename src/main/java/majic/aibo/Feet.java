@@ -12,13 +12,20 @@ import org.jspecify.annotations.Nullable;
 final class Feet {
     private static final Set<String> DOWN = Set.of("sit", "lay");
     private static final Set<String> FALLEN = Set.of("side", "back");
-    private static final double GUESS_S = 2;
-    private static final double POWER_S = 3;
+    private static final Set<String> UP = Set.of("stand", "sit");
+    private static final Set<String> LOW = Set.of("lay", "side", "back");
+
+    /** A slow engine answers two seconds late; so does the end of everything here. */
+    private static final double GUESS_S = 4;
+
+    private static final double POWER_S = 5;
     private static final double STAND_S = 8;
+    private static final double LAY_S = 8;
 
     private final AiboSession session;
     private final Dog dog;
     private final Consumer<String> notice;
+    private volatile boolean layingFailed;
 
     Feet(AiboSession session, Dog dog, Consumer<String> notice) {
         this.session = session;
@@ -35,8 +42,9 @@ final class Feet {
         boolean stands = posture.equals("stand") || (dog.isAfoot() && !DOWN.contains(posture));
         if (!powered || !stands) {
             notice.accept(rising(powered));
-            perform(motion, session.runner().command(session.links().motion(), risingCommands(powered)), STAND_S);
-            dog.senses().assumeMotors(true);
+            Running rise = rise(powered);
+            perform(motion, rise, STAND_S);
+            dog.senses().assumeMotors(true, rise.endedMs());
         }
         dog.setAfoot(true);
     }
@@ -49,7 +57,7 @@ final class Feet {
         }
     }
 
-    /** Begins to get up without waiting, for a drive. Null if it stands already, as far as is known. */
+    /** What gets it up, to be started by a drive. Null if it stands already, as far as is known. */
     @Nullable
     Running rise() {
         boolean powered = dog.senses().motorsOn().orElse(false);
@@ -57,15 +65,18 @@ final class Feet {
             return null;
         }
         notice.accept(rising(powered));
-        return session.runner().command(session.links().motion(), risingCommands(powered));
+        return rise(powered);
     }
 
     private static String rising(boolean powered) {
         return powered ? "the dog stands up first" : "switches the dog's motors on and stands it up first";
     }
 
-    private static String risingCommands(boolean powered) {
-        return powered ? "robot.stand()" : "{ motors on; wait(1000); robot.stand() }";
+    private Running rise(boolean powered) {
+        UrbiConnection on = session.links().motion();
+        return powered
+                ? session.runner().command(on, "robot.stand()")
+                : session.runner().command(on, tag -> "{ motors on; wait(1000); " + tag + ": robot.stand() }");
     }
 
     /** Switches the motors on where they are off; what moves a joint needs no more. */
@@ -73,26 +84,48 @@ final class Feet {
         session.awaitFree(motion);
         if (!dog.senses().motorsOn().orElse(false)) {
             notice.accept("switches the dog's motors on");
-            perform(motion, session.runner().command(session.links().motion(), "{ motors on; wait(1000) }"), POWER_S);
-            dog.senses().assumeMotors(true);
+            Running switching = session.runner().command(session.links().motion(), "{ motors on; wait(1000) }");
+            perform(motion, switching, POWER_S);
+            dog.senses().assumeMotors(true, switching.endedMs());
         }
     }
 
-    /** Lays the dog down where it is up, then lets its joints go loose. */
+    /**
+     * Lays the dog down where it is up, then lets its joints go loose. A dog that did not lie down keeps its motors on, for
+     * it would fall; who asks for it once more gets it.
+     */
     void loosen(Motion motion) {
         session.awaitFree(motion);
-        boolean powered = dog.senses().motorsOn().orElse(true);
-        boolean down = posture().equals("lay");
         dog.setAfoot(false);
-        String lay = powered && !down ? "robot.lay(); " : "";
-        perform(motion, session.runner().command(session.links().motion(), "{ " + lay + "motors off }"), STAND_S);
-        dog.senses().assumeMotors(false);
+        boolean mayFall = dog.senses().motorsOn().orElse(true) && !LOW.contains(posture());
+        if (mayFall && !layingFailed) {
+            layDown(motion);
+        }
+        layingFailed = false;
+        Running switching = session.runner().command(session.links().motion(), "motors off");
+        perform(motion, switching, POWER_S);
+        dog.senses().assumeMotors(false, switching.endedMs());
+    }
+
+    private void layDown(Motion motion) {
+        try {
+            perform(motion, session.runner().command(session.links().motion(), "robot.lay()"), LAY_S);
+            String posture = posture();
+            if (UP.contains(posture)) {
+                throw new MotionFailed("the dog was to lie down, but tells that it is in posture " + posture);
+            }
+        } catch (MotionFailed e) {
+            layingFailed = true;
+            throw new MotionFailed(e.getMessage()
+                    + "; its motors stay on, for it would fall; ask once more and they go off all the same");
+        }
     }
 
     /** Brings it into a posture by one of the stick's functions. */
     void take(String function, double seconds, Motion motion) {
         power(motion);
         dog.setAfoot(false);
+        layingFailed = false;
         perform(motion, session.runner().command(session.links().motion(), "robot." + function + "()"), seconds);
         dog.setAfoot(function.equals("stand"));
     }

@@ -70,4 +70,11 @@ enum Gait {
     String call(long ms) {
         return "robot." + function + "(" + sign * ms + ")";
     }
+
+    /** What it means that the dog has complained of a call. */
+    static String refusal(String failure) {
+        return failure.contains("function") || failure.contains("robot.")
+                ? "the stick in the dog has no such gait (" + failure + ")"
+                : "the dog refuses: " + failure;
+    }
 }

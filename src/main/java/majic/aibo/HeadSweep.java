@@ -38,6 +38,10 @@ final class HeadSweep {
         }
     }
 
+    boolean isSweeping() {
+        return sweeping.get() != null;
+    }
+
     /** Begins to sweep, unless it does; to be sent as part of a motion. */
     void start() {
         String tag = tags.next();

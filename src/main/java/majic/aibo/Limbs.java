@@ -9,7 +9,9 @@ import majic.bot.Motion;
 /** Moves joints, and waits until they are where they were told to be. Only ever on behalf of a motion. */
 final class Limbs {
     private static final double LEAST_MS = 100;
-    private static final double LATE_S = 2;
+
+    /** A slow engine tells the end two seconds late. */
+    private static final double LATE_S = 3;
 
     /** A joint follows its order with a lag. */
     private static final double SETTLING_S = 0.6;

@@ -4,12 +4,10 @@ import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
-import majic.bot.BotProfile;
 import majic.bot.CalibrateCommand;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
-import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.link.Link;
@@ -24,16 +22,13 @@ import org.jspecify.annotations.Nullable;
  * its head sweeps from side to side: the infra-red beams are much narrower than the dog.
  */
 public final class MajicAibo extends MajicBot {
-    /** Half of 319 × 180 mm around the turning centre, with the corners. */
-    private static final double BODY_MM = 183;
-
-    private static final double NEAR_MM = 250;
     private static final double DUTY_S = 0.1;
 
     private final String address;
     private final Dog dog;
     private final AiboParameters parameters;
     private volatile @Nullable AiboSession session;
+    private volatile @Nullable LinkLost lostBecause;
 
     /**
      * Makes the driver of a dog, without touching it, for a program that just wants a robot.
@@ -53,7 +48,7 @@ public final class MajicAibo extends MajicBot {
      * @throws BotException if it is no such address; the message says what one looks like
      */
     public MajicAibo(String address, BotEnvironment environment) {
-        super(new AiboType(), profile(calibration(address, environment)), environment);
+        super(new AiboType(), new Paces(calibration(address, environment)).profile(), environment);
         this.address = address;
         this.dog = new Dog(calibration(address, environment));
         link();
@@ -80,30 +75,11 @@ public final class MajicAibo extends MajicBot {
         return new Calibration(environment.settings(), address.replaceFirst("^(tcp:)?//", ""));
     }
 
-    private static BotProfile profile(Calibration calibration) {
-        return new BotProfile(
-                BODY_MM,
-                bothWays(calibration.fastest(Gait.FORWARD), calibration.fastest(Gait.BACKWARD)),
-                bothWays(calibration.fastest(Gait.LEFT), calibration.fastest(Gait.RIGHT)),
-                calibration.slowest(Gait.FORWARD).unitsPerSecond(),
-                calibration.slowest(Gait.LEFT).unitsPerSecond(),
-                calibration.stride(Gait.FORWARD).unitsPerSecond(),
-                calibration.stride(Gait.LEFT).unitsPerSecond(),
-                NEAR_MM,
-                true);
-    }
-
-    private static Range bothWays(Stride one, Stride other) {
-        double fastest = Math.max(one.unitsPerSecond(), other.unitsPerSecond());
-        return new Range(-fastest, fastest);
-    }
-
-    /** Each gait at the legs' usual pace, unless somebody has set a speed. */
     private Stride stride(Gait gait) {
-        double cruise = gait.isWalk() ? cruiseMmPerSec() : cruiseTurnDegPerSec();
-        double usual = gait.isWalk() ? profile().cruiseMmPerSec() : profile().cruiseTurnDegPerSec();
-        Calibration calibration = dog.calibration();
-        return cruise == usual ? calibration.stride(gait) : calibration.strideAt(gait, cruise);
+        Paces paces = new Paces(dog.calibration());
+        return gait.isWalk()
+                ? paces.stride(gait, cruiseMmPerSec(), profile().cruiseMmPerSec())
+                : paces.stride(gait, cruiseTurnDegPerSec(), profile().cruiseTurnDegPerSec());
     }
 
     /** Holds even where it could not be kept. */
@@ -111,7 +87,7 @@ public final class MajicAibo extends MajicBot {
         try {
             dog.calibration().keep(gait, msPerUnit);
         } finally {
-            profile(profile(dog.calibration()));
+            profile(new Paces(dog.calibration()).profile());
         }
     }
 
@@ -128,6 +104,7 @@ public final class MajicAibo extends MajicBot {
 
     @Override
     protected void open() {
+        lostBecause = null;
         dog.forgetReadings();
         AiboSession opening = new AiboSession(this::link, new Watch(time(), changes()), dog, new Voice());
         session = opening;
@@ -206,7 +183,10 @@ public final class MajicAibo extends MajicBot {
     AiboSession session() {
         AiboSession open = session;
         if (open == null) {
-            throw new LinkLost("not connected");
+            LinkLost cause = lostBecause;
+            throw cause == null
+                    ? new LinkLost("not connected")
+                    : new LinkLost(String.valueOf(cause.getMessage()), cause);
         }
         return open;
     }
@@ -228,6 +208,7 @@ public final class MajicAibo extends MajicBot {
 
         @Override
         public void lost(LinkLost cause) {
+            lostBecause = cause;
             session = null;
             MajicAibo.this.lost(cause);
         }

@@ -8,6 +8,9 @@ final class Piece {
     /** The longest time the dog is ever told to walk, ms: so long it would walk on if all links fell silent. */
     static final double LONGEST_MS = 2000;
 
+    /** What the dog's clock may be off when it tells begin and end: two cycles and something (URBI sheet 15). */
+    private static final double SLACK_MS = 100;
+
     private final Stride stride;
     private final double amount;
     private final double durationMs;
@@ -48,6 +51,11 @@ final class Piece {
     /** What it has covered in all, once it is over. */
     double covered() {
         return coveredAt(Long.MAX_VALUE);
+    }
+
+    /** Whether the dog ended it before its time, as far as it told its begin and its end. */
+    boolean isCutShort() {
+        return ask.isDone() && ask.beganMs() >= 0 && ask.doneMs() - ask.beganMs() < durationMs - SLACK_MS;
     }
 
     private double shareAt(long serverMs) {

@@ -5,12 +5,12 @@ import java.util.List;
 
 /** The postures that functions of the stick bring the dog into (URBI sheet 15). */
 enum Posture {
-    STAND("stand", 6),
-    SIT("sit", 6),
-    LAY("lay", 5),
-    BEG("beg", 6),
-    STRETCH("stretch", 5),
-    INITIAL("initial", 7);
+    STAND("stand", 8),
+    SIT("sit", 8),
+    LAY("lay", 8),
+    BEG("beg", 8),
+    STRETCH("stretch", 8),
+    INITIAL("initial", 8);
 
     private final String function;
     private final double longestS;

@@ -15,14 +15,20 @@ final class Pulse {
     private final UrbiConnection connection;
     private final Tags tags;
     private final Watch watch;
+    private final DogClock clock;
     private @Nullable Ask ping;
     private long sentNanos;
 
-    Pulse(UrbiConnection connection, Tags tags, Watch watch) {
+    Pulse(UrbiConnection connection, Tags tags, Watch watch, DogClock clock) {
         this.connection = connection;
         this.tags = tags;
         this.watch = watch;
+        this.clock = clock;
         this.sentNanos = watch.time().nanos();
+    }
+
+    UrbiConnection connection() {
+        return connection;
     }
 
     /** Pings when it is time; false when the dog has owed an answer for too long. */
@@ -31,6 +37,9 @@ final class Pulse {
         Ask open = ping;
         if (open != null && !open.isDone()) {
             return seconds <= PATIENCE_S;
+        }
+        if (open != null && open.failure() == null) {
+            clock.answered(open.doneMs(), sentNanos);
         }
         if (seconds >= PERIOD_S) {
             sentNanos = watch.time().nanos();

@@ -35,7 +35,9 @@ final class RawCommand {
         AiboSession open = access.open();
         open.awaitFree(motion);
         List<UrbiMessage> answers = new CopyOnWriteArrayList<>();
-        Running running = open.runner().command(open.links().motion(), "{ " + text + " }");
+        Running running =
+                open.runner().command(open.links().motion(), "{ " + text + " }").unknown();
+        motion.send(open.guard()::renew);
         Runnable deaf = open.listen(answers::add);
         try {
             open.feet().perform(motion, running, LONGEST_S);

@@ -2,7 +2,9 @@ package majic.aibo;
 
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
 import majic.bot.BotException;
+import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -48,8 +50,16 @@ final class Runner {
 
     /** Makes any other command that ends by itself, to be started. */
     Running command(UrbiConnection on, String commands) {
+        return command(on, tag -> commands);
+    }
+
+    /**
+     * Makes a command that ends by itself out of several. What stands inside of a block does not have the block's tag
+     * (URBI sheet 7), so what may go wrong there is to be marked with it.
+     */
+    Running command(UrbiConnection on, UnaryOperator<String> commandsForTag) {
         Ask ask = ask();
-        return new Running(on, ask, ask.tag() + "+end: " + commands + ",", null);
+        return new Running(on, ask, ask.tag() + "+end: " + commandsForTag.apply(ask.tag()) + ",", null);
     }
 
     private Ask ask() {
@@ -107,7 +117,10 @@ final class Runner {
                 () -> pong.isDone() && (running == null || running.isOver() || !running.isStopRequested());
         long started = watch.time().nanos();
         while (!watch.await(stands, AGAIN_S)) {
-            if (watch.time().secondsSince(started) > CONFIRM_S || links.stop().isEnded()) {
+            if (links.stop().isEnded()) {
+                throw new LinkLost("the stop was sent, but the connection was lost before the dog confirmed it");
+            }
+            if (watch.time().secondsSince(started) > CONFIRM_S) {
                 throw new BotException(
                         "the stop was sent, but the dog has not confirmed it within " + (int) CONFIRM_S + " s");
             }

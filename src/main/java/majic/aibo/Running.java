@@ -12,6 +12,7 @@ final class Running {
     private final String commands;
     private final @Nullable Piece piece;
     private volatile boolean stopRequested;
+    private volatile boolean unknown;
     private boolean written;
     private @Nullable Ask arrival;
     private @Nullable Ask execution;
@@ -22,6 +23,17 @@ final class Running {
         this.ask = ask;
         this.commands = commands;
         this.piece = piece;
+    }
+
+    /** Says that nobody knows what it makes the dog do. */
+    Running unknown() {
+        unknown = true;
+        return this;
+    }
+
+    /** Whether it can make the dog walk, so that the guard on the dog has to know of it. */
+    boolean mayWalk() {
+        return piece != null || unknown;
     }
 
     /** Writes it to the dog, unless its stop came first: then it is over before it began. */
@@ -83,6 +95,11 @@ final class Running {
         } else {
             stopping.send(stopAll + stopCommands());
         }
+    }
+
+    /** By the server's clock, when it ended, ms; −1 before. */
+    long endedMs() {
+        return ask.doneMs();
     }
 
     /** Gives up on it: it is taken as ended, whatever the dog says. */

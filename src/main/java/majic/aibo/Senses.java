@@ -16,21 +16,27 @@ final class Senses {
 
     private final Map<Sensor, UrbiValue> readings = new ConcurrentHashMap<>();
     private final Map<Sensor, String> refusals = new ConcurrentHashMap<>();
+    private volatile long switchedMs;
 
-    void put(Sensor sensor, UrbiValue value) {
-        readings.put(sensor, value);
+    /** Takes a reading that carried a time stamp of the dog's. */
+    void put(Sensor sensor, UrbiValue value, long stampMs) {
+        if (sensor != Sensor.LEG_LOAD || stampMs >= switchedMs) {
+            readings.put(sensor, value);
+        }
     }
 
     void refuse(Sensor sensor, String why) {
         refusals.put(sensor, why);
     }
 
-    /** The motors were just switched: so it is until the dog says otherwise. */
-    void assumeMotors(boolean on) {
+    /** The motors were switched at a time of the dog's clock: so it is until a later reading says otherwise. */
+    void assumeMotors(boolean on, long atMs) {
+        switchedMs = atMs;
         readings.put(Sensor.LEG_LOAD, new UrbiValue.Num(on ? 1 : 0));
     }
 
     void clear() {
+        switchedMs = 0;
         readings.clear();
         refusals.clear();
     }
@@ -76,5 +82,14 @@ final class Senses {
 
     boolean isOnItsBack() {
         return number(Sensor.ACCEL_Z).orElse(-9.8) > 0;
+    }
+
+    /** Why a dog that walks must not walk on, as half a sentence; null if nothing is known. */
+    @Nullable
+    String unfit() {
+        if (isOnItsBack()) {
+            return "the dog has fallen on its back";
+        }
+        return motorsOn().orElse(true) ? null : "the dog's motors were switched off";
     }
 }

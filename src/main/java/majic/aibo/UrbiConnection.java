@@ -6,6 +6,7 @@ import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import majic.bot.LinkLost;
+import majic.bot.Patience;
 import majic.link.Link;
 
 /**
@@ -48,7 +49,7 @@ final class UrbiConnection {
     /** Opens the link and starts to listen. */
     void open(int timeoutMs) throws IOException {
         link.open(timeoutMs);
-        Thread reader = new Thread(this::readLoop, "aibo " + purpose + " reader");
+        Thread reader = new Thread(() -> Patience.without(this::readLoop), "aibo " + purpose + " reader");
         reader.setDaemon(true);
         reader.start();
     }

@@ -3,15 +3,22 @@ package majic.aibo;
 import java.util.Objects;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
+import majic.bot.Unit;
+import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
-/** Walks a distance or turns an angle: one piece of a gait after the other, none longer than two seconds. */
+/**
+ * Walks a distance or turns an angle: one piece of a gait after the other, none longer than two seconds, each begun when
+ * the dog has told the end of the one before. Used for one motion.
+ */
 final class Walker {
-    private static final double LATE_S = 2;
+    /** A slow engine answers two seconds late, and a gait may last two cycles longer than told. */
+    private static final double LATE_S = 3;
 
     private final AiboSession session;
     private final Dog dog;
     private final Motion motion;
+    private double covered;
 
     Walker(AiboSession session, Motion motion) {
         this.session = session;
@@ -31,60 +38,62 @@ final class Walker {
         }
         double durationMs = amount * stride.msPerUnit();
         int pieces = (int) Math.ceil(durationMs / Piece.LONGEST_MS);
-        double covered = 0;
         for (int piece = 0; piece < pieces && !motion.guardReached(); piece++) {
-            covered += walk(stride, amount / pieces);
+            walk(stride, amount / pieces);
         }
         motion.send(session.sweep()::end);
         return covered;
     }
 
-    /** The head sweeps while the dog walks ahead; if something is to stop it, it has a whole look first. */
+    /** The head sweeps while the dog walks ahead; if something is to stop it, a whole look is taken in before. */
     private void lookAhead() {
         motion.send(session.sweep()::start);
         if (motion.isGuarded()) {
-            motion.pause(HeadSweep.PERIOD_S);
+            motion.pause(HeadSweep.PERIOD_S + session.clock().roundTripS());
         }
     }
 
-    private double walk(Stride stride, double amount) {
+    private void walk(Stride stride, double amount) {
         session.awaitFree(motion);
         motion.send(session.guard()::renew);
         Running running = session.runner().piece(stride, amount);
         Piece piece = Objects.requireNonNull(running.piece());
         motion.send(() -> session.runner().start(running, () -> true));
         motion.await(() -> running.isOver() || trouble() != null, piece.durationMs() / 1000 + LATE_S);
-        settle(running);
-        return piece.covered();
+        settle(running, piece);
+        covered += piece.covered();
+        if (piece.isCutShort() && !running.isStopRequested()) {
+            throw failed("another program, or its guard, ended the walk", piece.gait());
+        }
     }
 
     /** The piece is over, or has to be. */
-    private void settle(Running running) {
+    private void settle(Running running, Piece piece) {
         motion.check();
         String failure = running.failure();
-        String trouble = failure == null ? trouble() : refusal(failure);
+        String trouble = failure == null ? trouble() : Gait.refusal(failure);
         if (trouble != null) {
-            throw new MotionFailed(trouble);
+            covered += piece.coveredAt(Math.round(session.clock().estimateMs()));
+            throw failed(trouble, piece.gait());
         }
         if (!running.isOver()) {
             motion.send(() -> session.runner().halt(""));
-            if (!session.watch().await(running::isOver, LATE_S)) {
-                throw new MotionFailed("the dog did not tell the end of its walk in time; it was told to stop");
-            }
+            boolean ended = session.watch().await(running::isOver, LATE_S);
             motion.check();
+            if (!ended || !motion.guardReached()) {
+                throw failed("the dog did not tell the end of its walk in time; it was told to stop", piece.gait());
+            }
         }
     }
 
-    private static String refusal(String failure) {
-        return failure.contains("function") || failure.contains("robot.")
-                ? "the stick in the dog has no such gait (" + failure + ")"
-                : "the dog refuses: " + failure;
+    private MotionFailed failed(String why, Gait gait) {
+        Unit unit = gait.isWalk() ? Unit.MM : Unit.DEG;
+        return new MotionFailed(why + ", after " + Value.about(Math.rint(covered), unit));
     }
 
     private @Nullable String trouble() {
-        if (session.isSilent()) {
-            return "no word from the dog for 1.5 s; it was told to stop";
-        }
-        return dog.senses().motorsOn().orElse(true) ? null : "the dog's motors were switched off";
+        return session.isSilent()
+                ? "no word from the dog for 1.5 s; it was told to stop"
+                : dog.senses().unfit();
     }
 }

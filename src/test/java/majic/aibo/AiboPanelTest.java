@@ -13,8 +13,8 @@ class AiboPanelTest {
     @Test
     void theDrawingShowsWhereTheHeadLooksAndWhatItMeets() {
         BufferedImage ahead = drawn();
-        dog.senses().put(Sensor.HEAD_PAN, new UrbiValue.Num(40));
-        dog.senses().put(Sensor.NEAR, new UrbiValue.Num(30));
+        dog.senses().put(Sensor.HEAD_PAN, new UrbiValue.Num(40), 1);
+        dog.senses().put(Sensor.NEAR, new UrbiValue.Num(30), 1);
 
         BufferedImage aside = drawn();
 

@@ -36,19 +36,22 @@ class ConnectingTest {
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
     void aConnectionClosedBeforeTheDogIntroducedItselfIsSaidSo(int connection) {
-        refusedThenConnected(connection, ScriptedDog.Trouble.HANGS_UP, "closed the connection at once");
+        refusedThenConnected(
+                connection, ScriptedDog.Trouble.HANGS_UP, expected(connection, "closed the connection at once"));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
     void aConnectionThatStaysMuteIsSaidSo(int connection) {
-        refusedThenConnected(connection, ScriptedDog.Trouble.SAYS_NOTHING, "not as an URBI server within 4 s");
+        refusedThenConnected(
+                connection, ScriptedDog.Trouble.SAYS_NOTHING, expected(connection, "not as an URBI server within 4 s"));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
     void aBannerCutInHalfIsNoIntroduction(int connection) {
-        refusedThenConnected(connection, ScriptedDog.Trouble.HALF_A_BANNER, "closed the connection at once");
+        refusedThenConnected(
+                connection, ScriptedDog.Trouble.HALF_A_BANNER, expected(connection, "closed the connection at once"));
     }
 
     @ParameterizedTest
@@ -67,6 +70,11 @@ class ConnectingTest {
         aibo.connect();
 
         assertThat(aibo.get("battery").number()).isEqualTo(87);
+    }
+
+    /** One that has granted a connection is a dog, but one with too little room. */
+    private static String expected(int connection, String atFirst) {
+        return connection == 0 ? atFirst : "the dog grants only " + connection + " of the three connections";
     }
 
     private void refusedThenConnected(int connection, ScriptedDog.Trouble trouble, String message) {

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Timeout;
 
 @Timeout(20)
 class DogGuardTest {
+    private static final int SENSORS = 1;
     private static final String DISARMED = "1000000000000";
 
     private final Watch watch =
@@ -26,7 +27,7 @@ class DogGuardTest {
         dog = new ScriptedDog();
         links = new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
         links.open();
-        guard = new DogGuard(links, new Tags(), watch);
+        guard = new DogGuard(links, new Tags(), watch, new DogClock(watch));
         guard.install();
     }
 
@@ -39,7 +40,7 @@ class DogGuardTest {
     @Test
     void staysArmedBetweenItsRenewalAndTheWalkItIsFor() {
         guard.renew();
-        guard.tend(false);
+        guard.tend(null);
 
         assertThat(settings()).hasSize(2).last().asString().doesNotContain(DISARMED);
     }
@@ -48,10 +49,44 @@ class DogGuardTest {
     void isDisarmedWhenNothingWalksSoLateAsARenewalWouldBeDue() {
         guard.renew();
         while (settings().size() < 3) {
-            guard.tend(false);
+            guard.tend(null);
         }
 
         assertThat(settings()).last().asString().contains(DISARMED);
+    }
+
+    @Test
+    void endsAWalkWhoseRenewalsDoNotArriveAnyMore() {
+        walk(8000);
+        guard.renew();
+        assertThat(settings()).hasSize(2);
+        dog.stopReading(SENSORS);
+
+        while (dog.isWalking()) {
+            watch.await(() -> false, 0.05);
+        }
+
+        assertThat(dog.guardEnded).hasValue(1);
+    }
+
+    @Test
+    void leavesAWalkThatWasToldToStopToItself() {
+        guard.renew();
+        Running stopped = walk(3000);
+        stopped.requestStop();
+        watch.await(() -> false, 0.3);
+
+        guard.tend(stopped);
+
+        assertThat(settings()).hasSize(2).last().asString().doesNotContain(DISARMED);
+    }
+
+    private Running walk(int ms) {
+        Ask ask = new Ask("w", Ask.Expects.END);
+        Running walk = new Running(links.motion(), ask, "w+begin+end: robot.walk(" + ms + "),", null).unknown();
+        walk.start();
+        dog.awaitReceived("robot.walk");
+        return walk;
     }
 
     /** What the guard's variable was set to up to now. */

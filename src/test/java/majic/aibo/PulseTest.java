@@ -27,8 +27,8 @@ class PulseTest {
         dog = new ScriptedDog();
         links = new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
         links.open();
-        pulse = new Pulse(
-                links.stop(), new Tags(), new Watch(clock.time(), clock.time().signal()));
+        Watch stepped = new Watch(clock.time(), clock.time().signal());
+        pulse = new Pulse(links.stop(), new Tags(), stepped, new DogClock(stepped));
     }
 
     @AfterEach

@@ -25,7 +25,7 @@ class ReceivingFuzzTest {
         assertThat(decode(new UrbiDecoder(), wire, 1)).isEqualTo(whole);
     }
 
-    /** A binary that the noise announces swallows what fits into it; the next whole line is read. */
+    /** A binary that the noise announces swallows what fits into it and ends within a line; the next one is read. */
     @FuzzTest
     void aGoodMessageIsFoundAfterAnyNoise(byte[] noise) {
         UrbiDecoder decoder = new UrbiDecoder();
@@ -37,6 +37,7 @@ class ReceivingFuzzTest {
             List<UrbiMessage> freed = decoder.giveUpCutBinary();
             found.addAll(freed);
         }
+        found.addAll(decoder.feed(good, good.length));
 
         assertThat(found).last().isEqualTo(GOOD);
     }
@@ -51,7 +52,7 @@ class ReceivingFuzzTest {
             unanswered.answer(message, Dialect.of(String.valueOf(message.body()), Dialect.V1_0));
             if (message.body() instanceof UrbiMessage.Result result) {
                 assertThat(ask.value()).isSameAs(result.value());
-                senses.put(Sensor.NEAR, result.value());
+                senses.put(Sensor.NEAR, result.value(), message.timeMs());
                 assertThat(senses.number(Sensor.NEAR).orElse(0.0)).isFinite();
                 assertThat(senses.value(Sensor.NEAR, 10, Unit.MM)).isNotNull();
             }

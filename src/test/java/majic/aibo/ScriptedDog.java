@@ -15,8 +15,10 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * A peer that answers the few things the driver says, on loopback, in real time. It knows no URBI: it looks for the
@@ -28,6 +30,7 @@ final class ScriptedDog implements AutoCloseable {
     private static final Pattern ENDING = Pattern.compile("(\\w+)(\\+begin)?\\+end: (.*)", Pattern.DOTALL);
     private static final Pattern GAIT = Pattern.compile("robot\\.(?:walk|turn)\\((-?\\d+)\\)");
     private static final Pattern BINARY = Pattern.compile(".*BIN (\\d+) [^;]*;", Pattern.DOTALL);
+    private static final Pattern RENEWAL = Pattern.compile("majic\\.\\w+ = (\\d+)");
     private static final Pattern JOINT = Pattern.compile("(\\w+)\\.val = (-?[\\d.]+)(?: time:(\\d+))?");
 
     private final ServerSocket server;
@@ -47,6 +50,18 @@ final class ScriptedDog implements AutoCloseable {
 
     /** How much later than it was said everything is heard of it. */
     volatile long slownessMs;
+
+    /** How much later than it came every command is carried out. */
+    volatile long heedlessnessMs;
+
+    /** What its guard goes by; for as long as nobody sets it, there is nothing to guard. */
+    private volatile double aliveMs = Double.MAX_VALUE;
+
+    /** How often its guard has ended a walk. */
+    final AtomicInteger guardEnded = new AtomicInteger();
+
+    /** How many gaits have gone on at the same time. */
+    final AtomicInteger mostAtOnce = new AtomicInteger();
 
     /** How much later than others a connection delivers, from the first walk on it. */
     volatile long latenessMs;
@@ -278,8 +293,9 @@ final class ScriptedDog implements AutoCloseable {
             }
             remember(command);
             late |= latenessMs > 0 && command.contains("robot.walk(");
-            if (late) {
-                clock.schedule(() -> execute(command), latenessMs, TimeUnit.MILLISECONDS);
+            long delayMs = late ? latenessMs : heedlessnessMs;
+            if (delayMs > 0) {
+                clock.schedule(() -> execute(command), delayMs, TimeUnit.MILLISECONDS);
             } else {
                 execute(command);
             }
@@ -288,8 +304,11 @@ final class ScriptedDog implements AutoCloseable {
         private void execute(String command) {
             Matcher poll = POLL.matcher(command);
             Matcher ending = ENDING.matcher(command);
+            Matcher renewal = RENEWAL.matcher(command);
             if (command.equals("quit")) {
                 close();
+            } else if (renewal.matches()) {
+                aliveMs = Double.parseDouble(renewal.group(1));
             } else if (command.startsWith("stop ")) {
                 stop(command.substring(5));
             } else if (poll.matches() && command.contains("time()")) {
@@ -308,6 +327,16 @@ final class ScriptedDog implements AutoCloseable {
         private void guard() {
             if (refusesGuards) {
                 say("error", "!!! 21.9: syntax error, unexpected every");
+            } else {
+                repeat("guard", 200, this::lookAtGuard);
+            }
+        }
+
+        private void lookAtGuard() {
+            if (now() - aliveMs > 1500 && isWalking()) {
+                guardEnded.incrementAndGet();
+                stop("walk");
+                stop("turn");
             }
         }
 
@@ -327,7 +356,14 @@ final class ScriptedDog implements AutoCloseable {
                 say(tag, "*** begin");
             }
             String key = command.contains("walk(") ? "walk" : command.contains("turn(") ? "turn" : tag;
+            long others = Stream.of("walk", "turn")
+                    .map(running::get)
+                    .filter(gait -> gait != null && !gait.isDone())
+                    .count();
             running.put(key, clock.schedule(() -> end(tag, command), lasts(command), TimeUnit.MILLISECONDS));
+            if (!key.equals(tag)) {
+                mostAtOnce.accumulateAndGet((int) others + 1, Math::max);
+            }
             endings.put(key, () -> say(tag, "*** end"));
         }
 

@@ -1,0 +1,98 @@
+package majic.aibo;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Sorts what a dog says without being asked anew: readings, battery lines, the rest. Hears on the readers' threads. */
+final class Hearing {
+    private static final Logger LOG = System.getLogger(Hearing.class.getName());
+    private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
+
+    private final Watch watch;
+    private final Dog dog;
+    private final Poll poll;
+    private final DogClock clock;
+    private final BatteryWatch battery;
+    private final Runnable whenSensed;
+    private final List<Consumer<UrbiMessage>> hearers = new CopyOnWriteArrayList<>();
+    private volatile long lastWordNanos;
+
+    /** Calls the last argument when a set of readings is in. */
+    Hearing(Watch watch, Dog dog, Poll poll, DogClock clock, BatteryWatch battery, Runnable whenSensed) {
+        this.watch = watch;
+        this.dog = dog;
+        this.poll = poll;
+        this.clock = clock;
+        this.battery = battery;
+        this.whenSensed = whenSensed;
+        this.lastWordNanos = watch.time().nanos();
+    }
+
+    /** For how long no reading has come, seconds. */
+    double silenceS() {
+        return watch.time().secondsSince(lastWordNanos);
+    }
+
+    /** Counts the silence from now on. */
+    void listenAnew() {
+        lastWordNanos = watch.time().nanos();
+    }
+
+    /** How many sensors the dog has answered for. */
+    long answered() {
+        return Arrays.stream(Sensor.values()).filter(dog.senses()::isAnswered).count();
+    }
+
+    /** Has somebody hear all that is neither a reading nor an answer; what it returns ends it. */
+    Runnable listen(Consumer<UrbiMessage> hearer) {
+        hearers.add(hearer);
+        return () -> hearers.remove(hearer);
+    }
+
+    /** Takes a message that answers no command. */
+    void heard(UrbiMessage message) {
+        Sensor sensor = poll.sensor(message);
+        if (sensor != null) {
+            sensed(sensor, message);
+        } else if (message.tag().equals("power") && message.body() instanceof UrbiMessage.Info info) {
+            heardPower(info.text(), message.timeMs());
+        } else {
+            LOG.log(Level.TRACE, "unasked: {0}", message);
+            hearers.forEach(hearer -> hearer.accept(message));
+        }
+    }
+
+    private void heardPower(String text, long stampMs) {
+        Matcher words = BATTERY.matcher(text);
+        if (words.matches()) {
+            sensed(Sensor.CHARGE, new UrbiValue.Num(Integer.parseInt(words.group(1)) / 100.0), stampMs);
+        }
+    }
+
+    private void sensed(Sensor sensor, UrbiMessage message) {
+        listenAnew();
+        clock.heard(message.timeMs());
+        if (message.body() instanceof UrbiMessage.Result result) {
+            sensed(sensor, result.value(), message.timeMs());
+        } else if (message.body() instanceof UrbiMessage.Failure failure) {
+            dog.senses().refuse(sensor, "the dog says: " + failure.text());
+        }
+        if (sensor == Sensor.HEAD_PAN) {
+            dog.sensed(message.timeMs());
+            whenSensed.run();
+        }
+    }
+
+    private void sensed(Sensor sensor, UrbiValue value, long stampMs) {
+        dog.senses().put(sensor, value, stampMs);
+        if (sensor == Sensor.CHARGE) {
+            dog.senses().number(sensor).ifPresent(battery::heard);
+        }
+    }
+}

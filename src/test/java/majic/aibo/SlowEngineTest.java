@@ -1,0 +1,58 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.util.List;
+import majic.bot.BotEnvironment;
+import majic.bot.MotionReport;
+import majic.bot.Settings;
+import majic.bot.TimeSource;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A dog whose engine takes two seconds from a question to its answer. */
+@Timeout(60)
+class SlowEngineTest {
+    private ScriptedDog dog;
+    private MajicAibo aibo;
+
+    @BeforeEach
+    void start() throws IOException {
+        dog = new ScriptedDog();
+        dog.set("robot.MyguessPosition()", "\"stand\"");
+        dog.set("legLF1.load", "1.000000");
+        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), Settings.inMemory()));
+    }
+
+    @AfterEach
+    void end() throws IOException {
+        aibo.close();
+        dog.close();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2000, 0", "0, 2000", "1000, 1000"})
+    void theWalkGoesOnPieceByPieceAndIsToldAsItWas(long heedsLateMs, long answersLateMs) {
+        dog.heedlessnessMs = heedsLateMs;
+        dog.slownessMs = answersLateMs;
+        aibo.connect();
+
+        MotionReport report = aibo.move(250);
+
+        assertThat(report.amount().number()).isCloseTo(250, within(5.0));
+        assertThat(dog.guardEnded).hasValue(0);
+        assertThat(pieces()).hasSize(2).allMatch(ms -> ms <= 2000);
+        assertThat(dog.mostAtOnce).hasValue(1);
+    }
+
+    private List<Integer> pieces() {
+        return dog.received("robot.walk(").stream()
+                .map(command -> Integer.parseInt(command.replaceAll(".*\\((-?\\d+)\\).*", "$1")))
+                .toList();
+    }
+}
