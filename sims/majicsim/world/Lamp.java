@@ -1,13 +1,42 @@
 package majicsim.world;
 
-/** A strong lamp some 40 cm above the floor; what it adds falls off with the distance on the floor. */
-record Lamp(double xMm, double yMm) {
-    private static final double HEIGHT_MM = 400;
-    private static final double STRENGTH = 0.85;
+/**
+ * A bulb under a shade, 40 cm above the floor; it can be driven through. What it gives falls off with the square of the distance and
+ * ends where its shade ends.
+ *
+ * @param at its place on the floor
+ */
+public record Lamp(Point at) {
+    /** How far it shines. */
+    public static final double REACH_MM = 2500;
 
-    double lightAt(double x, double y) {
-        double ratio = Math.hypot(x - xMm, y - yMm) / HEIGHT_MM;
-        double spread = 1 + ratio * ratio;
-        return STRENGTH / (spread * spread);
+    private static final double HEIGHT_MM = 400;
+    private static final double STRENGTH_MM2 = 350_000;
+    private static final double BRIGHTEST = 0.85;
+
+    /** What falls on a thing in a place whichever way it looks, light from floor and walls included. */
+    private static final double SCATTERED = 0.25;
+
+    /** Light in a place from wherever it comes: 0 to 0.85. */
+    double lightAt(Point place) {
+        return Math.min(BRIGHTEST, lightMm(place.distanceTo(at)));
+    }
+
+    /** Light on a sensor that looks somewhere, in level; up to 1.4 in its brightest place. */
+    double lightOn(Pose sensor) {
+        double mm = at.distanceTo(new Point(sensor.xMm(), sensor.yMm()));
+        double level = mm / Math.hypot(mm, HEIGHT_MM);
+        Point seen = sensor.toLocal(at);
+        double aside = Math.atan2(seen.yMm(), seen.xMm());
+        return lightMm(mm) * (SCATTERED + (1 - SCATTERED) * level * Math.max(0, Math.cos(aside)));
+    }
+
+    double scatteredAt(Point place) {
+        return SCATTERED * lightMm(place.distanceTo(at));
+    }
+
+    private static double lightMm(double mm) {
+        double part = mm / REACH_MM;
+        return part >= 1 ? 0 : STRENGTH_MM2 / (HEIGHT_MM * HEIGHT_MM + mm * mm) * (1 - part * part);
     }
 }

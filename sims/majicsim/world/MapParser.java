@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads the vendor's map text (ARCOS sheet appendix B): header lines in any order, then LINES, then DATA, where it stops. Of the
- * cairns it takes RobotHome, Sim.BoxObstacle (four walls), our own Lamp, and Goal and Dock as places that are surely inside; unknown
+ * cairns it takes RobotHome, Sim.BoxObstacle (four walls), our own Lamp and Tape, and Goal and Dock as places that are surely inside; unknown
  * header lines are skipped. Scanned points are not walls.
  */
 final class MapParser {
@@ -23,6 +23,7 @@ final class MapParser {
     private final List<Pose> homes = new ArrayList<>();
     private final List<Pose> landmarks = new ArrayList<>();
     private final List<Lamp> lamps = new ArrayList<>();
+    private final List<Tape> tapes = new ArrayList<>();
     private int lineNumber;
     private int announcedLines = UNKNOWN;
 
@@ -42,7 +43,7 @@ final class MapParser {
             throw error("NumLines promises " + announcedLines + " lines, but " + walls.size() + " follow LINES");
         }
         walls.addAll(boxes);
-        return new Room(walls, homes, landmarks, lamps);
+        return new Room(walls, homes, landmarks, new Furnishing(lamps, tapes));
     }
 
     private void header() throws IOException {
@@ -62,7 +63,8 @@ final class MapParser {
         switch (words[0]) {
             case "RobotHome" -> homes.add(pose(words));
             case "Goal", "GoalWithHeading", "Dock" -> landmarks.add(pose(words));
-            case "Lamp" -> lamps.add(new Lamp(number(words, 1, "x"), number(words, 2, "y")));
+            case "Lamp" -> lamps.add(new Lamp(new Point(number(words, 1, "x"), number(words, 2, "y"))));
+            case "Tape" -> tapes.add(tape(words));
             case "Sim.BoxObstacle" -> box(words);
             default -> {
                 // Forbidden areas and the like mean nothing to a simulated robot.
@@ -87,6 +89,23 @@ final class MapParser {
             Point b = corners[(i + 1) % corners.length];
             boxes.add(new Segment(a.xMm(), a.yMm(), b.xMm(), b.yMm(), WHITE));
         }
+    }
+
+    /** Its points follow the name's quotes, two or more, in a frame turned by the cairn's heading. */
+    private Tape tape(String[] words) throws IOException {
+        Pose frame = new Pose(0, 0, number(words, 3, "heading"));
+        int first = words.length;
+        while (first > 0 && !words[first - 1].endsWith("\"")) {
+            first--;
+        }
+        if (first == 0 || words.length - first < 4) {
+            throw error("a tape needs two points or more: x1 y1 x2 y2 ... after its name in quotes");
+        }
+        List<Point> points = new ArrayList<>();
+        for (int i = first; i < words.length; i += 2) {
+            points.add(frame.toWorld(number(words, i, "x"), number(words, i + 1, "y")));
+        }
+        return new Tape(points);
     }
 
     private void lines() throws IOException {

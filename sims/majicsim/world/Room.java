@@ -13,7 +13,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 
-/** The fixed part of a lab: walls, start places, lamps. Read from the vendor's map text (ARCOS sheet appendix B). Immutable. */
+/** The fixed part of a lab: walls, start places, lamps, tape on the floor. Read from the vendor's map text (ARCOS sheet appendix B). Immutable. */
 public final class Room {
     private static final String STANDARD = "/worlds/lab.map";
 
@@ -21,16 +21,16 @@ public final class Room {
     private final List<Shape> wallShapes;
     private final List<Pose> homes;
     private final List<Pose> landmarks;
-    private final List<Lamp> lamps;
+    private final Furnishing furnishing;
     private final Bounds bounds;
     private final WallIndex index;
 
-    Room(List<Segment> walls, List<Pose> homes, List<Pose> landmarks, List<Lamp> lamps) {
+    Room(List<Segment> walls, List<Pose> homes, List<Pose> landmarks, Furnishing furnishing) {
         this.walls = List.copyOf(walls);
         this.wallShapes = walls.stream().map(Shape::of).toList();
         this.homes = List.copyOf(homes);
         this.landmarks = List.copyOf(landmarks);
-        this.lamps = List.copyOf(lamps);
+        this.furnishing = furnishing;
         this.bounds = Bounds.around(walls);
         this.index = new WallIndex(this.walls, bounds);
     }
@@ -102,6 +102,24 @@ public final class Room {
     }
 
     /**
+     * Its lamps.
+     *
+     * @return an unchangeable list
+     */
+    public List<Lamp> lamps() {
+        return furnishing.lamps();
+    }
+
+    /**
+     * The black tape on its floor.
+     *
+     * @return an unchangeable list
+     */
+    public List<Tape> tapes() {
+        return furnishing.tapes();
+    }
+
+    /**
      * Start places the map names, in its order.
      *
      * @return an unchangeable list, maybe empty
@@ -124,10 +142,6 @@ public final class Room {
     /** Goals and docks: places that are surely inside. */
     List<Pose> landmarks() {
         return landmarks;
-    }
-
-    List<Lamp> lamps() {
-        return lamps;
     }
 
     Shape wallShape(int number) {

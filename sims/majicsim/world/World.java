@@ -9,13 +9,15 @@ import java.util.List;
  */
 public final class World {
     private static final double BASE_LIGHT = 0.15;
-    private static final double WHITE_FLOOR = 1;
+    private static final double WHITE = 1;
+    private static final double BLACK = 0.08;
 
     private final Room room;
     private final List<Body> bodies = new ArrayList<>();
     private final Obstacles obstacles;
     private final Motion motion;
     private final Rays rays;
+    private final Lighting lighting;
 
     /**
      * An empty room.
@@ -27,6 +29,7 @@ public final class World {
         obstacles = new Obstacles(room, bodies);
         motion = new Motion(obstacles);
         rays = new Rays(room, bodies);
+        lighting = new Lighting(room, rays);
     }
 
     /**
@@ -120,11 +123,27 @@ public final class World {
      * @return 0 dark to 1 bright; 0.15 far from every lamp
      */
     public double ambientLight(double xMm, double yMm) {
-        double sum = BASE_LIGHT;
-        for (Lamp lamp : room.lamps()) {
-            sum += lamp.lightAt(xMm, yMm);
-        }
-        return Math.min(1, sum);
+        return Math.min(1, BASE_LIGHT + lighting.at(new Point(xMm, yMm)));
+    }
+
+    /**
+     * What the lamps give a light sensor that looks somewhere, level with the floor. Walls throw shadows.
+     *
+     * @param sensor where it is and looks to, in the room
+     * @return 0 where no lamp shines; 0.85 is bright, and close to a lamp it may be more
+     */
+    public double lampLight(Pose sensor) {
+        return lighting.on(sensor);
+    }
+
+    /**
+     * What the lamps give a light sensor that no lamp shines into, such as one that looks at the floor.
+     *
+     * @param place in the room
+     * @return as {@link #lampLight}, but less
+     */
+    public double scatteredLight(Point place) {
+        return lighting.scatteredAt(place);
     }
 
     /**
@@ -132,9 +151,14 @@ public final class World {
      *
      * @param xMm place in the room
      * @param yMm place in the room
-     * @return 1 for white; the floor is white everywhere
+     * @return 1 for white, 0.08 over black tape, between them at its edge
      */
     public double floorReflectivity(double xMm, double yMm) {
-        return WHITE_FLOOR;
+        Point spot = new Point(xMm, yMm);
+        double black = 0;
+        for (Tape tape : room.tapes()) {
+            black = Math.max(black, tape.coverage(spot));
+        }
+        return WHITE + (BLACK - WHITE) * black;
     }
 }
