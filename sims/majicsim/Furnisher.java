@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
 import majicsim.aibo.AiboRobot;
+import majicsim.hemisson.HemissonOptions;
 import majicsim.hemisson.HemissonRobot;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
@@ -56,7 +57,7 @@ final class Furnisher {
             addPty(pioneer.serialPort());
             HemissonRobot hemisson = add(
                     "hemisson",
-                    HemissonRobot::new,
+                    this::hemisson,
                     HemissonRobot::body,
                     new Door(options.ports().hemisson(), Clients.ONE));
             addPty(hemisson);
@@ -87,6 +88,12 @@ final class Furnisher {
 
     private PioneerRobot pioneer(World in, Pose home, Noise own) {
         return new PioneerRobot(in, home, own, options.pioneerModel());
+    }
+
+    private HemissonRobot hemisson(World in, Pose home, Noise own) {
+        HemissonOptions wished = options.hemisson();
+        boolean isPaced = options.jitter() && !options.exact();
+        return new HemissonRobot(in, home, own, isPaced ? wished.paced() : wished);
     }
 
     /** A serial port for the robot that was added last; its faults are those of the robot's network port too. */

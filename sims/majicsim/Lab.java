@@ -11,6 +11,8 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import majicsim.aibo.AiboRobot;
 import majicsim.aibo.Keeper;
+import majicsim.hemisson.Attendant;
+import majicsim.hemisson.HemissonRobot;
 import majicsim.net.Faults;
 import majicsim.net.LineCount;
 import majicsim.net.Port;
@@ -191,6 +193,16 @@ public final class Lab implements AutoCloseable {
      */
     public void besideAibo(Consumer<Keeper> deed) {
         beside(AiboRobot.class, aibo -> deed.accept(aibo.keeper()));
+    }
+
+    /**
+     * Does something at the Hemisson itself: presses keys of a TV remote, moves its switches, lifts it, switches it off and on. The
+     * lab stands still meanwhile.
+     *
+     * @param deed what to do; must not wait for anything
+     */
+    public void besideHemisson(Consumer<Attendant> deed) {
+        beside(HemissonRobot.class, hemisson -> deed.accept(hemisson.attendant()));
     }
 
     /**

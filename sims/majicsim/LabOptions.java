@@ -1,5 +1,6 @@
 package majicsim;
 
+import majicsim.hemisson.HemissonOptions;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Room;
 
@@ -10,10 +11,18 @@ import majicsim.world.Room;
  * @param exact whether all noise is off, jitter and the slowness of serial lines too
  * @param seed of the noise
  * @param ports where the robots listen
- * @param jitter whether exchanges take 5 to 50 ms; without effect in an exact lab
+ * @param jitter whether exchanges take 5 to 50 ms, and the Hemisson's line has its true speed; without effect in an exact lab
  * @param pioneerModel which Pioneer stands in it, a name as {@link PioneerRobot#modelNamed} gives it back
+ * @param hemisson which Hemisson stands in it
  */
-public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, boolean jitter, String pioneerModel) {
+public record LabOptions(
+        Room room,
+        boolean exact,
+        long seed,
+        LabPorts ports,
+        boolean jitter,
+        String pioneerModel,
+        HemissonOptions hemisson) {
     /**
      * Checks the model.
      *
@@ -29,7 +38,7 @@ public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, bo
      * @return the options
      */
     public static LabOptions standard() {
-        return new LabOptions(Room.standard(), false, 1, LabPorts.USUAL, true, PioneerRobot.STANDARD_MODEL);
+        return standard(false, LabPorts.USUAL);
     }
 
     /**
@@ -38,7 +47,7 @@ public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, bo
      * @return the options
      */
     public static LabOptions exactOnFreePorts() {
-        return new LabOptions(Room.standard(), true, 1, LabPorts.FREE, false, PioneerRobot.STANDARD_MODEL);
+        return standard(true, LabPorts.FREE);
     }
 
     /**
@@ -48,7 +57,7 @@ public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, bo
      * @return noisy options
      */
     public LabOptions withNoise(long newSeed) {
-        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel);
+        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel, hemisson);
     }
 
     /**
@@ -58,7 +67,7 @@ public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, bo
      * @return the options
      */
     public LabOptions withRoom(Room newRoom) {
-        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel);
+        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel, hemisson);
     }
 
     /**
@@ -68,7 +77,7 @@ public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, bo
      * @return the options
      */
     public LabOptions withPorts(LabPorts newPorts) {
-        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel);
+        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel, hemisson);
     }
 
     /**
@@ -79,6 +88,21 @@ public record LabOptions(Room room, boolean exact, long seed, LabPorts ports, bo
      * @throws IllegalArgumentException if there is no such Pioneer; the message lists those there are
      */
     public LabOptions withPioneer(String newModel) {
-        return new LabOptions(room, exact, seed, ports, jitter, newModel);
+        return new LabOptions(room, exact, seed, ports, jitter, newModel, hemisson);
+    }
+
+    /**
+     * The same lab with another Hemisson.
+     *
+     * @param newHemisson its firmware, switches and modules, and how forgiving it is
+     * @return the options
+     */
+    public LabOptions withHemisson(HemissonOptions newHemisson) {
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, newHemisson);
+    }
+
+    private static LabOptions standard(boolean exact, LabPorts ports) {
+        return new LabOptions(
+                Room.standard(), exact, 1, ports, !exact, PioneerRobot.STANDARD_MODEL, HemissonOptions.standard());
     }
 }

@@ -4,39 +4,62 @@ import java.util.Arrays;
 
 /**
  * The firmware's 80-byte command buffer (sheet 4.2). It is not cleared between commands, so a missing argument is whatever an earlier
- * command left there, and its pointer sticks for good when it reaches the end.
+ * command left there, and in K-Team's firmware its pointer sticks for good when it reaches the end. The sensor tables lie in the same
+ * memory, from the 51st character on: a longer command shows in them, and they may spoil it.
  */
 final class CommandBuffer {
     static final int SIZE = 80;
     static final char END = '\r';
 
-    private final char[] memory = new char[SIZE];
-    private int fill;
+    /** Where the sensor tables begin. */
+    static final int TABLES = 50;
 
-    /** Takes one character; true when it ends a command that fits. */
+    private final char[] memory = new char[SIZE];
+    private final boolean sticks;
+    private int fill;
+    private int length;
+    private boolean overflowed;
+
+    /** A buffer that sticks when it is full, or else only spoils that one command. */
+    CommandBuffer(boolean sticks) {
+        this.sticks = sticks;
+    }
+
+    /** Takes one character; true when it ends a command. */
     boolean put(char c) {
-        if (isStuck()) {
-            return false;
+        if (fill < SIZE) {
+            memory[fill++] = c;
         }
-        memory[fill++] = c;
         if (c != END || isStuck()) {
             return false;
         }
+        overflowed = fill == SIZE;
+        length = fill - 1;
         fill = 0;
         return true;
     }
 
     boolean isStuck() {
-        return fill == SIZE;
+        return sticks && fill == SIZE;
     }
 
-    /** Where the next character goes. */
-    int position() {
-        return fill;
+    /** Whether the command that has ended was too long to fit; never in a buffer that sticks. */
+    boolean hasOverflowed() {
+        return overflowed;
+    }
+
+    /** The command that has ended, without its end. */
+    String text() {
+        return new String(memory, 0, length);
     }
 
     char at(int position) {
         return memory[position];
+    }
+
+    /** The memory is written by somebody else. */
+    void poke(int position, int value) {
+        memory[position] = (char) (value & 0xFF);
     }
 
     /** The character minus 48, whatever it is, as a signed byte. */

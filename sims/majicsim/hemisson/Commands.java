@@ -7,11 +7,12 @@ import java.util.function.IntUnaryOperator;
  * The commands of HemiOS 1.50 and their replies (sheet 4.3). Nothing is parsed: each command looks at fixed positions of the buffer, so
  * odd commands get the odd replies of the real firmware.
  */
-final class Commands {
+final class Commands implements Interpreter {
     static final String EOL = "\r\n";
-    static final String UNKNOWN = "Unknown Command ?!" + EOL;
-
-    private static final String NO_REPLY = "";
+    static final String GREETING_END =
+            " , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30" + EOL + "E-Mail : info@hemisson.com" + EOL + EOL;
+    private static final String GREETING = "HemiOS V1.50" + GREETING_END;
+    private static final String UNKNOWN = "Unknown Command ?!";
 
     private final CommandBuffer buffer;
     private final Motors motors;
@@ -31,14 +32,19 @@ final class Commands {
         this.power = power;
     }
 
-    /** Carries out the command in the buffer; returns the reply with its line end, or nothing where the firmware says nothing. */
-    String carryOut() {
+    @Override
+    public String greeting() {
+        return GREETING;
+    }
+
+    @Override
+    public Reply carryOut() {
         return switch (buffer.at(0)) {
-            case 'B' -> "b,HemiOS_v_1.50" + EOL;
+            case 'B' -> Reply.line("b,HemiOS_v_1.50");
             case 'D' -> drive();
             case 'E' -> speeds();
             case 'H' -> buzzer();
-            case 'I' -> "i," + String.join(",", board.switches().split("")) + EOL;
+            case 'I' -> Reply.line("i," + String.join(",", board.switches().split("")));
             case 'J' -> modules.scan();
             case 'L' -> leds();
             case 'M' -> zone('m', infraRed::ambient);
@@ -46,7 +52,7 @@ final class Commands {
             case 'O' -> all('o', infraRed::ambient);
             case 'P' -> zone('p', infraRed::proximity);
             case 'R' -> modules.read();
-            case 'T' -> "t," + threeDigits(board.tvCode) + EOL;
+            case 'T' -> Reply.line("t," + threeDigits(board.tvCode));
             case 'W' -> modules.write();
             case 'Y' -> modules.writeMany();
             case 'Z' -> reset();
@@ -56,8 +62,8 @@ final class Commands {
             case '&' -> fast.read();
             case '*' -> fast.write();
             case 'S', 'X' -> giveLineAway();
-            case 'Q', 'U' -> NO_REPLY;
-            default -> UNKNOWN;
+            case 'Q', 'U' -> Reply.NONE;
+            default -> Reply.line(UNKNOWN);
         };
     }
 
@@ -65,79 +71,79 @@ final class Commands {
         return String.format(Locale.ROOT, "%03d", value);
     }
 
-    private String drive() {
+    private Reply drive() {
         boolean leftBack = buffer.at(2) == '-';
         int left = leftBack ? -buffer.digit(3) : buffer.digit(2);
         int second = leftBack ? 5 : 4;
         boolean rightBack = buffer.at(second) == '-';
         int right = rightBack ? -buffer.digit(second + 1) : buffer.digit(second);
         power.drive(left, right);
-        return "d" + EOL;
+        return Reply.line("d");
     }
 
-    private String speeds() {
-        return String.format(Locale.ROOT, "e,%02d,%02d", motors.left(), motors.right()) + EOL;
+    private Reply speeds() {
+        return Reply.line(String.format(Locale.ROOT, "e,%02d,%02d", motors.left(), motors.right()));
     }
 
-    private String buzzer() {
+    private Reply buzzer() {
         board.buzzer = buffer.isOn(2);
-        return "h" + EOL;
+        return Reply.line("h");
     }
 
-    private String leds() {
+    private Reply leds() {
         for (int i = 0; i < Board.LEDS; i++) {
             board.leds[i] = buffer.isOn(2 + 2 * i);
         }
-        return "l" + EOL;
+        return Reply.line("l");
     }
 
-    private static String all(char letter, IntUnaryOperator table) {
+    private static Reply all(char letter, IntUnaryOperator table) {
         return values(letter, table, 0, Eyes.COUNT);
     }
 
     /** Front: three from 0; rear: three from 3; ground: two from 6. An unknown zone gets no reply at all. */
-    private String zone(char letter, IntUnaryOperator table) {
+    private Reply zone(char letter, IntUnaryOperator table) {
         return switch (buffer.at(2)) {
             case '0' -> values(letter, table, 0, 3);
             case '1' -> values(letter, table, 3, 6);
             case '2' -> values(letter, table, 6, Eyes.COUNT);
-            default -> NO_REPLY;
+            default -> Reply.NONE;
         };
     }
 
-    private static String values(char letter, IntUnaryOperator table, int from, int end) {
+    private static Reply values(char letter, IntUnaryOperator table, int from, int end) {
         StringBuilder reply = new StringBuilder().append(letter);
         for (int i = from; i < end; i++) {
             reply.append(',').append(threeDigits(table.applyAsInt(i)));
         }
-        return reply.append(EOL).toString();
+        return Reply.line(reply.toString());
     }
 
-    private String pinLevel() {
+    private Reply pinLevel() {
         int pin = buffer.digit(2);
-        return "1," + (isPin(pin) ? (board.pins[pin] ? "1" : "0") + EOL : UNKNOWN);
+        return Reply.line("1," + (isPin(pin) ? board.pins[pin] ? "1" : "0" : UNKNOWN));
     }
 
-    private String setPin() {
+    private Reply setPin() {
         int pin = buffer.digit(2);
         if (!isPin(pin)) {
-            return "2" + EOL + UNKNOWN;
+            return Reply.line("2" + EOL + UNKNOWN);
         }
         board.pins[pin] = buffer.isOn(4);
-        return "2" + EOL;
+        return Reply.line("2");
     }
 
     private static boolean isPin(int pin) {
         return pin >= 0 && pin < Board.PINS;
     }
 
-    private String reset() {
+    private Reply reset() {
         power.reset();
-        return "z" + EOL;
+        return Reply.line("z");
     }
 
-    private String giveLineAway() {
+    private Reply giveLineAway() {
         power.deafen();
-        return NO_REPLY;
+        return Reply.NONE;
     }
 }

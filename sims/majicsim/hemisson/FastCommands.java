@@ -19,12 +19,12 @@ final class FastCommands {
         this.power = power;
     }
 
-    String fresh() {
-        return "!" + (infraRed.takeFresh() ? '\1' : '\0') + Commands.EOL;
+    Reply fresh() {
+        return Reply.line("!" + (infraRed.takeFresh() ? '\1' : '\0'));
     }
 
     /** Speeds, proximity, light, switches, TV code, version and revision: 22 bytes between the letter and the line end. */
-    String read() {
+    Reply read() {
         StringBuilder reply = new StringBuilder("&");
         reply.append(byteOf(motors.left())).append(byteOf(motors.right()));
         for (int i = 0; i < Eyes.COUNT; i++) {
@@ -34,15 +34,15 @@ final class FastCommands {
             reply.append(byteOf(infraRed.ambient(i)));
         }
         reply.append(switchBits()).append(byteOf(board.tvCode));
-        return reply.append(VERSION).append(REVISION).append(Commands.EOL).toString();
+        return Reply.line(reply.append(VERSION).append(REVISION).toString());
     }
 
-    String write() {
+    Reply write() {
         power.drive((byte) buffer.at(1), (byte) buffer.at(2));
         for (int i = 0; i < Board.LEDS; i++) {
             board.leds[i] = (buffer.at(3) >> i & 1) == 1;
         }
-        return "*" + Commands.EOL;
+        return Reply.line("*");
     }
 
     private char switchBits() {

@@ -1,7 +1,6 @@
 package majicsim.hemisson;
 
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Set;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
@@ -13,33 +12,33 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A Hemisson with HemiOS 1.50 behind its serial line. It greets after power-up and reset only, to whoever listens then, and it has no
- * watchdog: without a client it drives on. Several lines are one wire: a reply goes to the line whose character completed the
- * command. Every method with the lab's lock held.
+ * watchdog: without a client it drives on. It was switched on long ago, so a new one does not greet. Several lines are one wire: a
+ * reply goes to the line whose character completed the command. Every method with the lab's lock held.
  */
 public final class HemissonRobot implements Firmware {
     /** The radius of the disc that stands for its body, mm. */
     public static final double RADIUS_MM = 60;
 
-    private static final double BOOT_SECONDS = 0.008;
-    private static final int TABLES_BEGIN = 51;
-    private static final String GREETING = "HemiOS V1.50 , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30\r\n"
-            + "E-Mail : info@hemisson.com\r\n\r\n";
-    private static final String INTERNAL_MODE = "D\u00e9marrage en mode Interne\r\n";
+    /** From reset to the first character of the greeting (sheet 3). */
+    private static final double BOOT_SECONDS = 0.005;
+
+    private static final String INTERNAL_MODE = "D\u00e9marrage en mode Interne" + Commands.EOL;
 
     private final Body body;
-    private final CommandBuffer buffer = new CommandBuffer();
+    private final CommandBuffer buffer;
     private final Motors motors;
     private final InfraRed infraRed;
     private final Board board;
     private final I2cBus bus;
     private final Uart uart;
-    private final Commands commands;
+    private final Interpreter interpreter;
+    private final Modes modes;
+    private final Attendant attendant;
     private final Set<Line> lines = new LinkedHashSet<>();
-    private RunMode mode;
-    private double bootSeconds;
+    private boolean restarting;
 
     /**
-     * A forgiving robot without modules, just switched on.
+     * A forgiving robot without modules.
      *
      * @param world where it drives; the robot adds its body
      * @param start where it stands first
@@ -51,12 +50,12 @@ public final class HemissonRobot implements Firmware {
     }
 
     /**
-     * A robot with options, just switched on.
+     * A robot with options.
      *
      * @param world where it drives; the robot adds its body
      * @param start where it stands first
      * @param noise of its motors and sensors
-     * @param options switches, modules and how forgiving it is
+     * @param options its firmware, switches and modules, and how forgiving it is
      * @throws IllegalArgumentException if it does not fit there
      */
     public HemissonRobot(World world, Pose start, Noise noise, HemissonOptions options) {
@@ -66,14 +65,18 @@ public final class HemissonRobot implements Firmware {
     HemissonRobot(World world, Body body, Noise noise, HemissonOptions options, @Nullable Eyes eyes) {
         world.add(body);
         this.body = body;
-        motors = new Motors(body, noise.fork("motors"));
-        infraRed = new InfraRed(eyes == null ? new WorldEyes(world, body, noise.fork("infra-red")) : eyes);
+        buffer = new CommandBuffer(options.dialect() == Dialect.KTEAM);
+        motors = new Motors(body, noise.fork("motors"), options.mismatchPercent());
+        WorldEyes worldEyes = new WorldEyes(world, body, noise.fork("infra-red"), options.ambient());
+        infraRed = new InfraRed(eyes == null ? worldEyes : eyes, buffer);
         board = new Board(options.switches());
-        bus = new I2cBus(
-                options.modules() ? List.of(new LinearCamera(world, body), new Ultrasonic(world, body)) : List.of());
+        Modules modules = new Modules(world, body);
+        bus = new I2cBus(modules.fitted(options.modules()));
         uart = new Uart(options);
-        commands = new Commands(buffer, motors, infraRed, board, bus, new Controls());
-        mode = RunMode.of(options.switches());
+        interpreter = interpreter(options.dialect(), new Controls());
+        modes = new Modes(motors, board, infraRed);
+        attendant = new Attendant(this, board, motors, worldEyes, modules);
+        startMode();
     }
 
     /**
@@ -86,57 +89,12 @@ public final class HemissonRobot implements Firmware {
     }
 
     /**
-     * Its LEDs: On/Off, Pgm/Exec, front left, front right.
+     * Who can do things to the robot itself.
      *
-     * @return four states
+     * @return the person beside it
      */
-    public List<Boolean> leds() {
-        return List.of(board.leds[0], board.leds[1], board.leds[2], board.leds[3]);
-    }
-
-    /**
-     * Whether its buzzer sounds.
-     *
-     * @return true while it does
-     */
-    public boolean isBuzzing() {
-        return board.buzzer;
-    }
-
-    /**
-     * Whether it has stopped listening for good, until {@link #powerCycle()}.
-     *
-     * @return true when it hears nothing any more
-     */
-    public boolean isDeaf() {
-        return uart.isDeaf() || buffer.isStuck();
-    }
-
-    /** Switches it off and on: motors 0, everything forgotten, hearing again; greets shortly after. */
-    public void powerCycle() {
-        uart.powerCycle();
-        restart();
-    }
-
-    /**
-     * Moves its four top switches; the firmware reads them within 41 ms, its running mode only at the next start.
-     *
-     * @param switches four characters 0 or 1, in the order of command I
-     */
-    public void moveSwitches(String switches) {
-        board.moveSwitches(switches);
-    }
-
-    /**
-     * Somebody points a TV remote at it. In remote control mode keys 1 to 9 drive (sheet 8).
-     *
-     * @param key code of the key, 0 to 63
-     */
-    public void pressTvKey(int key) {
-        board.tvCode = key;
-        if (mode == RunMode.REMOTE) {
-            TvRemote.drive(key, motors);
-        }
+    public Attendant attendant() {
+        return attendant;
     }
 
     @Override
@@ -152,28 +110,54 @@ public final class HemissonRobot implements Firmware {
     @Override
     public void received(Line line, byte[] bytes) {
         uart.arrive(line, bytes);
-        listen();
+        listen(false);
     }
 
     @Override
     public void step(double seconds) {
-        boot(seconds);
         uart.step(seconds);
+        board.step(seconds);
         bus.step(seconds);
+        listen(true);
+        modes.behaviour().step(seconds);
         if (infraRed.step(seconds)) {
             board.readSwitches();
+            modes.behaviour().look();
         }
-        listen();
     }
 
-    private void listen() {
-        while (uart.hasNext()) {
-            Uart.Arrival arrival = uart.next();
-            infraRed.overwrite(buffer.position() - TABLES_BEGIN, arrival.character());
-            if (buffer.put(arrival.character())) {
-                String reply = commands.carryOut();
-                if (!reply.isEmpty()) {
-                    uart.reply(arrival.from(), reply);
+    boolean isDeaf() {
+        return uart.isDeaf() || buffer.isStuck();
+    }
+
+    void powerCycle() {
+        uart.powerCycle();
+        bus.powerCycle();
+        restart();
+    }
+
+    void pressTvKey(int key) {
+        board.tvCode = key;
+        if (modes.mode() == RunMode.REMOTE) {
+            TvRemote.drive(key, motors);
+        }
+    }
+
+    private Interpreter interpreter(Dialect dialect, Power power) {
+        Commands stock = new Commands(buffer, motors, infraRed, board, bus, power);
+        return switch (dialect) {
+            case KTEAM -> stock;
+            case ROADNARROWS -> new RoadNarrows(buffer, stock, motors, bus, power);
+        };
+    }
+
+    private void listen(boolean inStep) {
+        for (Uart.Arrival a = uart.next(inStep); a != null; a = uart.next(inStep)) {
+            if (buffer.put(a.character())) {
+                uart.reply(a.from(), interpreter.carryOut());
+                if (restarting) {
+                    restarting = false;
+                    restart();
                 }
             }
         }
@@ -183,34 +167,29 @@ public final class HemissonRobot implements Firmware {
         motors.set(0, 0);
         buffer.clear();
         board.reset();
-        mode = RunMode.of(board.switches());
-        bootSeconds = BOOT_SECONDS;
+        infraRed.refresh();
+        startMode();
+        uart.busyFor(BOOT_SECONDS);
+        String greeting = interpreter.greeting() + (modes.mode().isInternal() ? INTERNAL_MODE : "");
+        uart.say(lines, greeting);
     }
 
-    /** The greeting comes some milliseconds after power-up or reset. */
-    private void boot(double seconds) {
-        if (bootSeconds <= 0) {
-            return;
-        }
-        bootSeconds -= seconds;
-        if (bootSeconds < seconds / 2) {
-            bootSeconds = 0;
-            String greeting = mode == RunMode.REMOTE ? GREETING : GREETING + INTERNAL_MODE;
-            lines.forEach(line -> uart.reply(line, greeting));
-        }
+    private void startMode() {
+        modes.start(board.switches());
+        uart.lookRarely(modes.mode() == RunMode.OTHER);
     }
 
     private final class Controls implements Power {
         @Override
         public void drive(int left, int right) {
-            if (mode == RunMode.REMOTE) {
+            if (!modes.mode().holdsMotors()) {
                 motors.set(left, right);
             }
         }
 
         @Override
         public void reset() {
-            restart();
+            restarting = true;
         }
 
         @Override

@@ -3,33 +3,53 @@ package majicsim.hemisson;
 import java.util.List;
 import java.util.Optional;
 
-/** The modules by address. Failures are not reported: an absent module reads 255, and writing to it does nothing (sheet 4.5). */
+/**
+ * The modules by address. Failures are not reported: an absent module, or one that has not woken up yet, reads 255, and writing to it
+ * does nothing (sheet 4.5).
+ */
 final class I2cBus {
     private static final int NOBODY = 0xFF;
 
-    private final List<I2cModule> modules;
+    private final List<? extends I2cModule> modules;
+    private double sincePowerUpSeconds = Double.POSITIVE_INFINITY;
 
-    I2cBus(List<I2cModule> modules) {
+    I2cBus(List<? extends I2cModule> modules) {
         this.modules = List.copyOf(modules);
     }
 
-    List<Integer> addresses() {
-        return modules.stream().map(I2cModule::address).sorted().toList();
+    /** Those that answer, by address. */
+    List<ModuleKind> awake() {
+        return modules.stream()
+                .map(I2cModule::kind)
+                .filter(this::isAwake)
+                .sorted((a, b) -> a.address() - b.address())
+                .toList();
     }
 
     int read(int address, int register, int index) {
         return find(address).map(module -> module.read(register, index)).orElse(NOBODY);
     }
 
-    void write(int address, int register, int value) {
-        find(address).ifPresent(module -> module.write(register & 0xFF, value));
+    void write(int address, int register, int... bytes) {
+        find(address).ifPresent(module -> module.write(register & 0xFF, bytes));
     }
 
     void step(double seconds) {
+        sincePowerUpSeconds += seconds;
         modules.forEach(module -> module.step(seconds));
     }
 
-    private Optional<I2cModule> find(int address) {
-        return modules.stream().filter(module -> module.address() == address).findFirst();
+    void powerCycle() {
+        sincePowerUpSeconds = 0;
+    }
+
+    private boolean isAwake(ModuleKind kind) {
+        return sincePowerUpSeconds >= kind.wakeSeconds();
+    }
+
+    private Optional<? extends I2cModule> find(int address) {
+        return modules.stream()
+                .filter(module -> module.kind().address() == address && isAwake(module.kind()))
+                .findFirst();
     }
 }

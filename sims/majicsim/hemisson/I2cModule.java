@@ -2,13 +2,13 @@ package majicsim.hemisson;
 
 /** An extension module on the I²C bus (sheet 9). */
 interface I2cModule {
-    /** Its write address, even, 02 to FC. */
-    int address();
+    ModuleKind kind();
 
     /** One byte of a read that began at a register. */
     int read(int register, int index);
 
-    void write(int register, int value);
+    /** Bytes of one write that began at a register; at least one. */
+    void write(int register, int[] bytes);
 
     default void step(double seconds) {}
 }

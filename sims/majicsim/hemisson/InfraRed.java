@@ -1,7 +1,7 @@
 package majicsim.hemisson;
 
 /**
- * The firmware's two sensor tables, refreshed every 41 ms (sheet 4.6 and 6). Proximity is ambient minus lit, modulo 256, never above the
+ * The firmware's two sensor tables, which lie in the command buffer's memory and are refreshed every 41 ms (sheet 4.2, 4.6, 6). Proximity is ambient minus lit, modulo 256, never above the
  * ambient value; ground left subtracts from the ambient value of ground right, a slip of the real firmware.
  */
 final class InfraRed {
@@ -11,14 +11,15 @@ final class InfraRed {
     private static final double HAIR = 1e-9;
 
     private final Eyes eyes;
+    private final CommandBuffer memory;
     private final int[] ambient = new int[Eyes.COUNT];
-    private final int[] proximity = new int[Eyes.COUNT];
     private final int[] response = new int[Eyes.COUNT];
     private double sinceSeconds;
     private boolean fresh;
 
-    InfraRed(Eyes eyes) {
+    InfraRed(Eyes eyes, CommandBuffer memory) {
         this.eyes = eyes;
+        this.memory = memory;
         refresh();
     }
 
@@ -34,11 +35,11 @@ final class InfraRed {
     }
 
     int proximity(int sensor) {
-        return proximity[sensor];
+        return memory.at(CommandBuffer.TABLES + sensor);
     }
 
     int ambient(int sensor) {
-        return ambient[sensor];
+        return memory.at(CommandBuffer.TABLES + Eyes.COUNT + sensor);
     }
 
     /** Whether the tables were refreshed since this was last asked. */
@@ -48,21 +49,14 @@ final class InfraRed {
         return was;
     }
 
-    /** A long command's characters land in the tables, which lie behind the buffer's head in the same memory (sheet 4.2). */
-    void overwrite(int cell, int value) {
-        if (cell >= 0 && cell < Eyes.COUNT) {
-            proximity[cell] = value;
-        } else if (cell >= Eyes.COUNT && cell < 2 * Eyes.COUNT) {
-            ambient[cell - Eyes.COUNT] = value;
-        }
-    }
-
-    private void refresh() {
+    /** A new round: everything is looked at. */
+    void refresh() {
         eyes.look(ambient, response);
         for (int i = 0; i < Eyes.COUNT; i++) {
             int lit = Math.max(0, ambient[i] - response[i]);
             int minuend = i == GROUND_LEFT ? ambient[GROUND_RIGHT] : ambient[i];
-            proximity[i] = (minuend - lit) & 0xFF;
+            memory.poke(CommandBuffer.TABLES + i, minuend - lit);
+            memory.poke(CommandBuffer.TABLES + Eyes.COUNT + i, ambient[i]);
         }
         fresh = true;
     }

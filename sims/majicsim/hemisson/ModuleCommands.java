@@ -4,6 +4,10 @@ import java.util.Locale;
 
 /** The commands that reach the I²C bus: J, R, W, Y. */
 final class ModuleCommands {
+    /** From the sheet's 18 ms for a whole scan (4.6). */
+    static final double SCAN_SECONDS = 0.0177;
+
+    private static final double TALK_SECONDS = 400e-6;
     private static final int ADDRESS = 2;
     private static final int REGISTER = 5;
     private static final int VALUE = 8;
@@ -18,36 +22,37 @@ final class ModuleCommands {
     }
 
     /** Addresses come in lower-case hex here. */
-    String scan() {
+    Reply scan() {
         StringBuilder reply = new StringBuilder("j");
-        bus.addresses().forEach(address -> reply.append(String.format(Locale.ROOT, ",%02x", address)));
-        return reply.append(Commands.EOL).toString();
+        bus.awake().forEach(module -> reply.append(String.format(Locale.ROOT, ",%02x", module.address())));
+        return Reply.line(reply.toString()).scanning(SCAN_SECONDS);
     }
 
-    String read() {
+    Reply read() {
         int address = buffer.hex(ADDRESS);
         int register = buffer.hex(REGISTER);
         StringBuilder reply = new StringBuilder("r");
         for (int i = 0; i < buffer.hex(VALUE); i++) {
             reply.append(',').append(Commands.threeDigits(bus.read(address, register, i)));
         }
-        return reply.append(Commands.EOL).toString();
+        return Reply.line(reply.toString()).thinking(TALK_SECONDS);
     }
 
-    String write() {
+    Reply write() {
         bus.write(buffer.hex(ADDRESS), buffer.hex(REGISTER), buffer.hex(VALUE));
-        return "w" + Commands.EOL;
+        return Reply.line("w").thinking(TALK_SECONDS);
     }
 
     /** Sends the count too, as the first byte. */
-    String writeMany() {
-        int address = buffer.hex(ADDRESS);
-        int register = buffer.hex(REGISTER);
+    Reply writeMany() {
+        int fits = (CommandBuffer.SIZE - MORE) / 3;
         int count = buffer.hex(VALUE);
-        bus.write(address, register, count);
-        for (int i = 0; i < count && MORE + 3 * i + 1 < CommandBuffer.SIZE; i++) {
-            bus.write(address, register + 1 + i, buffer.hex(MORE + 3 * i));
+        int[] bytes = new int[1 + Math.min(count, fits)];
+        bytes[0] = count;
+        for (int i = 1; i < bytes.length; i++) {
+            bytes[i] = buffer.hex(MORE + 3 * (i - 1));
         }
-        return "y" + Commands.EOL;
+        bus.write(buffer.hex(ADDRESS), buffer.hex(REGISTER), bytes);
+        return Reply.line("y").thinking(TALK_SECONDS);
     }
 }

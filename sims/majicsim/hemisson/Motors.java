@@ -23,17 +23,33 @@ final class Motors {
     private final double rightFactor;
     private int left;
     private int right;
+    private boolean lifted;
 
-    Motors(Body body, Noise noise) {
+    Motors(Body body, Noise noise, double mismatchPercent) {
         this.body = body;
-        leftFactor = noise.uniform(1 - MISMATCH, 1 + MISMATCH);
-        rightFactor = noise.uniform(1 - MISMATCH, 1 + MISMATCH);
+        double half = mismatchPercent / 200;
+        leftFactor = noise.uniform(1 - MISMATCH, 1 + MISMATCH) * (1 - half);
+        rightFactor = noise.uniform(1 - MISMATCH, 1 + MISMATCH) * (1 + half);
     }
 
     /** Signed bytes; the driver's limit of 9 is not the robot's. */
     void set(int leftValue, int rightValue) {
         left = (byte) leftValue;
         right = (byte) rightValue;
+        roll();
+    }
+
+    /** Somebody holds the robot in the air, where its wheels turn and it does not move. */
+    void lift(boolean up) {
+        lifted = up;
+        roll();
+    }
+
+    private void roll() {
+        if (lifted) {
+            body.velocity(0, 0);
+            return;
+        }
         double leftMmPerSec = wheelMmPerSec(left) * leftFactor;
         double rightMmPerSec = wheelMmPerSec(right) * rightFactor;
         body.velocity(

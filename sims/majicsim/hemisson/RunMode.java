@@ -4,10 +4,35 @@ package majicsim.hemisson;
 enum RunMode {
     /** The serial line and the TV remote drive. */
     REMOTE,
-    /** Any other setting, with an empty EEPROM: speeds stay 0, whatever is commanded. */
-    HELD;
+    /** It drives about and keeps off obstacles. */
+    AVOIDING,
+    /** It follows black tape. */
+    LINE,
+    /** It swings to and fro. */
+    DANCE,
+    /** A BotStudio program from an EEPROM that is empty: speeds stay 0, whatever is commanded. */
+    BOTSTUDIO,
+    /** Any other setting: speeds stay 0, and it looks at its receiver so rarely that a longer command deafens it. */
+    OTHER;
 
     static RunMode of(String switches) {
-        return switches.equals(HemissonOptions.REMOTE_CONTROL) ? REMOTE : HELD;
+        return switch (switches) {
+            case HemissonOptions.REMOTE_CONTROL -> REMOTE;
+            case "1110" -> AVOIDING;
+            case "1101" -> LINE;
+            case "1011" -> DANCE;
+            case "0111" -> BOTSTUDIO;
+            default -> OTHER;
+        };
+    }
+
+    /** Whether speeds stay 0. */
+    boolean holdsMotors() {
+        return this == BOTSTUDIO || this == OTHER;
+    }
+
+    /** Whether the greeting has a fourth line. */
+    boolean isInternal() {
+        return this != REMOTE && this != BOTSTUDIO;
     }
 }

@@ -1,26 +1,35 @@
 package majicsim.hemisson;
 
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
 import majicsim.world.Body;
 import majicsim.world.Hit;
 import majicsim.world.World;
 
-/** The ultrasonic sensor HemUltraSonicSensor, an SRF08: a command in register 00 pings, 65 ms later the echoes stand at 02. */
+/** The ultrasonic sensor HemUltraSonicSensor, an SRF08: a command in register 00 pings, 65 ms later up to 17 echoes stand at 02. */
 final class Ultrasonic implements I2cModule {
-    private static final int COMMAND = 0x00;
-    private static final int FIRST_ECHO = 0x02;
-    private static final int INCHES = 0x50;
-    private static final int CENTIMETRES = 0x51;
-    private static final int MICROSECONDS = 0x52;
-    private static final double PING_SECONDS = 0.065;
-    private static final double FARTHEST_MM = 6000;
-    private static final double NEAREST_MM = 30;
+    static final int COMMAND = 0x00;
+    static final int LIGHT = 0x01;
+    static final int FIRST_ECHO = 0x02;
+    static final int RANGE = 0x02;
+    static final int INCHES = 0x50;
+    static final int CENTIMETRES = 0x51;
+    static final int MICROSECONDS = 0x52;
+    static final int ECHOES = 17;
+    static final double PING_SECONDS = 0.065;
+    static final int RANGE_STEP_MM = 43;
+
+    private static final int FARTHEST_MM = 6000;
+    private static final int NEAREST_MM = 30;
     private static final double[] BEAM_DEG = {-24, -12, 0, 12, 24};
     private static final int VERSION = 6;
 
     private final World world;
     private final Body body;
-    private final int[] registers = new int[256];
+    private final Registers registers = new Registers();
     private int command;
+    private int range = 0xFF;
     private double leftSeconds;
 
     Ultrasonic(World world, Body body) {
@@ -29,22 +38,26 @@ final class Ultrasonic implements I2cModule {
     }
 
     @Override
-    public int address() {
-        return 0xE0;
+    public ModuleKind kind() {
+        return ModuleKind.ULTRASONIC;
     }
 
+    /** While it listens for echoes nobody is at its address. */
     @Override
     public int read(int register, int index) {
         if (leftSeconds > 0) {
             return 0xFF;
         }
         int at = (register + index) & 0xFF;
-        return at == COMMAND ? VERSION : registers[at];
+        return at == COMMAND ? VERSION : registers.at(at);
     }
 
     @Override
-    public void write(int register, int value) {
-        if (register == COMMAND && value >= INCHES && value <= MICROSECONDS) {
+    public void write(int register, int[] bytes) {
+        int value = bytes[0];
+        if (register == RANGE) {
+            range = value;
+        } else if (register == COMMAND && value >= INCHES && value <= MICROSECONDS) {
             command = value;
             leftSeconds = PING_SECONDS;
         }
@@ -61,15 +74,24 @@ final class Ultrasonic implements I2cModule {
     }
 
     private void hear() {
-        double nearest = FARTHEST_MM;
-        for (double aside : BEAM_DEG) {
-            Hit hit = world.ray(
-                    body, body.pose().xMm(), body.pose().yMm(), body.pose().toWorldDeg(aside), FARTHEST_MM);
-            nearest = Math.min(nearest, hit.distanceMm());
+        double light = world.ambientLight(body.pose().xMm(), body.pose().yMm());
+        registers.set(LIGHT, (int) Math.round(255 * Math.min(1, light)));
+        List<Integer> echoes = Arrays.stream(BEAM_DEG)
+                .mapToObj(this::cast)
+                .filter(Hit::found)
+                .map(hit -> inUnit(Math.max(NEAREST_MM, hit.distanceMm())))
+                .collect(Collectors.toSet())
+                .stream()
+                .sorted()
+                .toList();
+        for (int i = 0; i < ECHOES; i++) {
+            registers.setWord(FIRST_ECHO + 2 * i, i < echoes.size() ? echoes.get(i) : 0);
         }
-        int value = nearest >= FARTHEST_MM ? 0 : inUnit(Math.max(NEAREST_MM, nearest));
-        registers[FIRST_ECHO] = value >> 8;
-        registers[FIRST_ECHO + 1] = value & 0xFF;
+    }
+
+    private Hit cast(double aside) {
+        int reachMm = Math.min(FARTHEST_MM, range * RANGE_STEP_MM + RANGE_STEP_MM);
+        return world.ray(body, body.pose().xMm(), body.pose().yMm(), body.pose().toWorldDeg(aside), reachMm);
     }
 
     private int inUnit(double mm) {

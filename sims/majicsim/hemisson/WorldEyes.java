@@ -4,6 +4,7 @@ import majicsim.world.Body;
 import majicsim.world.Hit;
 import majicsim.world.Noise;
 import majicsim.world.Point;
+import majicsim.world.Pose;
 import majicsim.world.World;
 
 /** Infra-red sensors that look into the world: six around, a beam of some 30° each, and two at the ground. */
@@ -29,8 +30,8 @@ final class WorldEyes implements Eyes {
     /** White floor a few millimetres below the ground sensors. */
     private static final double WHITE_FLOOR = 165;
 
-    /** The ambient reading falls from 255 (dark) to some 22 in the brightest light, and is 220 far from lamps. */
-    private static final double AMBIENT_FALL = 35 / 0.15;
+    /** How far the brightest lamp lowers the ambient reading. */
+    private static final double LAMP_FALL = 233;
 
     private static final double RESPONSE_NOISE = 0.045;
     private static final double READING_NOISE = 0.8;
@@ -38,21 +39,34 @@ final class WorldEyes implements Eyes {
     private final World world;
     private final Body body;
     private final Noise noise;
+    private int ambientReading;
 
-    WorldEyes(World world, Body body, Noise noise) {
+    WorldEyes(World world, Body body, Noise noise, int ambientReading) {
         this.world = world;
         this.body = body;
         this.noise = noise;
+        this.ambientReading = ambientReading;
     }
 
     @Override
     public void look(int[] ambient, int[] response) {
         for (int i = 0; i < COUNT; i++) {
             Point place = body.pose().toWorld(PLACES_MM[i][0], PLACES_MM[i][1]);
-            ambient[i] = byteOf(255 - AMBIENT_FALL * world.ambientLight(place.xMm(), place.yMm()) + reading());
-            double ideal = i < LOOKS_TO_DEG.length ? beam(place, LOOKS_TO_DEG[i]) : floor(place);
+            boolean looksAround = i < LOOKS_TO_DEG.length;
+            double lamps = looksAround ? lamps(place, LOOKS_TO_DEG[i]) : world.scatteredLight(place);
+            ambient[i] = byteOf(ambientReading - LAMP_FALL * lamps + reading());
+            double ideal = looksAround ? beam(place, LOOKS_TO_DEG[i]) : floor(place);
             response[i] = (int) Math.round(Math.max(stray(), ideal * noise.scale(RESPONSE_NOISE)));
         }
+    }
+
+    /** The light of the room changes. */
+    void ambient(int reading) {
+        ambientReading = reading;
+    }
+
+    private double lamps(Point place, double directionDeg) {
+        return world.lampLight(new Pose(place.xMm(), place.yMm(), body.pose().toWorldDeg(directionDeg)));
     }
 
     private double floor(Point place) {

@@ -6,6 +6,7 @@ import java.util.Iterator;
 import java.util.Map;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
+import majicsim.hemisson.HemissonOptions;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Room;
 import org.jspecify.annotations.Nullable;
@@ -16,6 +17,7 @@ import picocli.CommandLine.ScopeType;
 final class LabChoice {
     private static final double SLOWEST = 0.01;
     private static final double FASTEST = 100;
+    private static final String KTEAM = "kteam";
 
     @Option(names = "--exact", scope = ScopeType.INHERIT, description = "Switch all noise of the simulated lab off.")
     private boolean exact;
@@ -73,18 +75,31 @@ final class LabChoice {
             })
     private String pioneerModel = PioneerRobot.STANDARD_MODEL;
 
+    @Option(
+            names = "--hemisson-model",
+            scope = ScopeType.INHERIT,
+            paramLabel = "MODEL",
+            description = {
+                "Which Hemisson stands in the lab (kteam): kteam or roadnarrows, and what is different about it:",
+                "modules +camera +ultrasonic +speech +lcd +io, +switches=1110 (running mode), +overrun (a third waiting"
+                        + " character deafens it), +paced, +ambient=60 (0 sun to 255 dark), +mismatch=5 (right wheel"
+                        + " faster, percent)."
+            })
+    private String hemissonModel = KTEAM;
+
     /** Whether any lab but the usual one is chosen. */
     boolean isGiven() {
         boolean ports = aiboPort != LabPorts.AIBO || pioneerPort != LabPorts.PIONEER || hemissonPort != 0;
         boolean model = !pioneerModel.equalsIgnoreCase(PioneerRobot.STANDARD_MODEL);
-        return exact || seed != 1 || world != null || speed != 1 || ports || model;
+        boolean hemisson = !hemissonModel.equalsIgnoreCase(KTEAM);
+        return exact || seed != 1 || world != null || speed != 1 || ports || model || hemisson;
     }
 
     /** What a lab of this choice is opened with. */
     LabOptions options() throws IOException {
         Room room = world == null ? Room.standard() : Room.load(world);
         LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort));
-        return new LabOptions(room, exact, seed, ports, !exact, model());
+        return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson());
     }
 
     /** Its speed, checked. */
@@ -106,6 +121,14 @@ final class LabChoice {
             return PioneerRobot.modelNamed(pioneerModel);
         } catch (IllegalArgumentException e) {
             throw new UsageException("--pioneer-model " + pioneerModel + ": " + e.getMessage());
+        }
+    }
+
+    private HemissonOptions hemisson() {
+        try {
+            return HemissonOptions.parse(hemissonModel);
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--hemisson-model " + hemissonModel + ": " + e.getMessage());
         }
     }
 

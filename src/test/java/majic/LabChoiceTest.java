@@ -4,7 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.util.Set;
+import majicsim.hemisson.Dialect;
+import majicsim.hemisson.HemissonOptions;
+import majicsim.hemisson.ModuleKind;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine;
 
 class LabChoiceTest {
@@ -31,6 +37,36 @@ class LabChoiceTest {
         assertThatThrownBy(choice::options)
                 .isInstanceOf(UsageException.class)
                 .hasMessageStartingWith("--pioneer-model r2d2: there is no Pioneer model 'r2d2'; known are p3dx, ");
+    }
+
+    @Test
+    void theHemissonIsChosenByWords() throws IOException {
+        line.parseArgs("--hemisson-model", "RoadNarrows+camera+switches=1110+overrun");
+        assertThat(choice.options().hemisson())
+                .isEqualTo(HemissonOptions.standard()
+                        .withDialect(Dialect.ROADNARROWS)
+                        .withModules(Set.of(ModuleKind.CAMERA))
+                        .withSwitches("1110")
+                        .withOverrun());
+        assertThat(choice.isGiven()).isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "khepera | there is no 'khepera' for a Hemisson; known are kteam or roadnarrows, then +camera ",
+                "kteam+gripper | there is no 'gripper' for a Hemisson",
+                "kteam+switches=11 | switches must be four characters 0 or 1, not '11'",
+                "kteam+ambient=256 | ambient must be 0 (bright) to 255 (dark), not 256",
+                "kteam+mismatch=much | mismatch must be a number, not 'much'",
+                "kteam+mismatch=51 | mismatch must be -50 to 50 percent, not 51.0",
+            })
+    void aHemissonThatIsNoneIsRefusedWithTheReason(String model, String reason) {
+        line.parseArgs("--hemisson-model", model);
+        assertThatThrownBy(choice::options)
+                .isInstanceOf(UsageException.class)
+                .hasMessageStartingWith("--hemisson-model " + model + ": " + reason);
     }
 
     @Test

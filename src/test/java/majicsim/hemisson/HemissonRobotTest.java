@@ -21,8 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class HemissonRobotTest {
     private static final Pose START = new Pose(-2000, -2000, 0);
-    private static final HemissonOptions OVERRUN =
-            new HemissonOptions(true, false, false, HemissonOptions.REMOTE_CONTROL);
+    private static final HemissonOptions OVERRUN = HemissonOptions.standard().withOverrun();
 
     @ParameterizedTest
     @CsvSource({"1,3", "2,18", "5,86", "9,184", "-5,-86"})
@@ -142,7 +141,7 @@ class HemissonRobotTest {
     void aFreeNoisyRobotReadsFromZeroToFourAndNowAndThenLessThanNothing() {
         World world = new World(Room.standard());
         Body body = Body.disc("hemisson", HemissonRobot.RADIUS_MM, START);
-        Eyes eyes = new WorldEyes(world, body, Noise.seeded(5));
+        Eyes eyes = new WorldEyes(world, body, Noise.seeded(5), 220);
         int[] ambient = new int[Eyes.COUNT];
         int[] response = new int[Eyes.COUNT];
         Set<Integer> seen = new TreeSet<>();
@@ -155,29 +154,35 @@ class HemissonRobotTest {
 
     @Test
     void inBrightLightEverythingLooksFarBecauseProximityNeverExceedsTheAmbientValue() {
-        InfraRed infraRed = new InfraRed((ambient, response) -> {
-            ambient[0] = 20;
-            response[0] = 150;
-        });
+        InfraRed infraRed = new InfraRed(
+                (ambient, response) -> {
+                    ambient[0] = 20;
+                    response[0] = 150;
+                },
+                new CommandBuffer(true));
         assertThat(infraRed.proximity(0)).isEqualTo(20);
     }
 
     @Test
     void groundLeftSubtractsFromTheAmbientValueOfGroundRight() {
-        InfraRed infraRed = new InfraRed((ambient, response) -> {
-            ambient[6] = 220;
-            ambient[7] = 200;
-            response[7] = 60;
-        });
+        InfraRed infraRed = new InfraRed(
+                (ambient, response) -> {
+                    ambient[6] = 220;
+                    ambient[7] = 200;
+                    response[7] = 60;
+                },
+                new CommandBuffer(true));
         assertThat(infraRed.proximity(7)).isEqualTo(80);
     }
 
     @Test
     void noiseAroundZeroWrapsToLargeValues() {
-        InfraRed infraRed = new InfraRed((ambient, response) -> {
-            ambient[1] = 220;
-            response[1] = -1;
-        });
+        InfraRed infraRed = new InfraRed(
+                (ambient, response) -> {
+                    ambient[1] = 220;
+                    response[1] = -1;
+                },
+                new CommandBuffer(true));
         assertThat(infraRed.proximity(1)).isEqualTo(255);
     }
 
@@ -209,7 +214,8 @@ class HemissonRobotTest {
     @ValueSource(longs = {1, 2, 3})
     void noBytesUpsetIt(long seed) throws IOException {
         Random random = new Random(seed);
-        HemissonOptions modules = new HemissonOptions(false, false, true, HemissonOptions.REMOTE_CONTROL);
+        HemissonOptions modules =
+                HemissonOptions.standard().withModules(Set.of(ModuleKind.CAMERA, ModuleKind.ULTRASONIC));
         try (Bench bench = new Bench(modules, null, Noise.seeded(seed));
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             int sent = 0;
@@ -232,7 +238,7 @@ class HemissonRobotTest {
     void theTvRemoteDrivesPastTheSerialLine() throws IOException {
         try (Bench bench = new Bench(HemissonOptions.standard());
                 Wire wire = Wire.tcp(bench.tcp.address())) {
-            bench.robot.pressTvKey(4);
+            bench.robot.attendant().pressTvKey(4);
             wire.exchange("E", "e,-10,10");
             wire.exchange("T", "t,004");
         }
@@ -244,8 +250,8 @@ class HemissonRobotTest {
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             wire.exchange("L,0,1,0,1", "l");
             wire.exchange("H,1", "h");
-            assertThat(bench.robot.leds()).containsExactly(false, true, false, true);
-            assertThat(bench.robot.isBuzzing()).isTrue();
+            assertThat(bench.robot.attendant().leds()).containsExactly(false, true, false, true);
+            assertThat(bench.robot.attendant().isBuzzing()).isTrue();
         }
     }
 }

@@ -1,9 +1,9 @@
 package majicsim.hemisson;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -83,7 +83,8 @@ class KnownAnswersTest {
 
     @Test
     void modulesAnswerOnTheBusAndTheUltrasonicOneSeesTheBoxAt274Centimetres() throws IOException {
-        HemissonOptions withModules = new HemissonOptions(false, false, true, HemissonOptions.REMOTE_CONTROL);
+        HemissonOptions withModules =
+                HemissonOptions.standard().withModules(Set.of(ModuleKind.CAMERA, ModuleKind.ULTRASONIC));
         try (Bench bench = new Bench(withModules);
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             wire.exchange("J", "j,c0,e0");
@@ -96,50 +97,6 @@ class KnownAnswersTest {
             wire.exchange("W,E0,00,51", "w");
             bench.steps(17);
             wire.exchange("R,E0,02,02", "r,001,018");
-        }
-    }
-
-    @Test
-    void otherSwitchesHoldTheMotorsAndAddALineToTheGreeting() throws IOException {
-        try (Bench bench = new Bench(new HemissonOptions(false, false, false, "0101"));
-                Wire wire = Wire.tcp(bench.tcp.address())) {
-            wire.exchange("I", "i,0,1,0,1");
-            wire.exchange("D,5,-5", "d");
-            wire.exchange("E", "e,00,00");
-            wire.exchange("Z", "z");
-            bench.steps(2);
-            wire.expect(GREETING + "D\u00e9marrage en mode Interne\r\n");
-        }
-    }
-
-    @Test
-    void movedSwitchesChangeTheModeOnlyAfterAReset() throws IOException {
-        try (Bench bench = new Bench(new HemissonOptions(false, false, false, "0101"));
-                Wire wire = Wire.tcp(bench.tcp.address())) {
-            bench.robot.moveSwitches(HemissonOptions.REMOTE_CONTROL);
-            bench.steps(11);
-            wire.exchange("I", "i,1,1,1,1");
-            wire.exchange("D,5,5", "d");
-            wire.exchange("E", "e,00,00");
-            wire.exchange("Z", "z");
-            wire.exchange("D,5,5", "d");
-            wire.exchange("E", "e,05,05");
-        }
-    }
-
-    @Test
-    void seventyNineCharactersStillWorkAndEightyNeverAgain() throws IOException {
-        try (Bench bench = new Bench(HemissonOptions.standard());
-                Wire wire = Wire.tcp(bench.tcp.address())) {
-            wire.exchange("B" + "x".repeat(77), "b,HemiOS_v_1.50");
-            assertThat(bench.robot.isDeaf()).isFalse();
-            wire.send("B" + "x".repeat(78) + "\r" + "B\r");
-            bench.awaitConsumed(79 + 82);
-            assertThat(bench.robot.isDeaf()).isTrue();
-            bench.robot.powerCycle();
-            bench.steps(2);
-            wire.expect(GREETING);
-            wire.exchange("B", "b,HemiOS_v_1.50");
         }
     }
 

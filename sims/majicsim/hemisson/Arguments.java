@@ -1,0 +1,37 @@
+package majicsim.hemisson;
+
+import java.util.Locale;
+
+/** Reads arguments of module commands of the RoadNarrows dialect, and writes their values. */
+final class Arguments {
+    private Arguments() {}
+
+    /** As many upper-case hex digits as said. */
+    static int hex(String text, int digits) throws RefusedException {
+        return number(text, "[0-9A-F]{" + digits + "}", 16);
+    }
+
+    /** One or two decimal digits of a range. */
+    static int decimal(String text, int least, int most) throws RefusedException {
+        int value = number(text, "[0-9]{1,2}", 10);
+        if (value < least || value > most) {
+            throw new RefusedException(Refusal.RANGE);
+        }
+        return value;
+    }
+
+    static String hex2(int value) {
+        return String.format(Locale.ROOT, "%02X", value & 0xFF);
+    }
+
+    static String hex4(int value) {
+        return String.format(Locale.ROOT, "%04X", value & 0xFFFF);
+    }
+
+    private static int number(String text, String form, int radix) throws RefusedException {
+        if (!text.matches(form)) {
+            throw new RefusedException(Refusal.SYNTAX);
+        }
+        return Integer.parseInt(text, radix);
+    }
+}

@@ -1,0 +1,35 @@
+package majicsim.hemisson;
+
+/** Drives ahead and turns away from what is near in front or beside it; that side's LED is lit. */
+final class Avoiding implements Behaviour {
+    /** As in the factory firmware (sheet 6). */
+    private static final int NEAR = 20;
+
+    private static final int AHEAD = 5;
+    private static final int FRONT = 0;
+    private static final int FRONT_RIGHT = 1;
+    private static final int FRONT_LEFT = 2;
+    private static final int RIGHT = 3;
+    private static final int LEFT = 4;
+
+    private final Motors motors;
+    private final Board board;
+    private final InfraRed infraRed;
+
+    Avoiding(Motors motors, Board board, InfraRed infraRed) {
+        this.motors = motors;
+        this.board = board;
+        this.infraRed = infraRed;
+    }
+
+    @Override
+    public void look() {
+        int right = Math.max(infraRed.proximity(FRONT_RIGHT), infraRed.proximity(RIGHT));
+        int left = Math.max(infraRed.proximity(FRONT_LEFT), infraRed.proximity(LEFT));
+        boolean near = Math.max(infraRed.proximity(FRONT), Math.max(left, right)) > NEAR;
+        boolean turnRight = near && left > right;
+        motors.set(near && !turnRight ? -AHEAD : AHEAD, turnRight ? -AHEAD : AHEAD);
+        board.leds[Board.FRONT_LEFT] = turnRight;
+        board.leds[Board.FRONT_RIGHT] = near && !turnRight;
+    }
+}

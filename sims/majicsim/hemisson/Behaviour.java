@@ -1,0 +1,13 @@
+package majicsim.hemisson;
+
+/** What a running mode does by itself. It sets speeds and LEDs again and again, past whatever a client commands. */
+interface Behaviour {
+    /** The mode begins. */
+    default void begin() {}
+
+    /** Time goes by. */
+    default void step(double seconds) {}
+
+    /** The sensors were read anew. */
+    default void look() {}
+}

@@ -1,0 +1,34 @@
+package majicsim.hemisson;
+
+/** Swings to and fro, 0.9 s each way, at the speeds that the factory firmware was seen to set (sheet, appendix). */
+final class Dance implements Behaviour {
+    private static final double FIGURE_SECONDS = 0.9;
+
+    private final Motors motors;
+    private final Board board;
+    private double leftSeconds;
+    private boolean back;
+
+    Dance(Motors motors, Board board) {
+        this.motors = motors;
+        this.board = board;
+    }
+
+    @Override
+    public void begin() {
+        back = true;
+        leftSeconds = 0;
+    }
+
+    @Override
+    public void step(double seconds) {
+        leftSeconds -= seconds;
+        if (leftSeconds <= 0) {
+            leftSeconds += FIGURE_SECONDS;
+            back = !back;
+            motors.set(back ? -5 : 10, back ? -10 : 5);
+            board.leds[Board.FRONT_LEFT] = back;
+            board.leds[Board.FRONT_RIGHT] = !back;
+        }
+    }
+}

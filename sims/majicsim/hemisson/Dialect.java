@@ -1,0 +1,9 @@
+package majicsim.hemisson;
+
+/** Whose firmware a Hemisson runs. */
+public enum Dialect {
+    /** HemiOS 1.50 as K-Team ships it. */
+    KTEAM,
+    /** HemiOS 1.50-RNe, as RoadNarrows sold it (sheet 10). */
+    ROADNARROWS
+}

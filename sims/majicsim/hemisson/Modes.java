@@ -1,0 +1,34 @@
+package majicsim.hemisson;
+
+import java.util.Map;
+
+/** The running mode and what it does. */
+final class Modes {
+    private static final Behaviour IDLE = new Behaviour() {};
+
+    private final Map<RunMode, Behaviour> behaviours;
+    private RunMode mode = RunMode.REMOTE;
+    private Behaviour behaviour = IDLE;
+
+    Modes(Motors motors, Board board, InfraRed infraRed) {
+        behaviours = Map.of(
+                RunMode.AVOIDING, new Avoiding(motors, board, infraRed),
+                RunMode.LINE, new LineFollowing(motors, board, infraRed),
+                RunMode.DANCE, new Dance(motors, board));
+    }
+
+    /** The processor starts and looks at the switches. */
+    void start(String switches) {
+        mode = RunMode.of(switches);
+        behaviour = behaviours.getOrDefault(mode, IDLE);
+        behaviour.begin();
+    }
+
+    RunMode mode() {
+        return mode;
+    }
+
+    Behaviour behaviour() {
+        return behaviour;
+    }
+}

@@ -1,0 +1,7 @@
+package majicsim.hemisson;
+
+/** The commands of one module in the RoadNarrows dialect. */
+interface ModuleCommandSet {
+    /** Carries one out; the answer is what follows behind the repeated command, with its comma and without its line end. */
+    Reply answer(char command, String argument) throws RefusedException;
+}

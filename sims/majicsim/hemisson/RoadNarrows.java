@@ -1,0 +1,96 @@
+package majicsim.hemisson;
+
+import java.util.Locale;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * HemiOS 1.50-RNe (sheet 10): replies repeat their arguments, mistakes are refused by number, and modules are spoken to by command A.
+ * Whatever the sheet does not tell of is answered as K-Team's firmware does.
+ */
+final class RoadNarrows implements Interpreter {
+    private static final String GREETING = "HemiOS V1.50-RNe" + Commands.GREETING_END;
+    private static final Pattern SPEEDS = Pattern.compile("D,(-?\\d+),(-?\\d+)");
+    private static final Pattern BUZZER = Pattern.compile("H,([01])");
+    private static final Pattern LEDS = Pattern.compile("L,[01],[01],[01],[01]");
+    private static final int FASTEST = 9;
+
+    private final CommandBuffer buffer;
+    private final Commands stock;
+    private final Motors motors;
+    private final Power power;
+    private final I2cBus bus;
+    private final RoadNarrowsModules modules;
+
+    RoadNarrows(CommandBuffer buffer, Commands stock, Motors motors, I2cBus bus, Power power) {
+        this.buffer = buffer;
+        this.stock = stock;
+        this.motors = motors;
+        this.power = power;
+        this.bus = bus;
+        this.modules = new RoadNarrowsModules(bus);
+    }
+
+    @Override
+    public String greeting() {
+        return GREETING;
+    }
+
+    @Override
+    public Reply carryOut() {
+        if (buffer.hasOverflowed()) {
+            return Refusal.OVERFLOW.reply();
+        }
+        return switch (buffer.at(0)) {
+            case 'A' -> modules.carryOut(buffer.text());
+            case 'B' -> Reply.line("b,HemiOS_v_1.50-RNe");
+            case 'D' -> drive();
+            case 'E' -> Reply.line("e," + motors.left() + "," + motors.right());
+            case 'H' -> echo(BUZZER);
+            case 'J' -> scan();
+            case 'L' -> echo(LEDS);
+            case 'I', 'M', 'N', 'O', 'P', 'Q', 'R', 'S', 'T', 'U', 'W', 'X', 'Y', 'Z', '1', '2', '!', '&', '*' ->
+                stock.carryOut();
+            default -> Refusal.UNKNOWN_COMMAND.reply();
+        };
+    }
+
+    private Reply drive() {
+        Matcher speeds = SPEEDS.matcher(buffer.text());
+        if (!speeds.matches()) {
+            return Refusal.SYNTAX.reply();
+        }
+        if (!isSpeed(speeds, 1) || !isSpeed(speeds, 2)) {
+            return Refusal.RANGE.reply();
+        }
+        int left = Integer.parseInt(speeds.group(1));
+        int right = Integer.parseInt(speeds.group(2));
+        power.drive(left, right);
+        return Reply.line("d," + left + "," + right);
+    }
+
+    /** Carries out as K-Team's firmware, and repeats the whole command. */
+    private Reply echo(Pattern syntax) {
+        String text = buffer.text();
+        if (!syntax.matcher(text).matches()) {
+            return Refusal.SYNTAX.reply();
+        }
+        stock.carryOut();
+        return Reply.line(text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1));
+    }
+
+    private Reply scan() {
+        StringBuilder reply = new StringBuilder("j");
+        for (ModuleKind module : bus.awake()) {
+            int version = bus.read(module.address(), module == ModuleKind.SPEECH ? Voice.VERSION_REGISTER : 0, 0);
+            reply.append(String.format(Locale.ROOT, ",%c,%02X,%02X", module.letter(), module.address(), version));
+        }
+        return Reply.line(reply.toString()).scanning(ModuleCommands.SCAN_SECONDS);
+    }
+
+    private static boolean isSpeed(MatchResult speeds, int group) {
+        String digits = speeds.group(group);
+        return digits.length() <= 2 && Math.abs(Integer.parseInt(digits)) <= FASTEST;
+    }
+}

@@ -1,0 +1,42 @@
+package majicsim.hemisson;
+
+import java.util.Map;
+
+/** Command A of the RoadNarrows dialect: finds the module that is meant, and repeats what it was told before the module's answer. */
+final class RoadNarrowsModules {
+    /** A stamp and general I/O are named in the sheet, what they are told is not. */
+    private static final String NAMED_ONLY = "2GD";
+
+    private final I2cBus bus;
+    private final Map<Character, ModuleCommandSet> speakers;
+
+    RoadNarrowsModules(I2cBus bus) {
+        this.bus = bus;
+        speakers = Map.of(
+                ModuleKind.CAMERA.letter(), new CameraCommands(bus),
+                ModuleKind.ULTRASONIC.letter(), new UltrasonicCommands(bus),
+                ModuleKind.SPEECH.letter(), new VoiceCommands(bus));
+    }
+
+    /** The whole command: A, the module's id, its own command and maybe arguments, between commas. */
+    Reply carryOut(String text) {
+        String[] words = text.split(",", 4);
+        if (words.length < 3 || words[1].length() != 1 || words[2].length() != 1 || words[0].length() != 1) {
+            return Refusal.SYNTAX.reply();
+        }
+        char id = words[1].charAt(0);
+        ModuleCommandSet speaker = speakers.get(id);
+        if (speaker == null) {
+            return (NAMED_ONLY.indexOf(id) >= 0 ? Refusal.NOT_SUPPORTED : Refusal.BAD_MODULE).reply();
+        }
+        if (bus.awake().stream().noneMatch(module -> module.letter() == id)) {
+            return Refusal.NOT_CONNECTED.reply();
+        }
+        try {
+            Reply reply = speaker.answer(words[2].charAt(0), words.length > 3 ? words[3] : "");
+            return Reply.line("a," + id + "," + words[2] + reply.text()).measuring(reply.measuringSeconds());
+        } catch (RefusedException e) {
+            return e.refusal().reply();
+        }
+    }
+}

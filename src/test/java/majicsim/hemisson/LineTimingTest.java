@@ -1,0 +1,127 @@
+package majicsim.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Sheet 4.4 and 4.6: what characters take on the wire, and what happens to those that come too early. */
+class LineTimingTest {
+    private static final double TICK_SECONDS = 10e-6;
+    private static final double CHARACTER_SECONDS = 88e-6;
+    private static final HemissonOptions CAMERA =
+            HemissonOptions.standard().withModules(Set.of(ModuleKind.CAMERA)).paced();
+    private static final HemissonOptions TRUE_RECEIVER =
+            HemissonOptions.standard().withOverrun();
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "D,1,1 | 0.3",
+                "H,0 | 0.3",
+                "L,1,1,1,1 | 0.3",
+                "E | 0.8",
+                "I | 1.0",
+                "P,0 | 1.4",
+                "B | 1.5",
+                "& | 2.2",
+                "N | 3.1",
+                "O | 3.1",
+                "R,C0,10,66 | 37",
+                "Z | 14",
+            })
+    void theEndOfAReplyComesWhenTheSheetSays(String command, double ms) {
+        assertThat(endOfReplyMs(new Desk(CAMERA), command)).isCloseTo(ms, within(Math.max(0.06, ms * 0.02)));
+    }
+
+    @Test
+    void aScanOfTheBusTakes18Milliseconds() {
+        Desk bare = new Desk(HemissonOptions.standard().paced());
+        assertThat(endOfReplyMs(bare, "J")).isCloseTo(18, within(0.2));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"B,0.03", "'R,C0,00,01',0.4", "'W,C0,21,01',0.4"})
+    void theFirstCharacterComesSoonAfterTheLastOfTheCommand(String command, double ms) {
+        Desk desk = new Desk(CAMERA);
+        desk.say(command + "␍");
+        double firstMs = ticksUntil(desk, "") - CHARACTER_SECONDS * 1000 * (command.length() + 2);
+        assertThat(firstMs).isCloseTo(ms, within(0.03));
+    }
+
+    @Test
+    void halfAReplyIsOutAfterHalfItsTime() {
+        Desk desk = new Desk(HemissonOptions.standard().paced());
+        desk.say("N␍");
+        String begin = desk.tick(0.0018);
+        assertThat(begin).startsWith("n,004,").hasSizeBetween(16, 18);
+        assertThat(begin + desk.tick(0.002)).isEqualTo("n,004,004,004,004,004,004,060,060␍␊");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"E␍E␍E␍", "E␍D,1,2␍", "B␍j␍N␍O␍", "N␍D,0,0␍"})
+    void aThirdCharacterThatWaitsDeafensForGoodAndTheWheelsTurnOn(String burst) {
+        Desk desk = new Desk(TRUE_RECEIVER);
+        desk.ask("D,5,5");
+
+        desk.say(burst);
+        desk.after(1);
+
+        assertThat(desk.robot.attendant().isDeaf()).isTrue();
+        assertThat(desk.robot.body().pose().xMm()).isGreaterThan(Desk.START.xMm() + 85);
+        assertThat(desk.ask("B")).isEmpty();
+    }
+
+    @Test
+    void twoThatWaitAreAnswered() {
+        Desk desk = new Desk(TRUE_RECEIVER);
+        desk.say("N␍O␍");
+        assertThat(desk.after(0.012))
+                .isEqualTo("n,004,004,004,004,004,004,060,060␍␊o,220,220,220,220,220,220,220,220␍␊");
+    }
+
+    @Test
+    void oneQuestionAfterTheOtherNeverDeafens() {
+        Desk desk = new Desk(TRUE_RECEIVER);
+        for (int i = 0; i < 1500; i++) {
+            assertThat(desk.ask("D,3,-3") + desk.ask("E")).isEqualTo("de,03,-3");
+        }
+    }
+
+    @Test
+    void whatComesWhileItStartsDeafensTheTrueReceiverAndWaitsForTheForgivingOne() {
+        Desk hard = new Desk(TRUE_RECEIVER);
+        Desk kind = new Desk(HemissonOptions.standard());
+
+        hard.say("Z␍");
+        hard.after(0.004);
+        hard.say("E␍E␍");
+        kind.say("Z␍E␍E␍");
+        hard.after(0.02);
+
+        assertThat(hard.robot.attendant().isDeaf()).isTrue();
+        assertThat(kind.after(0.02)).endsWith("␍␊␍␊e,00,00␍␊e,00,00␍␊");
+    }
+
+    private static double endOfReplyMs(Desk desk, String command) {
+        desk.say(command + "␍");
+        double arrivedMs = CHARACTER_SECONDS * 1000 * (command.length() + 1);
+        return ticksUntil(desk, command.equals("Z") ? "com␍␊␍␊" : "␍␊") - arrivedMs;
+    }
+
+    /** Until something was heard that ends as said. */
+    private static double ticksUntil(Desk desk, String end) {
+        String heard = "";
+        int ticks = 0;
+        while (heard.isEmpty() || !heard.endsWith(end)) {
+            heard += desk.tick(TICK_SECONDS);
+            assertThat(++ticks).isLessThan(10_000);
+        }
+        return ticks * TICK_SECONDS * 1000;
+    }
+}
