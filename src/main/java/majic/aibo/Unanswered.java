@@ -8,8 +8,11 @@ import org.jspecify.annotations.Nullable;
 
 /** The commands of one connection that something is still expected to come back for, oldest first. Thread-safe. */
 final class Unanswered {
-    /** A syntax error names a place; other troubles under the same tag answer no command (URBI sheet 11). */
-    private static final Pattern ANSWERS_A_COMMAND = Pattern.compile("\\d+\\.\\d.*|Receive buffer.*");
+    /**
+     * A syntax error names a place; other troubles under the same tag answer no command (URBI sheet 11). Of the two lines
+     * about a command that there was no room for the first one answers it (URBI sheet 2).
+     */
+    private static final Pattern ANSWERS_A_COMMAND = Pattern.compile("\\d+\\.\\d.*|Receive buffer full.*");
 
     private final Map<String, Ask> asks = new LinkedHashMap<>();
 

@@ -51,6 +51,15 @@ final class ScriptedDog implements AutoCloseable {
     /** How much later than it was said everything is heard of it. */
     volatile long slownessMs;
 
+    /** How long what is neither a gait nor a joint takes. */
+    volatile long lastingMs = 20;
+
+    /** Whether it lies down when it is told to. */
+    volatile boolean staysUp;
+
+    /** A word of the commands that it complains of. */
+    volatile String knowsNo = "nothing of that kind";
+
     /** How much later than it came every command is carried out. */
     volatile long heedlessnessMs;
 
@@ -176,6 +185,16 @@ final class ScriptedDog implements AutoCloseable {
 
     void hangUp() {
         lines.forEach(Line::close);
+    }
+
+    /** Ends one of the newest three connections. */
+    void hangUp(int connection) {
+        lines.get(lines.size() - 3 + connection).close();
+    }
+
+    /** Another program ends the walk. */
+    void endWalk() {
+        lines.get(0).stop("walk");
     }
 
     private void acceptAll() {
@@ -352,6 +371,10 @@ final class ScriptedDog implements AutoCloseable {
         }
 
         private void perform(String tag, boolean begin, String command) {
+            if (command.contains(knowsNo)) {
+                say(tag, "!!! Error with function eval: " + knowsNo + " [no param]");
+                return;
+            }
             if (begin) {
                 say(tag, "*** begin");
             }
@@ -375,6 +398,12 @@ final class ScriptedDog implements AutoCloseable {
             if (command.contains("stand")) {
                 set("robot.MyguessPosition()", "\"stand\"");
                 set("legLF1.load", "1.000000");
+            }
+            if (command.contains("robot.lay") && !staysUp) {
+                set("robot.MyguessPosition()", "\"lay\"");
+            }
+            if (command.contains("motors off")) {
+                set("legLF1.load", "0.000000");
             }
             say(tag, "*** end");
         }
@@ -425,12 +454,12 @@ final class ScriptedDog implements AutoCloseable {
 
     private final Map<String, Runnable> endings = new ConcurrentHashMap<>();
 
-    private static long lasts(String command) {
+    private long lasts(String command) {
         Matcher gait = GAIT.matcher(command);
         Matcher joint = JOINT.matcher(command);
         if (gait.find()) {
             return Math.abs(Long.parseLong(gait.group(1)));
         }
-        return joint.find() && joint.group(3) != null ? Long.parseLong(joint.group(3)) : 20;
+        return joint.find() && joint.group(3) != null ? Long.parseLong(joint.group(3)) : lastingMs;
     }
 }

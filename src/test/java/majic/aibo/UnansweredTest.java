@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class UnansweredTest {
     private static final UrbiMessage.Failure SYNTAX = new UrbiMessage.Failure("19.14: syntax error, unexpected <");
@@ -39,8 +41,21 @@ class UnansweredTest {
     }
 
     @Test
-    void theServersOwnTroublesAnswerNobody() {
-        hear("error", new UrbiMessage.Failure("CPU Overload"), Dialect.V1_0);
+    void theTwoLinesAboutACommandThatThereWasNoRoomForAnswerOne() {
+        hear("error", new UrbiMessage.Failure("Receive buffer full"), Dialect.V1_0);
+        hear("error", new UrbiMessage.Failure("Receive buffer corrupted"), Dialect.V1_0);
+
+        assertThat(walk.failure()).isEqualTo("Receive buffer full");
+        assertThat(reading.isDone() || ping.isDone()).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"CPU Overload", "Out of memory", "Memory overflow warning", "Send buffer full", "21 is no place"
+            })
+    void theServersOwnTroublesAnswerNobody(String trouble) {
+        hear("error", new UrbiMessage.Failure(trouble), Dialect.V1_0);
+        hear("warning", new UrbiMessage.Failure(trouble), Dialect.V1_0);
         hear("power", new UrbiMessage.Info("Battery at 87 %"), Dialect.V1_0);
 
         assertThat(walk.isDone() || reading.isDone() || ping.isDone()).isFalse();

@@ -1,0 +1,104 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import majic.bot.MotionFailed;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Walks and drives that something else ends, and a hand that changes its mind. */
+@Timeout(30)
+class DrivingTest {
+    private Dogs dogs;
+
+    @BeforeEach
+    void connect() throws IOException {
+        dogs = new Dogs();
+        dogs.aibo.connect();
+    }
+
+    @AfterEach
+    void close() throws IOException {
+        dogs.close();
+    }
+
+    @Test
+    void aNewGaitWaitsForTheEndOfTheOldOne() {
+        dogs.aibo.drive(60, 0);
+        dogs.dog.awaitReceived("robot.walk(");
+
+        driveUntilReceived(0, 30, "robot.turn(");
+
+        assertThat(dogs.dog.received("stop walk")).isNotEmpty();
+        assertThat(dogs.dog.mostAtOnce).hasValue(1);
+        assertThat(dogs.notices)
+                .containsSubsequence("drives with its gait straight forward", "drives with its gait on the spot left");
+    }
+
+    @Test
+    void aDriveWhoseGaitTheStickDoesNotHaveEnds() {
+        dogs.dog.knowsNo = "robot.walk";
+
+        assertThatThrownBy(() -> driveUntilReceived(60, 0, "never"))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("no such gait");
+        assertThat(dogs.dog.received("robot.walk(")).hasSize(1);
+    }
+
+    @Test
+    void aDriveDoesNotSwitchMotorsOnAgainThatSomebodySwitchedOff() {
+        dogs.aibo.drive(60, 0);
+        dogs.dog.awaitReceived("robot.walk(");
+        dogs.dog.set("legLF1.load", "0.000000");
+
+        assertThatThrownBy(() -> driveUntilReceived(60, 0, "motors on"))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessage("the dog's motors were switched off");
+    }
+
+    @Test
+    void aWalkThatAnotherProgramEndsDoesNotGoOn() {
+        CompletableFuture<Void> walk = Dogs.aside(() -> dogs.aibo.move(1000));
+        Dogs.until(dogs.dog::isWalking);
+
+        dogs.dog.endWalk();
+
+        assertThatThrownBy(walk::join)
+                .hasMessageContaining("another program, or its guard, ended the walk, after about");
+        assertThat(dogs.dog.received("robot.walk(")).hasSize(1);
+    }
+
+    @Test
+    void aStoppedCalibrationTeachesNothing() {
+        CompletableFuture<Void> lesson = Dogs.aside(() -> calibrate("forward"));
+        dogs.dog.awaitReceived("robot.walk(");
+
+        dogs.aibo.stop();
+
+        assertThatThrownBy(lesson::join).hasMessageContaining("stopped");
+        assertThatThrownBy(() -> calibrate("forward", Value.of(900, Unit.MM))).hasMessageContaining("moves it first");
+        assertThat(dogs.aibo.get("forwardFactor").number()).isEqualTo(12);
+    }
+
+    private void calibrate(String direction, Value... measured) {
+        List<Value> arguments = new ArrayList<>(List.of(measured));
+        arguments.add(0, Value.text(direction));
+        dogs.aibo.run("calibrate", arguments);
+    }
+
+    private void driveUntilReceived(double mmPerSec, double degPerSec, String word) {
+        Dogs.until(() -> {
+            dogs.aibo.drive(mmPerSec, degPerSec);
+            return !dogs.dog.received(word).isEmpty();
+        });
+    }
+}

@@ -1,0 +1,97 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.util.concurrent.CompletableFuture;
+import majic.bot.LinkLost;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Connections that end while the dog walks. */
+@Timeout(30)
+class LostDogTest {
+    private static final int STOP = 0;
+    private static final int MOTION = 2;
+
+    private Dogs dogs;
+
+    @BeforeEach
+    void connect() throws IOException {
+        dogs = new Dogs();
+        dogs.aibo.connect();
+    }
+
+    @AfterEach
+    void close() throws IOException {
+        dogs.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2})
+    void oneOfThreeConnectionsLostEndsTheWalkWithAStopOverAnother(int connection) {
+        CompletableFuture<Void> walk = walk();
+
+        dogs.dog.hangUp(connection);
+
+        assertThatThrownBy(walk::join).hasCauseInstanceOf(LinkLost.class).hasMessageContaining("the dog closed it");
+        dogs.dog.awaitReceived("stop walk");
+        assertThat(dogs.aibo.isConnected()).isFalse();
+        assertThat(dogs.dog.received("robot.walk(")).hasSize(1);
+    }
+
+    @Test
+    void whatALostConnectionLeftGoingOnIsEndedByTheNextOneAndNothingResumes() {
+        CompletableFuture<Void> walk = walk();
+        dogs.dog.hangUp();
+        assertThatThrownBy(walk::join).hasCauseInstanceOf(LinkLost.class);
+        int before = dogs.dog.received("stop walk").size();
+
+        dogs.aibo.connect();
+
+        assertThat(dogs.dog.received("stop walk").size()).isGreaterThan(before);
+        assertThat(dogs.dog.received("stop mj")).isNotEmpty();
+        assertThat(dogs.dog.received("robot.walk(")).hasSize(1);
+    }
+
+    @Test
+    void aDogThatStoodStillIsLeftAloneByTheNextConnection() {
+        dogs.dog.hangUp();
+        Dogs.until(() -> !dogs.aibo.isConnected());
+
+        dogs.aibo.connect();
+
+        assertThat(dogs.dog.received("stop walk")).hasSizeLessThanOrEqualTo(1);
+    }
+
+    @Test
+    void whoWantsSomethingOfADogThatIsGoneHearsHowItWasLost() {
+        dogs.dog.hangUp(MOTION);
+        Dogs.until(() -> !dogs.aibo.isConnected());
+
+        assertThatThrownBy(dogs.aibo::halt)
+                .isInstanceOf(LinkLost.class)
+                .hasMessage("connection lost: the dog closed it");
+        assertThatThrownBy(() -> dogs.aibo.get("ledF1")).hasMessage("connection lost: the dog closed it");
+    }
+
+    @Test
+    void aStopOverADeadConnectionDoesNotClaimToHaveWaited() {
+        AiboSession session = dogs.aibo.session();
+        dogs.dog.hangUp(STOP);
+        Dogs.until(() -> !dogs.aibo.isConnected());
+
+        assertThatThrownBy(() -> session.runner().confirm()).isInstanceOf(LinkLost.class);
+    }
+
+    private CompletableFuture<Void> walk() {
+        CompletableFuture<Void> walk = Dogs.aside(() -> dogs.aibo.move(2000));
+        dogs.dog.awaitReceived("robot.walk(");
+        return walk;
+    }
+}
