@@ -40,6 +40,7 @@ class AiboSoundInLabTest {
     @Test
     void aFileIsPlayedPieceAfterPieceWithNothingLost() throws Exception {
         Path file = tone("hello.wav", 22_050, 2, 2.5);
+        theDogsOwnChimesAreOver();
 
         assertThat(rig.run("1 play \"" + file + "\""))
                 .containsExactly("1 play \"" + file + "\": 2.5 s of sound, sent over");
@@ -117,6 +118,7 @@ class AiboSoundInLabTest {
     @Test
     void whatTheDogHearsBecomesAFileThatOthersRead() throws Exception {
         Path file = folder.resolve("room.wav");
+        theDogsOwnChimesAreOver();
         rig.lab().simulators().besideAibo(keeper -> keeper.whistle(500, 5000));
 
         assertThat(rig.run("1 record 1.5 \"" + file + "\""))
@@ -125,8 +127,7 @@ class AiboSoundInLabTest {
         try (AudioInputStream sound = AudioSystem.getAudioInputStream(file.toFile())) {
             assertThat(sound.getFormat().toString()).startsWith("PCM_SIGNED 16000.0 Hz, 16 bit, stereo");
             assertThat(sound.getFrameLength()).isEqualTo(24_000);
-            sound.skipNBytes(64_000);
-            assertThat(crossings(sound.readAllBytes())).isBetween(495L, 505L);
+            assertThat(crossings(sound.readAllBytes())).isBetween(1495L, 1505L);
         }
     }
 
@@ -142,7 +143,7 @@ class AiboSoundInLabTest {
     }
 
     @Test
-    void aStoppedRecordingKeepsWhatItHasAndEndsTheStream() throws Exception {
+    void aStoppedRecordingKeepsWhatItHasAndTheNextOneMayBegin() throws Exception {
         Path file = folder.resolve("room.wav");
         rig.say("1 record 30 \"" + file + "\"");
         double startS = labSeconds();
@@ -158,11 +159,27 @@ class AiboSoundInLabTest {
                 .contains("1 s in ");
     }
 
+    @Test
+    void nothingIsLostOverALinkThatJitters() throws Exception {
+        Path file = folder.resolve("room.wav");
+        try (LabRig noisy = LabRig.noisy(3)) {
+            noisy.add("aibo");
+
+            assertThat(noisy.run("1 record 3 \"" + file + "\""))
+                    .containsExactly("1 record 3 \"" + file + "\": 3 s in " + file);
+        }
+    }
+
     /** Looks again and again, since nobody tells what happens in the lab. */
     private void until(BooleanSupplier so) throws InterruptedException {
         while (!rig.team().changes().await(so, 0.05)) {
             assertThat(labSeconds()).isLessThan(300);
         }
+    }
+
+    /** It plays one for each connection. */
+    private void theDogsOwnChimesAreOver() throws InterruptedException {
+        rig.run("wait 2s");
     }
 
     private double labSeconds() {

@@ -2,6 +2,7 @@ package majic.aibo;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import majic.bot.BotException;
@@ -17,13 +18,17 @@ final class Microphone {
 
     private final UrbiConnection on;
     private final String order;
-    private final String tag;
-    private final AtomicReference<@Nullable Consumer<UrbiMessage>> ear = new AtomicReference<>();
+    private final String stem;
+    private final AtomicInteger count = new AtomicInteger();
+    private final AtomicReference<@Nullable Ear> ear = new AtomicReference<>();
+
+    /** Who listens, and to what: blocks of the recording before may still be on their way. */
+    private record Ear(String tag, Consumer<UrbiMessage> hearer) {}
 
     Microphone(UrbiConnection on, Tags tags) {
         this.on = on;
         this.order = tags.named("listen");
-        this.tag = tags.named("ear");
+        this.stem = tags.named("ear");
     }
 
     /**
@@ -34,7 +39,8 @@ final class Microphone {
      * @throws BotException if somebody listens already
      */
     void start(Consumer<UrbiMessage> hearer, long longestMs) {
-        if (!ear.compareAndSet(null, hearer)) {
+        String tag = stem + count.incrementAndGet();
+        if (!ear.compareAndSet(null, new Ear(tag, hearer))) {
             throw new BotException("the dog is being recorded already; it makes one recording at a time");
         }
         on.send(order + ": timeout(" + longestMs + ") loop { " + on.dialect().labelled(tag, "micro.val") + " },");
@@ -57,12 +63,12 @@ final class Microphone {
 
     /** Takes a message if it is of the microphone. */
     boolean hears(UrbiMessage message) {
-        if (!message.tag().equals(tag)) {
+        if (!message.tag().startsWith(stem)) {
             return false;
         }
-        Consumer<UrbiMessage> hearer = ear.get();
-        if (hearer != null) {
-            hearer.accept(message);
+        Ear open = ear.get();
+        if (open != null && open.tag().equals(message.tag())) {
+            open.hearer().accept(message);
         }
         return true;
     }
