@@ -28,6 +28,31 @@ class UrbiReaderTest {
         assertThat(read("[00000003:c] 3.000000\n")).extracting(UrbiMessage::tag).containsExactly("b", "c");
     }
 
+    @Test
+    void anImageThatTakesThreeSecondsToArriveIsWhole() throws InterruptedException {
+        String quarter = "[0]".repeat(20_000);
+        assertThat(read("[00000001:cam] BIN 240000 YCbCr 208 160\n")).isEmpty();
+        for (int part = 0; part < 3; part++) {
+            assertThat(read(quarter)).isEmpty();
+            clock.time().sleep(1.1);
+        }
+
+        assertThat(read(quarter + "[00000002:b] 2.000000\n"))
+                .extracting(UrbiMessage::tag)
+                .containsExactly("cam", "b");
+    }
+
+    @Test
+    void anImageOfAMegabyteCutInHalfCostsOnlyItself() throws InterruptedException {
+        assertThat(read("[00000001:cam] BIN 1000000 jpeg 208 160\n" + "\u00ff".repeat(500_000)))
+                .isEmpty();
+        assertThat(read("[00000002:b] 2.000000\n[00000003:cam] BIN 5 jpeg 208 160\nhello"))
+                .isEmpty();
+        clock.time().sleep(1.1);
+
+        assertThat(read("[00000004:c] 3.000000\n")).extracting(UrbiMessage::tag).containsExactly("b", "cam", "c");
+    }
+
     private List<UrbiMessage> read(String wire) {
         byte[] bytes = wire.getBytes(StandardCharsets.ISO_8859_1);
         return reader.read(bytes, bytes.length);

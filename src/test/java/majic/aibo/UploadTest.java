@@ -1,0 +1,108 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.LinkLost;
+import majic.bot.TimeSource;
+import majic.link.Links;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Binaries to a server, also to one that goes away or takes no more in the middle of one. */
+@Timeout(30)
+class UploadTest {
+    private final List<String> broken = new CopyOnWriteArrayList<>();
+    private ServerSocket server;
+    private UrbiConnection connection;
+    private Socket peer;
+
+    @BeforeEach
+    void connect() throws IOException {
+        server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        connection = new UrbiConnection(
+                "sensors",
+                Links.of("//127.0.0.1:" + server.getLocalPort(), AiboType.PORT, 0),
+                new UrbiConnection.Owner() {
+                    @Override
+                    public void heard(UrbiMessage message) {}
+
+                    @Override
+                    public void broken(UrbiConnection from, String why) {
+                        broken.add(why);
+                    }
+                },
+                new Watch(TimeSource.system(), TimeSource.system().signal()));
+        connection.open(1000);
+        peer = server.accept();
+    }
+
+    @AfterEach
+    void close() throws IOException {
+        connection.abort();
+        peer.close();
+        server.close();
+    }
+
+    @Test
+    void commandsAndBinariesFollowEachOtherByteForByte() throws IOException {
+        connection.send("a: 1;");
+        connection.upload("speaker.val", "raw 1 8000 8 1", "ab;c".getBytes(StandardCharsets.US_ASCII));
+        connection.upload("speaker.val", "raw 1 8000 8 1", new byte[0]);
+        connection.send("b: 2;");
+
+        String wire = "a: 1;\nspeaker.val = BIN 4 raw 1 8000 8 1;ab;cspeaker.val = BIN 0 raw 1 8000 8 1;b: 2;\n";
+        assertThat(new String(peer.getInputStream().readNBytes(wire.length()), StandardCharsets.US_ASCII))
+                .isEqualTo(wire);
+    }
+
+    @Test
+    void whatTheServerCannotTakeAtOnceIsNotSent() throws IOException {
+        byte[] tooMuch = new byte[UrbiConnection.LARGEST_BINARY + 1];
+
+        assertThatThrownBy(() -> connection.upload("speaker.val", "raw 1 8000 8 1", tooMuch))
+                .isInstanceOf(UrbiRefusal.class)
+                .hasMessage("the dog takes 24576 bytes at once, not 24577");
+        connection.send("c;");
+        assertThat(peer.getInputStream().readNBytes(3)).isEqualTo("c;\n".getBytes(StandardCharsets.US_ASCII));
+    }
+
+    @Test
+    void aServerThatTakesNoMoreEndsTheConnectionInItsDeadlineAndNothingFollowsTheHalfBinary() {
+        byte[] piece = new byte[UrbiConnection.LARGEST_BINARY];
+
+        assertThatThrownBy(() -> {
+                    for (int sent = 0; sent < 100_000; sent++) {
+                        connection.upload("speaker.val", "raw 1 8000 8 1", piece);
+                    }
+                })
+                .isInstanceOf(LinkLost.class)
+                .hasMessageContaining("takes no more data");
+
+        assertThatThrownBy(() -> connection.send("stop x;")).isInstanceOf(LinkLost.class);
+        assertThat(broken).hasSize(1);
+    }
+
+    @Test
+    void aServerThatGoesAwayInTheMiddleIsTold() throws IOException {
+        peer.setSoLinger(true, 0);
+        peer.close();
+
+        assertThatThrownBy(() -> {
+                    for (int sent = 0; sent < 1000; sent++) {
+                        connection.upload("speaker.val", "raw 1 8000 8 1", new byte[1000]);
+                    }
+                })
+                .isInstanceOf(LinkLost.class)
+                .hasMessageStartingWith("connection lost: ");
+    }
+}
