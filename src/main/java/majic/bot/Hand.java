@@ -1,21 +1,27 @@
 package majic.bot;
 
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A person's hand on one robot. {@link #drive} is called again and again while a key is held, from the event thread: it
- * never blocks, and each call leads to at most one command. When the calls end, for whatever reason, the robot stands
- * 600 ms later. Thread-safe.
+ * A person's hand on one robot: it drives, or sets what moves it. {@link #drive} is called again and again while a key is
+ * held, {@link #set} while a slider is dragged, from the event thread: neither blocks, and of what comes faster than the
+ * robot follows the newest counts. When the drives end, for whatever reason, the robot stands 600 ms later. Thread-safe.
  */
 public final class Hand implements AutoCloseable {
+    private static final String DRIVE = "";
+
     private final Member member;
     private final Owner owner;
     private final Permit lease = new Permit();
     private final Signal wanted;
-    private @Nullable Wish wish;
+    private final Map<String, Consumer<BotControl>> wishes = new LinkedHashMap<>();
+    private boolean finishing;
     private volatile boolean released;
-
-    private record Wish(double mmPerSec, double degPerSec) {}
+    private volatile boolean off;
 
     /**
      * Takes a robot into the hand.
@@ -45,10 +51,48 @@ public final class Hand implements AutoCloseable {
      * @param degPerSec counterclockwise positive
      */
     public void drive(double mmPerSec, double degPerSec) {
+        wish(DRIVE, robot -> robot.drive(mmPerSec, degPerSec));
+    }
+
+    /**
+     * Sets a parameter as soon as what was set before has ended; a value that was not yet sent is replaced. What goes
+     * wrong is said to the person, and the robot is let go.
+     *
+     * @param parameter its name
+     * @param number the value in its own unit
+     * @return false if the hand is off the robot already, or about to be; nothing will be set then
+     */
+    public boolean set(String parameter, double number) {
+        return wish(parameter, robot -> robot.set(parameter, number));
+    }
+
+    private boolean wish(String what, Consumer<BotControl> how) {
         synchronized (this) {
-            wish = new Wish(mmPerSec, degPerSec);
+            if (released) {
+                return false;
+            }
+            finishing = false;
+            wishes.put(what, how);
         }
         wanted.raise();
+        return true;
+    }
+
+    /** Lets the robot go as soon as all that was set has been done. Returns at once. */
+    public void finish() {
+        synchronized (this) {
+            finishing = true;
+        }
+        wanted.raise();
+    }
+
+    /**
+     * Whether the robot was let go.
+     *
+     * @return true once somebody else may have it
+     */
+    public boolean isOff() {
+        return off;
     }
 
     /** Stands, and lets the robot go. Returns at once. */
@@ -57,7 +101,7 @@ public final class Hand implements AutoCloseable {
         release();
     }
 
-    private void release() {
+    private synchronized void release() {
         released = true;
         lease.revoke(() -> new MotionStopped("the hand is off"));
         wanted.raise();
@@ -68,10 +112,10 @@ public final class Hand implements AutoCloseable {
         BotControl robot = member.control(lease);
         try {
             while (!released) {
-                wanted.await(() -> released || hasWish(), Signal.FOR_EVER);
-                Wish next = take();
+                wanted.await(this::hasWork, Signal.FOR_EVER);
+                Consumer<BotControl> next = take();
                 if (next != null && !released) {
-                    robot.drive(next.mmPerSec, next.degPerSec);
+                    next.accept(robot);
                 }
             }
         } catch (InterruptedException e) {
@@ -84,6 +128,7 @@ public final class Hand implements AutoCloseable {
             release();
             stand(robot);
             member.free(owner);
+            off = true;
         }
     }
 
@@ -95,13 +140,19 @@ public final class Hand implements AutoCloseable {
         }
     }
 
-    private synchronized boolean hasWish() {
-        return wish != null;
+    private synchronized boolean hasWork() {
+        return released || finishing || !wishes.isEmpty();
     }
 
-    private synchronized @Nullable Wish take() {
-        Wish taken = wish;
-        wish = null;
+    /** The oldest wish; when there is none and none is to come, the hand goes off. */
+    private synchronized @Nullable Consumer<BotControl> take() {
+        Iterator<Consumer<BotControl>> oldest = wishes.values().iterator();
+        if (!oldest.hasNext()) {
+            released |= finishing;
+            return null;
+        }
+        Consumer<BotControl> taken = oldest.next();
+        oldest.remove();
         return taken;
     }
 }

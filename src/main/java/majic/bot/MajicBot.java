@@ -39,6 +39,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     private volatile BotProfile profile;
     private volatile Pace pace;
     private volatile String name;
+    private volatile @Nullable Member member;
     private volatile Connection connection = Connection.NEW;
     private volatile @Nullable LinkLost lostBecause;
     private volatile BotState state = BotState.UNKNOWN;
@@ -313,7 +314,18 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         return name;
     }
 
-    final void name(String newName) {
+    /**
+     * Its place in a team. What a display lets a person do with the robot goes by way of this, so that owners and STOP
+     * count.
+     *
+     * @return empty for a robot that is used alone
+     */
+    public final Optional<Member> member() {
+        return Optional.ofNullable(member);
+    }
+
+    final void join(Member place, String newName) {
+        member = place;
         name = newName;
     }
 

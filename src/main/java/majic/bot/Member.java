@@ -279,8 +279,12 @@ public final class Member {
         return new PermittedControl(bot, () -> bot.permit().and(lease));
     }
 
-    /** Says what went wrong beside the queue. */
-    void complain(BotException problem) {
+    /**
+     * Says to the person what went wrong beside the queue, as this robot's own words.
+     *
+     * @param problem its message is said
+     */
+    public void complain(BotException problem) {
         team.tell(listener -> listener.noticed(number, number + ": " + problem.getMessage()));
     }
 

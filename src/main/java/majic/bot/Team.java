@@ -70,8 +70,8 @@ public final class Team implements AutoCloseable {
         synchronized (members) {
             int number = wanted.isPresent() ? checkFree(wanted.getAsInt()) : lowestFree();
             usedNumbers.add(number);
-            bot.name("robot " + number + " (" + bot.type().label() + ")");
             member = new Member(this, number, bot);
+            bot.join(member, "robot " + number + " (" + bot.type().label() + ")");
             members.put(number, member);
             if (latched) {
                 bot.latch();

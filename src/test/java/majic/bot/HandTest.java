@@ -1,0 +1,96 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalInt;
+import majic.TestClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A hand that sets what moves; how it drives is in {@link TeamTest}. */
+@Timeout(20)
+class HandTest {
+    private final TestClock clock = new TestClock();
+    private final Team team = new Team(clock.time());
+    private final List<String> notices = Collections.synchronizedList(new ArrayList<>());
+    private FakeBot bot;
+    private Member member;
+
+    @BeforeEach
+    void join() {
+        bot = FakeBot.on(clock.time());
+        bot.connect();
+        member = team.add(bot, OptionalInt.empty());
+        team.addListener(new TeamListener() {
+            @Override
+            public void noticed(int robot, String text) {
+                notices.add(text);
+            }
+        });
+    }
+
+    @AfterEach
+    void close() {
+        team.close();
+        clock.close();
+    }
+
+    @Test
+    void whatWasSetIsDoneAndThenTheRobotIsFree() throws InterruptedException {
+        Hand hand = new Hand(member);
+        hand.set("headPan", 10);
+        hand.finish();
+
+        assertThat(team.changes().await(hand::isOff, 5)).isTrue();
+        assertThat(bot.sent()).containsExactly("headPan 10");
+        assertThat(member.owner()).isNull();
+        assertThat(hand.set("headPan", 20)).isFalse();
+    }
+
+    @Test
+    void aRobotInTheHandIsNobodyElses() {
+        Hand hand = new Hand(member);
+
+        assertThatThrownBy(() -> member.check(true, null)).hasMessageContaining("driven by hand");
+        assertThatThrownBy(() -> new Hand(member)).hasMessageContaining("driven by hand");
+        hand.close();
+    }
+
+    @Test
+    void aStopEndsTheHandForGood() throws InterruptedException {
+        Hand hand = new Hand(member);
+        team.stop(List.of(member), null);
+
+        assertThat(team.changes().await(hand::isOff, 5)).isTrue();
+        assertThat(hand.set("headPan", 20)).isFalse();
+        assertThat(bot.sent()).doesNotContain("headPan 20");
+    }
+
+    @Test
+    void whileStopIsLatchedThereIsNoHand() {
+        team.stopAll();
+
+        assertThatThrownBy(() -> new Hand(member)).hasMessageContaining("STOP is latched");
+    }
+
+    @Test
+    void whatGoesWrongIsSaidAndTheRobotLetGo() throws InterruptedException {
+        Hand hand = new Hand(member);
+        hand.set("headPan", 500);
+
+        assertThat(team.changes().await(hand::isOff, 5)).isTrue();
+        assertThat(notices).singleElement().asString().startsWith("1: ").contains("headPan");
+    }
+
+    @Test
+    void aRobotKnowsItsPlaceInTheTeam() {
+        assertThat(bot.member()).contains(member);
+        assertThat(FakeBot.on(clock.time()).member()).isEmpty();
+    }
+}
