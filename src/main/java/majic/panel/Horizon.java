@@ -1,0 +1,119 @@
+package majic.panel;
+
+import java.awt.BasicStroke;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import javax.swing.JPanel;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An artificial horizon, as pilots have it: the line that stays level while the robot does not, seen past the robot,
+ * which is the mark in the middle. For the event dispatch thread.
+ */
+public final class Horizon extends JPanel {
+    private static final long serialVersionUID = 1;
+
+    /** What the disc shows from its middle to its rim. */
+    private static final double HALF_VIEW_DEG = 60;
+
+    private static final int LADDER_DEG = 20;
+    private static final double GROUND = 0.4;
+
+    private transient @Nullable Tilt tilt;
+
+    /**
+     * How a robot is tilted.
+     *
+     * @param pitchDeg nose up positive, −90 to 90
+     * @param rollDeg right side down positive, −180 to 180
+     */
+    public record Tilt(double pitchDeg, double rollDeg) {}
+
+    /**
+     * A disc that shows nothing yet.
+     *
+     * @param diameter that it would like, pixels
+     */
+    public Horizon(int diameter) {
+        setOpaque(false);
+        setName("horizon");
+        setPreferredSize(new Dimension(diameter, diameter));
+    }
+
+    /**
+     * Shows how the robot is tilted.
+     *
+     * @param newTilt null when it is not known
+     */
+    public void show(@Nullable Tilt newTilt) {
+        tilt = newTilt;
+        String words = newTilt == null
+                ? "no reading"
+                : Math.round(newTilt.pitchDeg()) + "° nose up, " + Math.round(newTilt.rollDeg()) + "° to the right";
+        setToolTipText("Artificial horizon: " + words);
+        getAccessibleContext().setAccessibleName("horizon: " + words);
+        repaint();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D pen = (Graphics2D) graphics.create();
+        Ink.prepare(pen);
+        Ink ink = isEnabled() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
+        double radius = Math.min(getWidth(), getHeight()) / 2.0 - 1.5;
+        pen.translate(getWidth() / 2.0, getHeight() / 2.0);
+        Shape disc = new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius);
+        pen.setColor(ink.tint(0.12));
+        pen.fill(disc);
+        Tilt shown = tilt;
+        if (shown != null) {
+            Graphics2D world = (Graphics2D) pen.create();
+            world.clip(disc);
+            paintWorld(world, ink, radius, shown);
+            world.dispose();
+        }
+        paintRobot(pen, ink, radius);
+        pen.setColor(ink.grey(0.7));
+        pen.setStroke(Ink.stroke(1.5));
+        pen.draw(disc);
+        pen.dispose();
+    }
+
+    private static void paintWorld(Graphics2D pen, Ink ink, double radius, Tilt tilt) {
+        double pxPerDeg = radius / HALF_VIEW_DEG;
+        pen.rotate(-Math.toRadians(tilt.rollDeg()));
+        pen.translate(0, tilt.pitchDeg() * pxPerDeg);
+        pen.setColor(ink.grey(GROUND));
+        pen.fill(new Rectangle2D.Double(-4 * radius, 0, 8 * radius, 8 * radius));
+        pen.setColor(ink.line());
+        pen.setStroke(Ink.stroke(1));
+        pen.draw(new Line2D.Double(-4 * radius, 0, 4 * radius, 0));
+        pen.setStroke(Ink.stroke(0.8));
+        for (int degrees = -80; degrees <= 80; degrees += LADDER_DEG) {
+            double half = degrees == 0 ? 0 : 0.22 * radius;
+            pen.draw(new Line2D.Double(-half, degrees * pxPerDeg, half, degrees * pxPerDeg));
+        }
+    }
+
+    /** The robot from behind: wings and a nose. */
+    private static void paintRobot(Graphics2D pen, Ink ink, double radius) {
+        Path2D wings = new Path2D.Double();
+        wings.moveTo(-0.62 * radius, 0);
+        wings.lineTo(-0.25 * radius, 0);
+        wings.lineTo(0, 0.2 * radius);
+        wings.lineTo(0.25 * radius, 0);
+        wings.lineTo(0.62 * radius, 0);
+        pen.setColor(ink.paper());
+        pen.setStroke(new BasicStroke(4.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        pen.draw(wings);
+        pen.setColor(ink.accent());
+        pen.setStroke(Ink.stroke(2.2));
+        pen.draw(wings);
+    }
+}

@@ -1,0 +1,128 @@
+package majic.panel;
+
+import java.awt.Dimension;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
+import javax.swing.SwingConstants;
+import majic.bot.Parameter;
+import majic.bot.Range;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A slider for something that is set and measured: its name, the knob, the reading. The knob follows what is measured
+ * except while a person holds it, and until what the person chose has come about. For the event dispatch thread.
+ */
+public final class ReachSlider extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int KNOB_ROOM = 48;
+
+    private final String unit;
+    private final JSlider slider;
+    private final JLabel name;
+    private final JLabel reading;
+    private final transient Wish wish;
+    private boolean following;
+
+    /** Takes what a person chooses. */
+    @FunctionalInterface
+    public interface Wish {
+        /**
+         * A value was chosen.
+         *
+         * @param value in the parameter's unit
+         * @param last whether the knob was let go
+         */
+        void choose(double value, boolean last);
+    }
+
+    /**
+     * A slider that has no reading yet.
+     *
+     * @param parameter gives name, unit, range and help
+     * @param positiveLeft whether values grow to the left, as turns do
+     * @param wish called on the event dispatch thread; must not wait
+     */
+    public ReachSlider(Parameter parameter, boolean positiveLeft, Wish wish) {
+        super(new MigLayout("insets 0, fillx, gap 4 0, novisualpadding", "[][grow, fill][right]", "[center]"));
+        this.wish = wish;
+        this.unit = parameter.unit().symbol();
+        Range range = parameter.range();
+        this.slider = new JSlider((int) Math.round(range.min()), (int) Math.round(range.max()), 0);
+        this.name = new JLabel(parameter.name());
+        this.reading = new JLabel("–", SwingConstants.TRAILING);
+        setOpaque(false);
+        slider.setInverted(positiveLeft);
+        slider.setName("slider " + parameter.name());
+        slider.setToolTipText(parameter.help());
+        slider.setPreferredSize(new Dimension(KNOB_ROOM, slider.getPreferredSize().height));
+        slider.setMinimumSize(new Dimension(KNOB_ROOM, slider.getPreferredSize().height));
+        slider.getAccessibleContext().setAccessibleName(parameter.name());
+        slider.addChangeListener(change -> changed());
+        reading.setName(parameter.name());
+        add(name);
+        add(slider);
+        add(reading);
+    }
+
+    /**
+     * Gives names and readings of sliders below each other the same widths.
+     *
+     * @param sliders all that stand below each other
+     */
+    public static void align(Iterable<ReachSlider> sliders) {
+        int names = 0;
+        int readings = 0;
+        for (ReachSlider one : sliders) {
+            names = Math.max(names, one.name.getPreferredSize().width);
+            readings = Math.max(readings, one.widestReading());
+        }
+        for (ReachSlider one : sliders) {
+            ((MigLayout) one.getLayout())
+                    .setColumnConstraints("[" + names + "!][grow, fill][right, " + readings + "!]");
+        }
+    }
+
+    private int widestReading() {
+        String widest = "-888 " + unit;
+        return reading.getFontMetrics(reading.getFont()).stringWidth(widest) + 4;
+    }
+
+    private void changed() {
+        if (!following) {
+            wish.choose(slider.getValue(), !slider.getValueIsAdjusting());
+        }
+    }
+
+    /**
+     * Shows what is measured.
+     *
+     * @param words the reading with its unit
+     * @param value the same for the knob; null leaves it where it is
+     * @param chosen whether a choice of the person is still under way, so that the knob stays on it
+     */
+    public void show(String words, @Nullable Double value, boolean chosen) {
+        reading.setText(words);
+        if (value != null && !chosen && !slider.getValueIsAdjusting()) {
+            following = true;
+            slider.setValue((int) Math.round(value));
+            following = false;
+        }
+    }
+
+    @Override
+    public void setEnabled(boolean enabled) {
+        super.setEnabled(enabled);
+        slider.setEnabled(enabled);
+    }
+
+    /**
+     * The knob.
+     *
+     * @return for tests
+     */
+    public JSlider slider() {
+        return slider;
+    }
+}
