@@ -14,28 +14,25 @@ final class AiboNumbers extends NumbersPanel {
     private static final String LONGEST = "-88888 mm";
 
     private static final List<String> SHOWN = List.of(
-            "battery",
-            "motors",
             "distanceFront",
             "distanceNear",
             "distance",
             "distanceChest",
-            "headPan",
-            "headTilt",
-            "neck",
             "bumped",
+            "x",
+            "y",
+            "heading",
+            "mouth",
+            "tailPan",
+            "tailTilt",
             "headSensor",
             "backSensorF",
             "backSensorM",
             "backSensorR",
             "accelX",
             "accelY",
-            "accelZ",
-            "x",
-            "y",
-            "heading");
+            "accelZ");
 
-    private final JLabel posture = row("posture", "unknown");
     private final transient Map<String, JLabel> shown = new LinkedHashMap<>();
 
     AiboNumbers() {
@@ -43,13 +40,14 @@ final class AiboNumbers extends NumbersPanel {
     }
 
     void show(MajicAibo bot) {
-        String guess = bot.dog().senses().posture();
-        posture.setText(guess == null ? NONE : guess);
-        shown.forEach((name, label) -> label.setText(text(bot.get(name))));
+        shown.forEach((name, label) -> {
+            label.setText(text(bot.get(name)));
+            label.setEnabled(bot.isConnected());
+        });
     }
 
     /** Short: without the word about, without the reason why there is none. */
-    private static String text(Value value) {
+    static String text(Value value) {
         if (value instanceof Value.Unknown) {
             return NONE;
         }

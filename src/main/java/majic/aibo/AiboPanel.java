@@ -1,24 +1,53 @@
 package majic.aibo;
 
+import java.awt.event.HierarchyEvent;
 import javax.swing.JComponent;
+import javax.swing.JPanel;
+import majic.panel.Cockpit;
 import majic.panel.NewsPanel;
-import majic.panel.NumbersBeside;
+import net.miginfocom.swing.MigLayout;
 
-/** Shows one dog, drawn from above and from its side, with its readings in numbers. */
+/**
+ * Shows one dog: what its camera sees, the dog itself with all that moves, shines and can be touched, and its readings.
+ * The sliders of the head move it; nothing else sends it anything but questions.
+ */
 final class AiboPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
     private final transient MajicAibo bot;
-    private final AiboNumbers numbers = new AiboNumbers();
     private final DogDrawing drawing;
+    private final transient CameraPanel camera = new CameraPanel();
+    private final transient Spectator spectator;
+    private final HeadPanel head;
+    private final BodyPanel body = new BodyPanel();
+    private final AiboNumbers numbers = new AiboNumbers();
 
     private AiboPanel(MajicAibo bot) {
         super(bot);
         this.bot = bot;
         this.drawing = new DogDrawing(bot.dog());
+        this.head = new HeadPanel(bot);
+        this.spectator = bot.spectator(camera);
+        JPanel controls = controls();
         add(drawing);
+        add(camera.view());
+        add(controls);
         add(numbers);
-        setLayout(new NumbersBeside(drawing, numbers));
+        setLayout(new Cockpit(drawing, camera.view(), controls, numbers));
+        addHierarchyListener(change -> {
+            if ((change.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
+                spectator.look(isShowing());
+            }
+        });
+    }
+
+    private JPanel controls() {
+        JPanel controls =
+                new JPanel(new MigLayout("insets 0, wrap 1, fillx, gap 0 4, novisualpadding", "[grow, fill]"));
+        controls.setOpaque(false);
+        controls.add(head);
+        controls.add(body);
+        return controls;
     }
 
     /** Makes the panel; on the event dispatch thread. */
@@ -29,9 +58,19 @@ final class AiboPanel extends NewsPanel {
     }
 
     @Override
+    public void removeNotify() {
+        spectator.look(false);
+        super.removeNotify();
+    }
+
+    @Override
     protected void refresh() {
+        boolean connected = bot.isConnected();
+        camera.refresh();
+        head.refresh();
+        body.refresh(bot.dog().senses(), connected);
         numbers.show(bot);
-        drawing.setEnabled(bot.isConnected());
+        drawing.setEnabled(connected);
         drawing.repaint();
     }
 }

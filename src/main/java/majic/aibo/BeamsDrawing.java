@@ -24,6 +24,9 @@ final class BeamsDrawing {
     private static final double HALF_BAR_DEG = 18;
     private static final double NEAR_MM = 250;
 
+    /** In smaller drawings the rings' numbers would cover the dog. */
+    private static final double LEAST_REACH_PX = 75;
+
     private final Dog dog;
     private final Ink ink;
     private final double reachPx;
@@ -63,7 +66,9 @@ final class BeamsDrawing {
         for (int mm = FARTHEST_MM; mm > 0; mm -= RING_MM) {
             pen.setColor(ink.grey(0.25));
             pen.draw(arc(radius(mm), 0, 90, Arc2D.OPEN));
-            free = paintNumber(pen, Value.plain(mm / 1000.0) + (mm == FARTHEST_MM ? " m" : ""), radius(mm), free);
+            if (reachPx >= LEAST_REACH_PX) {
+                free = paintNumber(pen, Value.plain(mm / 1000.0) + (mm == FARTHEST_MM ? " m" : ""), radius(mm), free);
+            }
         }
     }
 

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 final class Dog {
     private final Calibration calibration;
     private final Senses senses = new Senses();
+    private final Lamps lamps = new Lamps();
     private final InfraRed infraRed = new InfraRed(senses);
     private final Surroundings surroundings = new Surroundings();
     private final LegSpeed legSpeed = new LegSpeed();
@@ -28,6 +29,10 @@ final class Dog {
 
     Senses senses() {
         return senses;
+    }
+
+    Lamps lamps() {
+        return lamps;
     }
 
     InfraRed infraRed() {
@@ -57,6 +62,7 @@ final class Dog {
     /** Forgets what an earlier connection said. */
     void forgetReadings() {
         senses.clear();
+        lamps.clear();
         surroundings.clear();
         afoot = false;
     }

@@ -2,55 +2,111 @@ package majic.aibo;
 
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.Line2D;
 import javax.swing.JPanel;
 import majic.panel.Ink;
 
 /**
- * Draws the dog as large as the room allows: from above, with what its distance sensors meet around its head, and in the
- * corner beside it from its right; faded while disabled. For the event thread.
+ * Draws the dog three times with its joints as they were measured: from its right, from above with what its distance
+ * sensors meet, and its face. As large as the room allows; faded while disabled. For the event thread.
  */
 final class DogDrawing extends JPanel {
     private static final long serialVersionUID = 1;
 
-    /** Of the drawing's size: how far from its foot the head turns, and how far the beams reach beyond. */
-    private static final double HEAD_AT = 0.45;
+    /** Wider than this for its height, and all three stand in a row. */
+    private static final double WIDE = 2.1;
 
-    private static final double REACH = 0.52;
-    private static final double WIDTH_TO_HEIGHT = 1.08;
+    /** Higher than this for its width, and all three stand below each other. */
+    private static final double NARROW = 1.3;
+
+    /** Of the room from above: how far from its foot the head turns, and how far the beams reach beyond. */
+    private static final double HEAD_AT = 0.55;
+
+    private static final double REACH = 0.43;
+    private static final double NOSE_MM = 104;
+    private static final double BEHIND_HEAD_MM = 270;
 
     private final transient Dog dog;
 
     DogDrawing(Dog dog) {
         this.dog = dog;
         setOpaque(false);
-        getAccessibleContext().setAccessibleName("the Aibo from above and from its side");
-        setToolTipText("The rings tell how far the infra-red sensors see; filled paws are on the ground");
+        getAccessibleContext().setAccessibleName("the Aibo from its side, from above, and its face");
+        setToolTipText("Rings: how far the infra-red sensors see. Blue pads are pressed, blue paws on the ground.");
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
         Ink.prepare(pen);
-        Ink ink = isEnabled() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
-        double size = Math.min(getHeight(), getWidth() / WIDTH_TO_HEIGHT);
-        double foot = (getHeight() + size) / 2;
-        double middle = getWidth() / 2.0;
-        Graphics2D atHead = (Graphics2D) pen.create();
-        atHead.translate(middle, foot - HEAD_AT * size);
-        double dogScale = HEAD_AT * size / TopDrawing.BEHIND_HEAD_MM;
-        new BeamsDrawing(dog, ink, REACH * size, dogScale * TopDrawing.NOSE_MM).paint(atHead);
-        atHead.scale(dogScale, -dogScale);
-        new TopDrawing(dog.senses(), ink).paint(atHead);
-        atHead.dispose();
-        paintSide(pen, ink, middle - dogScale * TopDrawing.HALF_WIDTH_MM, foot, HEAD_AT * size);
+        int width = getWidth();
+        int height = getHeight();
+        if (width > WIDE * height) {
+            int each = (int) (0.36 * width);
+            paintSide(part(pen, new Rectangle(0, 0, each, height)));
+            paintAbove(part(pen, new Rectangle(each, 0, each, height)));
+            paintFace(part(pen, new Rectangle(2 * each, 0, width - 2 * each, height)));
+        } else if (height > NARROW * width) {
+            int side = (int) (0.35 * height);
+            int face = (int) (0.26 * height);
+            paintSide(part(pen, new Rectangle(0, 0, width, side)));
+            paintAbove(part(pen, new Rectangle(0, side, width, height - side - face)));
+            paintFace(part(pen, new Rectangle(0, height - face, width, face)));
+        } else {
+            int side = (int) (0.46 * height);
+            int above = (int) (0.6 * width);
+            paintSide(part(pen, new Rectangle(0, 0, width, side)));
+            paintAbove(part(pen, new Rectangle(0, side, above, height - side)));
+            paintFace(part(pen, new Rectangle(above, side, width - above, height - side)));
+        }
         pen.dispose();
     }
 
-    private void paintSide(Graphics2D pen, Ink ink, double width, double foot, double height) {
-        double gap = 0.08 * height;
-        double scale = Math.min((width - gap) / SideDrawing.LENGTH_MM, (height - 2 * gap) / SideDrawing.HEIGHT_MM);
-        pen.translate((width - scale * SideDrawing.LENGTH_MM) / 2 + scale * SideDrawing.TAIL_MM, foot - gap);
+    private static Graphics2D part(Graphics2D pen, Rectangle room) {
+        return (Graphics2D) pen.create(room.x, room.y, room.width, room.height);
+    }
+
+    private Ink ink() {
+        return isEnabled() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
+    }
+
+    private void paintSide(Graphics2D pen) {
+        double width = pen.getClipBounds().getWidth();
+        double height = pen.getClipBounds().getHeight();
+        double length = FigureDrawing.AHEAD_MM + FigureDrawing.REAR_MM;
+        double scale = Math.min(width / length, height / (FigureDrawing.HIGH_MM + 16));
+        pen.translate(width / 2 + (FigureDrawing.REAR_MM - length / 2) * scale, height - 10 * scale);
         pen.scale(scale, -scale);
-        new SideDrawing(dog.senses(), ink).paint(pen);
+        pen.setColor(ink().grey(0.35));
+        pen.setStroke(Ink.stroke(2.5));
+        pen.draw(new Line2D.Double(-FigureDrawing.REAR_MM, 0, FigureDrawing.AHEAD_MM, 0));
+        new FigureDrawing(dog, View.SIDE, ink(), isEnabled()).paint(pen);
+        pen.dispose();
+    }
+
+    private void paintAbove(Graphics2D pen) {
+        double width = pen.getClipBounds().getWidth();
+        double height = pen.getClipBounds().getHeight();
+        double size = Math.min(width, height);
+        double scale = HEAD_AT * size / BEHIND_HEAD_MM;
+        pen.translate(width / 2, (height + size) / 2 - HEAD_AT * size);
+        new BeamsDrawing(dog, ink(), REACH * size, scale * NOSE_MM).paint(pen);
+        pen.scale(scale, -scale);
+        FigureDrawing figure = new FigureDrawing(dog, View.ABOVE, ink(), isEnabled());
+        pen.translate(0, -figure.skeleton().neckFoot().x());
+        figure.paint(pen);
+        pen.dispose();
+    }
+
+    private void paintFace(Graphics2D pen) {
+        double width = pen.getClipBounds().getWidth();
+        double height = pen.getClipBounds().getHeight();
+        double tall = FaceDrawing.TOP_MM + FaceDrawing.FOOT_MM;
+        double scale = 0.9 * Math.min(width / (2 * FaceDrawing.HALF_WIDTH_MM), height / tall);
+        pen.translate(width / 2, (height - scale * tall) / 2 + scale * FaceDrawing.TOP_MM);
+        pen.scale(scale, -scale);
+        new FaceDrawing(dog, ink(), isEnabled()).paint(pen);
+        pen.dispose();
     }
 }

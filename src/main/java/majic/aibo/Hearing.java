@@ -60,6 +60,8 @@ final class Hearing {
         Sensor sensor = poll.sensor(message);
         if (sensor != null) {
             sensed(sensor, message);
+        } else if (dog.lamps().hear(message)) {
+            LOG.log(Level.TRACE, "lamp: {0}", message);
         } else if (message.tag().equals("power") && message.body() instanceof UrbiMessage.Info info) {
             heardPower(info.text(), message.timeMs());
         } else {

@@ -179,6 +179,11 @@ public final class MajicAibo extends MajicBot {
         return dog;
     }
 
+    /** Somebody who looks at the dog through it, not yet looking. */
+    Spectator spectator(Spectator.Audience audience) {
+        return new Spectator(new Watch(time(), changes()), () -> isConnected() ? session : null, audience);
+    }
+
     /** What there is while it is connected. */
     AiboSession session() {
         AiboSession open = session;

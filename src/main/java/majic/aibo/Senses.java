@@ -74,10 +74,18 @@ final class Senses {
         return number(Sensor.LEG_LOAD).map(load -> load > STIFF);
     }
 
+    /** Whether a touch sensor or button is pressed, a paw on the ground. */
+    boolean isPressed(Sensor sensor) {
+        boolean button = switch (sensor) {
+            case HEAD_TOUCH, BACK_FRONT, BACK_MIDDLE, BACK_REAR -> false;
+            default -> true;
+        };
+        return number(sensor).orElse(0.0) > (button ? STIFF : PRESSED);
+    }
+
     /** Whether something presses on the front of the dog, where it would run into things. */
     boolean isBumped() {
-        return number(Sensor.CHIN).orElse(0.0) > STIFF
-                || number(Sensor.HEAD_TOUCH).orElse(0.0) > PRESSED;
+        return isPressed(Sensor.CHIN) || isPressed(Sensor.HEAD_TOUCH);
     }
 
     boolean isOnItsBack() {

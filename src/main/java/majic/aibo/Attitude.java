@@ -1,0 +1,25 @@
+package majic.aibo;
+
+import java.util.Optional;
+
+/**
+ * How the dog is tilted, from what its acceleration sensors make of gravity: on its feet it is all in z, downwards (URBI
+ * sheet 13). Immutable.
+ *
+ * @param pitchDeg nose up positive, −90 to 90
+ * @param rollDeg right side down positive, −180 to 180
+ */
+record Attitude(double pitchDeg, double rollDeg) {
+    /** As the sensors tell it now; empty before they have. */
+    static Optional<Attitude> of(Senses senses) {
+        Optional<Double> x = senses.number(Sensor.ACCEL_X);
+        Optional<Double> y = senses.number(Sensor.ACCEL_Y);
+        Optional<Double> z = senses.number(Sensor.ACCEL_Z);
+        if (x.isEmpty() || y.isEmpty() || z.isEmpty()) {
+            return Optional.empty();
+        }
+        double pitch = Math.atan2(-x.get(), Math.hypot(y.get(), z.get()));
+        double roll = Math.atan2(y.get(), -z.get());
+        return Optional.of(new Attitude(Math.toDegrees(pitch), Math.toDegrees(roll)));
+    }
+}

@@ -1,0 +1,65 @@
+package majic.aibo;
+
+import java.util.Optional;
+import java.util.OptionalInt;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import majic.panel.BatteryIcon;
+import majic.panel.Horizon;
+import majic.panel.Light;
+import majic.panel.Light.Kind;
+import net.miginfocom.swing.MigLayout;
+
+/** How the dog lies in space, its battery, its posture and its motors. For the event thread. */
+final class BodyPanel extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int DISC = 56;
+
+    private final Horizon horizon = new Horizon(DISC);
+    private final JLabel battery =
+            new JLabel("no reading yet", new BatteryIcon(OptionalInt.empty(), false), JLabel.LEADING);
+    private final JLabel posture = new JLabel("–");
+    private final Light motors =
+            new Light("motorsLight", "Whether the legs are stiff; the first motion switches them on");
+
+    BodyPanel() {
+        super(new MigLayout("insets 0, gap 8 0, novisualpadding", "[][grow, fill]", "[][][]"));
+        setOpaque(false);
+        battery.setName("batteryLeft");
+        battery.setToolTipText("The battery");
+        posture.setName("postureGuess");
+        posture.setToolTipText("What the dog takes its posture for");
+        add(horizon, "span 1 3, w " + DISC + "!, h " + DISC + "!");
+        add(battery, "wrap");
+        add(motors, "wrap");
+        add(posture);
+    }
+
+    void refresh(Senses senses, boolean connected) {
+        horizon.setEnabled(connected);
+        horizon.show(Attitude.of(senses)
+                .map(now -> new Horizon.Tilt(now.pitchDeg(), now.rollDeg()))
+                .orElse(null));
+        battery.setEnabled(connected);
+        posture.setEnabled(connected);
+        motors.setEnabled(connected);
+        String guess = senses.posture();
+        posture.setText(guess == null ? "posture unknown" : "posture " + guess);
+        Optional<Boolean> on = senses.motorsOn();
+        motors.show(
+                on.orElse(false) ? Kind.GOOD : Kind.QUIET,
+                on.map(BodyPanel::words).orElse("motors unknown"));
+        showBattery(senses.number(Sensor.CHARGE));
+    }
+
+    private static String words(boolean on) {
+        return on ? "motors on" : "motors off";
+    }
+
+    private void showBattery(Optional<Double> charge) {
+        OptionalInt percent =
+                charge.isPresent() ? OptionalInt.of((int) Math.round(100 * charge.get())) : OptionalInt.empty();
+        battery.setIcon(new BatteryIcon(percent, false));
+        battery.setText(percent.isPresent() ? percent.getAsInt() + " %" : "no reading yet");
+    }
+}

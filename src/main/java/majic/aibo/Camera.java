@@ -1,0 +1,66 @@
+package majic.aibo;
+
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
+
+/** Asks for pictures, one at a time: none is asked for while an earlier one may still be on its way. Thread-safe. */
+final class Camera {
+    static final double LONGEST_S = 4;
+
+    private final Watch watch;
+    private final Tags tags = new Tags();
+    private final AtomicReference<@Nullable Request> pending = new AtomicReference<>();
+
+    private record Request(UrbiConnection on, Ask ask) {}
+
+    Camera(Watch watch) {
+        this.watch = watch;
+    }
+
+    /**
+     * Asks for a picture, unless one is on its way, and waits for it.
+     *
+     * @param over ends the waiting; the picture on its way is then the next caller's
+     * @return what the dog answered; null if the waiting was ended
+     * @throws UrbiRefusal if none comes in time, or the dog tells why there is none
+     * @throws majic.bot.LinkLost if the connection is gone
+     */
+    @Nullable
+    UrbiValue next(UrbiConnection on, BooleanSupplier over) {
+        Request request = request(on);
+        Ask ask = request.ask();
+        watch.await(() -> ask.isDone() || on.isEnded() || over.getAsBoolean(), LONGEST_S);
+        if (!ask.isDone() && over.getAsBoolean()) {
+            return null;
+        }
+        on.forget(ask);
+        pending.compareAndSet(request, null);
+        UrbiValue picture = ask.value();
+        if (picture == null) {
+            throw new UrbiRefusal(why(ask));
+        }
+        return picture;
+    }
+
+    private static String why(Ask ask) {
+        String failure = ask.failure();
+        return failure == null
+                ? "no picture came within " + (int) LONGEST_S + " s"
+                : "the dog gives no picture: " + failure;
+    }
+
+    /** The one under way, or a new one; a picture that came while nobody waited for it is an old one. */
+    private Request request(UrbiConnection on) {
+        Request last = pending.get();
+        if (last != null && last.on() == on && !last.ask().isDone()) {
+            return last;
+        }
+        Request fresh = new Request(on, new Ask(tags.next(), Ask.Expects.VALUE));
+        if (!pending.compareAndSet(last, fresh)) {
+            return request(on);
+        }
+        on.send(fresh.ask(), on.dialect().labelled(fresh.ask().tag(), "camera.val") + ";");
+        return fresh;
+    }
+}

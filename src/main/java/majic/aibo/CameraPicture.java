@@ -1,0 +1,103 @@
+package majic.aibo;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.Iterator;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+
+/** Turns what the dog's camera sends into pictures: a JFIF file, or three bytes for each pixel (URBI sheet 12). */
+final class CameraPicture {
+    /** Many times what the camera has; more is damage. */
+    private static final int MOST_PIXELS = 2_000_000;
+
+    private static final int BYTES_PER_PIXEL = 3;
+
+    private CameraPicture() {}
+
+    /**
+     * A picture.
+     *
+     * @throws UrbiRefusal if it is none, or a damaged one; says which
+     */
+    static BufferedImage of(UrbiValue value) {
+        if (!(value instanceof UrbiValue.Binary binary) || binary.words().isEmpty()) {
+            throw new UrbiRefusal("the dog's camera sends no picture");
+        }
+        return switch (binary.words().get(0)) {
+            case "jpeg" -> jpeg(binary.bytes());
+            case "YCbCr" -> yCbCr(binary);
+            default ->
+                throw new UrbiRefusal("the picture is of a kind not known here: "
+                        + binary.words().get(0));
+        };
+    }
+
+    private static BufferedImage jpeg(byte[] bytes) {
+        Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName("jpeg");
+        ImageReader reader = readers.next();
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
+            reader.setInput(in, true, true);
+            reader.addIIOReadWarningListener((source, warning) -> {
+                throw new UrbiRefusal("the picture is damaged: " + warning);
+            });
+            check(reader.getWidth(0), reader.getHeight(0));
+            return reader.read(0);
+        } catch (IOException | RuntimeException e) {
+            if (e instanceof UrbiRefusal refusal) {
+                throw refusal;
+            }
+            throw new UrbiRefusal("the picture is damaged: " + e.getMessage());
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    private static BufferedImage yCbCr(UrbiValue.Binary binary) {
+        int width = number(binary.words(), 1);
+        int height = number(binary.words(), 2);
+        check(width, height);
+        byte[] bytes = binary.bytes();
+        int wanted = BYTES_PER_PIXEL * width * height;
+        if (bytes.length != wanted) {
+            throw new UrbiRefusal("the picture is damaged: " + bytes.length + " bytes for " + wanted);
+        }
+        int[] pixels = new int[width * height];
+        for (int pixel = 0; pixel < pixels.length; pixel++) {
+            int at = BYTES_PER_PIXEL * pixel;
+            pixels[pixel] = rgb(bytes[at] & 0xFF, (bytes[at + 1] & 0xFF) - 128, (bytes[at + 2] & 0xFF) - 128);
+        }
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, width, height, pixels, 0, width);
+        return image;
+    }
+
+    /** The conversion of JFIF. */
+    private static int rgb(int luma, int blue, int red) {
+        return clip(luma + 1.402 * red) << 16
+                | clip(luma - 0.344136 * blue - 0.714136 * red) << 8
+                | clip(luma + 1.772 * blue);
+    }
+
+    private static int clip(double channel) {
+        return (int) Math.max(0, Math.min(255, Math.round(channel)));
+    }
+
+    private static int number(List<String> words, int index) {
+        try {
+            return index < words.size() ? Integer.parseInt(words.get(index)) : 0;
+        } catch (NumberFormatException e) {
+            return 0;
+        }
+    }
+
+    private static void check(int width, int height) {
+        if (width <= 0 || height <= 0 || (long) width * height > MOST_PIXELS) {
+            throw new UrbiRefusal("the picture is damaged: it claims " + width + " × " + height + " pixels");
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package majic.aibo;
+
+import java.util.List;
+
+/**
+ * How a body lies on the ground, seen from the side: on two of its lowest points, with its middle between them. Left and
+ * right rest on the same height. Immutable.
+ *
+ * @param pitchDeg how far the body is raised in front
+ * @param heightMm of the body's origin
+ */
+record Contact(double pitchDeg, double heightMm) {
+    private static final double TOUCHES_MM = 0.01;
+
+    /**
+     * Lays a body down. A body may lie in several ways, a dog that sits also on its nose.
+     *
+     * @param points what it can rest on, in the body's frame
+     * @param measuredDeg the pitch to which its own should be the nearest
+     */
+    static Contact of(List<Spot> points, double measuredDeg) {
+        Contact nearest = level(points, measuredDeg);
+        double off = Double.POSITIVE_INFINITY;
+        for (Spot rear : points) {
+            for (Spot front : points) {
+                double pitch = -Math.toDegrees(Math.atan2(front.z() - rear.z(), front.x() - rear.x()));
+                if (Math.abs(pitch - measuredDeg) < off && carries(points, rear, front, pitch)) {
+                    off = Math.abs(pitch - measuredDeg);
+                    nearest = level(points, pitch);
+                }
+            }
+        }
+        return nearest;
+    }
+
+    /** Its lowest point touches the ground. */
+    private static Contact level(List<Spot> points, double pitchDeg) {
+        double lowest = points.stream()
+                .mapToDouble(point -> point.raised(pitchDeg).z())
+                .min()
+                .orElse(0);
+        return new Contact(pitchDeg, -lowest);
+    }
+
+    /** Whether the body rests on these two, its middle between them. */
+    private static boolean carries(List<Spot> points, Spot rear, Spot front, double pitchDeg) {
+        double ground = rear.raised(pitchDeg).z();
+        return rear.raised(pitchDeg).x() <= 0
+                && front.raised(pitchDeg).x() > 0
+                && points.stream().allMatch(point -> point.raised(pitchDeg).z() > ground - TOUCHES_MM);
+    }
+
+    /** Where a point of the body is when it lies so. */
+    Spot onGround(Spot own) {
+        return own.raised(pitchDeg).plus(new Spot(0, 0, heightMm));
+    }
+}

@@ -1,0 +1,90 @@
+package majic.aibo;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.util.List;
+import majic.panel.Ink;
+
+/** The whole dog as one view shows it, with every joint as it was measured; in mm, the ground at 0. */
+final class FigureDrawing {
+    /** How far it reaches ahead and to the rear of its middle, and up, in most of its postures. */
+    static final double AHEAD_MM = 190;
+
+    static final double REAR_MM = 185;
+    static final double HIGH_MM = 305;
+
+    private static final List<String> PLACES = List.of("F", "M", "R");
+    private static final List<Color> COLOURS = List.of(LampDrawing.BLUE, LampDrawing.ORANGE, LampDrawing.RED);
+    private static final List<Sensor> PADS = List.of(Sensor.BACK_FRONT, Sensor.BACK_MIDDLE, Sensor.BACK_REAR);
+    private static final double PAD_STEP_MM = 40;
+    private static final int TAIL_PIECES = 6;
+
+    private final Dog dog;
+    private final Skeleton skeleton;
+    private final View view;
+    private final Ink ink;
+    private final boolean live;
+
+    /** A live dog's LEDs shine. */
+    FigureDrawing(Dog dog, View view, Ink ink, boolean live) {
+        this.dog = dog;
+        this.skeleton = new Skeleton(dog.senses());
+        this.view = view;
+        this.ink = ink;
+        this.live = live;
+    }
+
+    Skeleton skeleton() {
+        return skeleton;
+    }
+
+    void paint(Graphics2D pen) {
+        PartsDrawing parts = new PartsDrawing(view, ink, live);
+        for (Limb limb : Limb.values()) {
+            addLeg(parts, limb);
+        }
+        addTail(parts);
+        parts.bone(skeleton.body(new Spot(-46, 0, 0)), skeleton.body(new Spot(42, 0, 2)), 102, 0.12);
+        for (int place = 0; place < PLACES.size(); place++) {
+            addBack(parts, place);
+        }
+        new HeadDrawing(dog, skeleton, ink).addTo(parts);
+        parts.paint(pen);
+    }
+
+    /** The paw shows the accent while it feels the ground. */
+    private void addLeg(PartsDrawing parts, Limb limb) {
+        Limb.Bones bones = skeleton.leg(limb);
+        parts.bone(bones.top(), bones.middle(), 46, 0.26);
+        parts.bone(bones.middle(), bones.foot(), 32, 0.2);
+        boolean down = dog.senses().isPressed(limb.paw());
+        Spot toe = bones.foot().plus(new Spot(12, 0, -1));
+        parts.part(bones.foot().plus(new Spot(-3, 0, -1)), toe, 27, down ? ink.accent() : ink.paper());
+    }
+
+    private void addTail(PartsDrawing parts) {
+        for (int piece = 0; piece < TAIL_PIECES; piece++) {
+            Spot from = skeleton.tail((double) piece / TAIL_PIECES);
+            parts.bone(from, skeleton.tail((piece + 1.0) / TAIL_PIECES), 17, 0.5);
+        }
+    }
+
+    /** A pad to stroke, and beneath it a coloured and a white LED. */
+    private void addBack(PartsDrawing parts, int place) {
+        double x = 38 - place * PAD_STEP_MM;
+        boolean pressed = dog.senses().isPressed(PADS.get(place));
+        parts.pad(skeleton.body(new Spot(x - 9, 0, 51)), skeleton.body(new Spot(x + 9, 0, 51)), 15, pressed);
+        String name = "ledB" + PLACES.get(place);
+        double height = view == View.SIDE ? 31 : 48;
+        parts.lamp(
+                skeleton.body(new Spot(x - 8, -24, height)),
+                COLOURS.get(place),
+                dog.lamps().amount(name + "C"));
+        double left = view == View.SIDE ? -24 : 24;
+        double further = view == View.SIDE ? 8 : -8;
+        parts.lamp(
+                skeleton.body(new Spot(x + further, left, height)),
+                LampDrawing.WHITE,
+                dog.lamps().amount(name + "W"));
+    }
+}

@@ -1,0 +1,59 @@
+package majic.aibo;
+
+import majic.bot.BotException;
+import majic.bot.Hand;
+import majic.bot.MajicBot;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Moves joints of one robot as a person drags sliders: takes the robot into the hand when a drag begins, by the rules for
+ * everybody who moves a robot, and lets it go when the last joint has arrived. A stop ends it until the next drag. Never
+ * waits; used by one thread.
+ */
+final class Grip {
+    private final MajicBot bot;
+    private @Nullable Hand hand;
+    private boolean dragging;
+    private boolean held;
+
+    Grip(MajicBot bot) {
+        this.bot = bot;
+    }
+
+    /** Whether what was chosen last is still being done. */
+    boolean isHolding() {
+        return hand != null && !hand.isOff();
+    }
+
+    /** Chooses an angle; what stands against it is said to the person, once a drag. */
+    void choose(String joint, double degrees, boolean last) {
+        if (!dragging) {
+            dragging = true;
+            held = take(joint, degrees);
+        } else if (held && hand != null) {
+            hand.set(joint, degrees);
+        }
+        if (last) {
+            dragging = false;
+            if (hand != null) {
+                hand.finish();
+            }
+        }
+    }
+
+    private boolean take(String joint, double degrees) {
+        if (hand != null && hand.set(joint, degrees)) {
+            return true;
+        }
+        bot.member().ifPresent(member -> {
+            try {
+                hand = new Hand(member);
+                hand.set(joint, degrees);
+            } catch (BotException e) {
+                hand = null;
+                member.complain(e);
+            }
+        });
+        return hand != null;
+    }
+}

@@ -1,0 +1,72 @@
+package majic.aibo;
+
+import java.awt.Color;
+import majic.panel.Ink;
+
+/** The head with its visor, jaw and ears, its touch sensors and LEDs. */
+final class HeadDrawing {
+    private static final Spot SKULL = new Spot(-4, 0, 16);
+    private static final Spot JAW_HINGE = new Spot(18, 0, -20);
+    private static final Spot JAW = new Spot(40, 0, 0);
+    private static final double EAR_MM = 42;
+
+    /** The head sits on the neck and hides its upper end, however it is turned. */
+    private static final double NECK_BEHIND_MM = 60;
+
+    private final Dog dog;
+    private final Skeleton skeleton;
+    private final Ink ink;
+
+    HeadDrawing(Dog dog, Skeleton skeleton, Ink ink) {
+        this.dog = dog;
+        this.skeleton = skeleton;
+        this.ink = ink;
+    }
+
+    /** The look of the visor, behind which the LEDs of the face are. */
+    static Color visor(Ink ink) {
+        return new Color(0x23292F).equals(ink.paper()) ? ink.grey(0.3) : new Color(0x23292F);
+    }
+
+    void addTo(PartsDrawing parts) {
+        parts.boneBehind(NECK_BEHIND_MM, skeleton.neckFoot(), skeleton.head(new Spot(0, 0, -14)), 40, 0.4);
+        parts.bone(skeleton.head(SKULL), skeleton.head(new Spot(6, 0, 16)), 82, 0.08);
+        parts.bone(skeleton.head(new Spot(24, 0, 8)), skeleton.head(new Spot(46, 0, 4)), 56, 0.08);
+        parts.part(skeleton.head(new Spot(58, 0, 8)), skeleton.head(new Spot(62, 0, 2)), 36, visor(ink));
+        parts.bone(skeleton.head(JAW_HINGE), skeleton.jaw(JAW_HINGE, JAW), 19, 0.3);
+        addTouch(parts);
+        addEar(parts, 1, "earL");
+        addEar(parts, -1, "earR");
+        parts.lamp(
+                skeleton.head(new Spot(18, -9, 52)),
+                LampDrawing.ORANGE,
+                dog.lamps().amount("ledHC"));
+        parts.lamp(
+                skeleton.head(new Spot(18, 9, 52)),
+                LampDrawing.WHITE,
+                dog.lamps().amount("ledHW"));
+        parts.lamp(
+                skeleton.head(new Spot(-42, 0, 26)),
+                LampDrawing.BLUE,
+                dog.lamps().amount("ledWIFI"));
+    }
+
+    private void addTouch(PartsDrawing parts) {
+        Spot chin = skeleton.jaw(JAW_HINGE, new Spot(34, 0, -9));
+        parts.pad(
+                chin,
+                skeleton.jaw(JAW_HINGE, new Spot(42, 0, -9)),
+                13,
+                dog.senses().isPressed(Sensor.CHIN));
+        Spot top = skeleton.head(new Spot(-14, 0, 56));
+        parts.pad(top, skeleton.head(new Spot(2, 0, 57)), 15, dog.senses().isPressed(Sensor.HEAD_TOUCH));
+    }
+
+    /** Hangs down, or stands off when it is flicked. */
+    private void addEar(PartsDrawing parts, int side, String device) {
+        boolean flicked = dog.lamps().amount(device).orElse(0.0) > 0.5;
+        Spot root = new Spot(-16, side * 38, 34);
+        Spot hang = new Spot(-4, 0, -EAR_MM).spread(side * (flicked ? 75.0 : 12.0));
+        parts.bone(skeleton.head(root), skeleton.head(root.plus(hang)), 24, 0.45);
+    }
+}

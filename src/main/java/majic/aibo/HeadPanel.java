@@ -1,0 +1,53 @@
+package majic.aibo;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.JPanel;
+import majic.panel.ReachSlider;
+import net.miginfocom.swing.MigLayout;
+
+/** Sliders that turn the head. They move the dog, so a script, an act or STOP keeps them from it. For the event thread. */
+final class HeadPanel extends JPanel {
+    private static final long serialVersionUID = 1;
+
+    private final transient MajicAibo bot;
+    private final transient Grip grip;
+    private final transient Map<Joint, ReachSlider> sliders = new EnumMap<>(Joint.class);
+
+    HeadPanel(MajicAibo bot) {
+        super(new MigLayout("insets 0, wrap 1, fillx, gap 0 1, novisualpadding", "[grow, fill]"));
+        this.bot = bot;
+        this.grip = new Grip(bot);
+        setOpaque(false);
+        add(Joint.HEAD_PAN);
+        add(Joint.HEAD_TILT);
+        add(Joint.NECK);
+        ReachSlider.align(sliders.values());
+    }
+
+    private void add(Joint joint) {
+        boolean turns = joint == Joint.HEAD_PAN;
+        String name = joint.urbiName();
+        ReachSlider slider =
+                new ReachSlider(bot.parameter(name), turns, (degrees, last) -> grip.choose(name, degrees, last));
+        sliders.put(joint, slider);
+        add(slider);
+    }
+
+    private static String words(Optional<Double> degrees) {
+        return degrees.map(measured -> Math.round(measured) + " deg").orElse("–");
+    }
+
+    void refresh() {
+        boolean usable = bot.isConnected() && bot.member().isPresent();
+        sliders.forEach((joint, slider) -> {
+            Senses senses = bot.dog().senses();
+            slider.setEnabled(usable);
+            slider.show(
+                    words(senses.number(joint.sensor())),
+                    senses.number(joint.sensor()).orElse(null),
+                    grip.isHolding());
+        });
+    }
+}

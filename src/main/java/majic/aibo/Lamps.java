@@ -1,0 +1,58 @@
+package majic.aibo;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** How brightly the dog's LEDs shine and whether its ears are flicked, while somebody looks. Thread-safe. */
+final class Lamps {
+    private static final String SIGN = "_lamp";
+    private static final Pattern TAG = Pattern.compile("\\w+" + SIGN + "(\\d{1,2})");
+    private static final int PERIOD_MS = 480;
+    private static final List<String> DEVICES = Stream.concat(LightParameters.all().stream(), Stream.of("earL", "earR"))
+            .toList();
+
+    private final Map<String, Double> amounts = new ConcurrentHashMap<>();
+
+    /** The order that makes the dog tell them, until {@link #stop}. */
+    static String order(String tag, Dialect dialect) {
+        String readings = DEVICES.stream()
+                .map(device -> dialect.labelled(tag + SIGN + DEVICES.indexOf(device), device + ".val"))
+                .collect(Collectors.joining(" & "));
+        return tag + ": every(" + PERIOD_MS + ") { " + readings + " },";
+    }
+
+    static String stop(String tag) {
+        return "stop " + tag + ",";
+    }
+
+    /** Takes a message if it speaks of one of them; tells whether it does. */
+    boolean hear(UrbiMessage message) {
+        Matcher tag = TAG.matcher(message.tag());
+        int index = tag.matches() ? Integer.parseInt(tag.group(1)) : DEVICES.size();
+        if (index >= DEVICES.size()) {
+            return false;
+        }
+        if (message.body() instanceof UrbiMessage.Result result
+                && result.value() instanceof UrbiValue.Num number
+                && Double.isFinite(number.amount())) {
+            amounts.put(DEVICES.get(index), number.amount());
+        }
+        return true;
+    }
+
+    /** Forgets all, as when the dog is another one. */
+    void clear() {
+        amounts.clear();
+    }
+
+    /** How brightly an LED shines, 0 to 1; 1 for an ear that is flicked; empty if the dog has not told. */
+    Optional<Double> amount(String device) {
+        return Optional.ofNullable(amounts.get(device));
+    }
+}

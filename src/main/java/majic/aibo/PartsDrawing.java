@@ -1,0 +1,82 @@
+package majic.aibo;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import majic.panel.Ink;
+
+/** The parts of the dog as one view shows them, painted from the farthest to the nearest, in mm. */
+final class PartsDrawing {
+    private static final double OUTLINE_MM = 5;
+    private static final double LAMP_MM = 5;
+
+    /** What faces away is a little darker. */
+    private static final double SHADE = 0.0012;
+
+    private final View view;
+    private final Ink ink;
+    private final boolean live;
+    private final LampDrawing lamps;
+    private final List<Part> parts = new ArrayList<>();
+
+    private record Part(double depth, Consumer<Graphics2D> paint) {}
+
+    /** No parts yet; lamps shine only while the dog is live. */
+    PartsDrawing(View view, Ink ink, boolean live) {
+        this.view = view;
+        this.ink = ink;
+        this.live = live;
+        this.lamps = new LampDrawing(ink, LAMP_MM, ink.grey(0.8));
+    }
+
+    /** A round-ended part of this thickness. */
+    void bone(Spot from, Spot to, double widthMm, double grey) {
+        boneBehind(0, from, to, widthMm, grey);
+    }
+
+    /** The same, painted as if it were farther away. */
+    void boneBehind(double furtherMm, Spot from, Spot to, double widthMm, double grey) {
+        double depth = (view.depth(from) + view.depth(to)) / 2;
+        double shaded = grey + SHADE * Math.max(0, Math.min(120, depth + 40));
+        Color color = ink.grey(Math.min(0.75, shaded));
+        parts.add(new Part(depth + furtherMm, pen -> capsule(pen, from, to, widthMm, color)));
+    }
+
+    /** A part of a colour of its own. */
+    void part(Spot from, Spot to, double widthMm, Color color) {
+        double depth = (view.depth(from) + view.depth(to)) / 2;
+        parts.add(new Part(depth, pen -> capsule(pen, from, to, widthMm, color)));
+    }
+
+    /** A touch sensor; stands out while it is pressed. */
+    void pad(Spot from, Spot to, double widthMm, boolean pressed) {
+        double depth = (view.depth(from) + view.depth(to)) / 2;
+        Color color = pressed ? ink.accent() : ink.paper();
+        parts.add(new Part(depth, pen -> capsule(pen, from, to, pressed ? 1.35 * widthMm : widthMm, color)));
+    }
+
+    void lamp(Spot at, Color light, Optional<Double> amount) {
+        Optional<Double> shown = live ? amount : Optional.empty();
+        parts.add(new Part(view.depth(at) - 1, pen -> lamps.paint(pen, view.across(at), view.up(at), light, shown)));
+    }
+
+    void paint(Graphics2D pen) {
+        parts.sort(Comparator.comparingDouble(Part::depth).reversed());
+        parts.forEach(part -> part.paint().accept(pen));
+    }
+
+    private void capsule(Graphics2D pen, Spot from, Spot to, double widthMm, Color color) {
+        Line2D line = new Line2D.Double(view.across(from), view.up(from), view.across(to), view.up(to));
+        pen.setColor(ink.grey(0.8));
+        pen.setStroke(Ink.stroke(widthMm));
+        pen.draw(line);
+        pen.setColor(color);
+        pen.setStroke(Ink.stroke(widthMm - OUTLINE_MM));
+        pen.draw(line);
+    }
+}

@@ -1,0 +1,114 @@
+package majic.aibo;
+
+import java.util.function.Supplier;
+import majic.bot.BotException;
+import majic.bot.Signal;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Asks the dog for what is only worth asking for while somebody looks: pictures, and the state of its LEDs and ears. Has
+ * a thread of its own while it looks, for no other may wait for a picture. Readings go first: after each picture the
+ * connection is left to them for at least as long as the picture took. Thread-safe.
+ */
+final class Spectator {
+    private static final double LEAST_PERIOD_S = 0.1;
+    private static final double AFTER_FAILURE_S = 1;
+
+    /** Who sees what comes. Called on the spectator's thread; may take its time. */
+    interface Audience {
+        /** A picture came. */
+        void see(UrbiValue picture, double perSecond);
+
+        /** There is none; says why. */
+        void miss(String why);
+    }
+
+    private final Watch watch;
+    private final Supplier<@Nullable AiboSession> session;
+    private final Audience audience;
+    private final Camera camera;
+    private final Tags tags = new Tags();
+    private @Nullable Look current;
+
+    /**
+     * A spectator who does not look yet.
+     *
+     * @param session what is connected now; null while nothing is
+     */
+    Spectator(Watch watch, Supplier<@Nullable AiboSession> session, Audience audience) {
+        this.watch = watch;
+        this.session = session;
+        this.audience = audience;
+        this.camera = new Camera(watch);
+    }
+
+    /** Begins or ends looking. Never waits. */
+    synchronized void look(boolean whether) {
+        Look last = current;
+        if (whether && last == null) {
+            Look begun = new Look();
+            current = begun;
+            watch.time().thread("aibo spectator", begun::run).start();
+        } else if (!whether && last != null) {
+            last.over = true;
+            current = null;
+            watch.changes().raise();
+        }
+    }
+
+    /** One look, from its beginning to its end. */
+    private final class Look {
+        private final FrameRate rate = new FrameRate();
+        private volatile boolean over;
+
+        private void run() {
+            while (!over) {
+                AiboSession open = session.get();
+                if (open == null) {
+                    audience.miss("not connected");
+                    watch.await(() -> over || session.get() != null, Signal.FOR_EVER);
+                } else {
+                    look(open);
+                }
+            }
+        }
+
+        private void look(AiboSession open) {
+            UrbiConnection on = open.links().sensors();
+            String tag = tags.next();
+            try {
+                on.send(Lamps.order(tag, on.dialect()));
+                while (sees(open)) {
+                    picture(open, on);
+                }
+                on.send(Lamps.stop(tag));
+            } catch (BotException e) {
+                watch.await(() -> !sees(open), AFTER_FAILURE_S);
+            }
+        }
+
+        private boolean sees(AiboSession open) {
+            return !over && session.get() == open;
+        }
+
+        private void picture(AiboSession open, UrbiConnection on) {
+            long askedNanos = watch.time().nanos();
+            try {
+                UrbiValue picture = camera.next(on, () -> !sees(open));
+                if (picture != null) {
+                    long nanos = watch.time().nanos();
+                    audience.see(picture, rate.arrived(nanos));
+                    double tookS = (nanos - askedNanos) / 1e9;
+                    pause(open, Math.max(tookS, LEAST_PERIOD_S - tookS));
+                }
+            } catch (UrbiRefusal e) {
+                audience.miss(String.valueOf(e.getMessage()));
+                pause(open, AFTER_FAILURE_S);
+            }
+        }
+
+        private void pause(AiboSession open, double seconds) {
+            watch.await(() -> !sees(open), seconds);
+        }
+    }
+}

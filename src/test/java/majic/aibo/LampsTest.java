@@ -1,0 +1,45 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class LampsTest {
+    private final Lamps lamps = new Lamps();
+
+    @Test
+    void eachReadingFindsItsLamp() {
+        String order = Lamps.order("mjx_1", Dialect.V1_0);
+
+        assertThat(order).contains("mjx_1_lamp0: ledF1.val").contains("mjx_1_lamp27: earR.val");
+        assertThat(lamps.hear(message("mjx_1_lamp0", 0.5))).isTrue();
+        assertThat(lamps.hear(message("mjx_1_lamp27", 1))).isTrue();
+        assertThat(lamps.amount("ledF1")).contains(0.5);
+        assertThat(lamps.amount("earR")).contains(1.0);
+        assertThat(lamps.amount("ledF2")).isEmpty();
+    }
+
+    @Test
+    void laterServersAreAskedThroughChannels() {
+        assertThat(Lamps.order("t", Dialect.V1_5)).contains("t_lamp0 << ledF1.val");
+    }
+
+    @Test
+    void whatIsNoLampsReadingIsLeftToOthers() {
+        assertThat(lamps.hear(message("notag", 1))).isFalse();
+        assertThat(lamps.hear(message("my_lamp99", 1))).isFalse();
+        assertThat(lamps.hear(message("my_lamps", 1))).isFalse();
+    }
+
+    @Test
+    void anotherDogsLampsAreForgotten() {
+        lamps.hear(message("t_lamp0", 1));
+        lamps.clear();
+
+        assertThat(lamps.amount("ledF1")).isEmpty();
+    }
+
+    private static UrbiMessage message(String tag, double amount) {
+        return new UrbiMessage(0, tag, new UrbiMessage.Result(new UrbiValue.Num(amount)));
+    }
+}
