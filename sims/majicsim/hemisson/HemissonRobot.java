@@ -11,7 +11,7 @@ import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A Hemisson with HemiOS 1.50 behind its serial line. It greets after power-up and reset only, to whoever listens then, and it has no
+ * A Hemisson with HemiOS 1.50 behind its serial line. It greets after power-up and reset only, whoever has spoken to it, and it has no
  * watchdog: without a client it drives on. It was switched on long ago, so a new one does not greet. Several lines are one wire: a
  * reply goes to the line whose character completed the command. Every method with the lab's lock held.
  */
@@ -34,7 +34,10 @@ public final class HemissonRobot implements Firmware {
     private final Interpreter interpreter;
     private final Modes modes;
     private final Attendant attendant;
-    private final Set<Line> lines = new LinkedHashSet<>();
+
+    /** Who has said something: a plug that nobody has opened would keep the greeting for the next one who does. */
+    private final Set<Line> listeners = new LinkedHashSet<>();
+
     private boolean restarting;
 
     /**
@@ -98,17 +101,13 @@ public final class HemissonRobot implements Firmware {
     }
 
     @Override
-    public void connected(Line line) {
-        lines.add(line);
-    }
-
-    @Override
     public void disconnected(Line line) {
-        lines.remove(line);
+        listeners.remove(line);
     }
 
     @Override
     public void received(Line line, byte[] bytes) {
+        listeners.add(line);
         uart.arrive(line, bytes);
         listen(false);
     }
@@ -171,7 +170,7 @@ public final class HemissonRobot implements Firmware {
         startMode();
         uart.busyFor(BOOT_SECONDS);
         String greeting = interpreter.greeting() + (modes.mode().isInternal() ? INTERNAL_MODE : "");
-        uart.say(lines, greeting);
+        uart.say(listeners, greeting);
     }
 
     private void startMode() {

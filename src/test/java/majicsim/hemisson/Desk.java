@@ -27,7 +27,7 @@ final class Desk implements Line {
     Desk(HemissonOptions options, @Nullable Eyes eyes, Noise noise) {
         Body body = Body.disc("hemisson", HemissonRobot.RADIUS_MM, START);
         robot = new HemissonRobot(world, body, noise, options, eyes);
-        robot.connected(this);
+        robot.received(this, new byte[0]);
     }
 
     /** With eyes that see the standard room, without noise. */

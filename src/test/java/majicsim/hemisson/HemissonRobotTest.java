@@ -228,7 +228,7 @@ class HemissonRobotTest {
                 sent += bytes.length;
             }
             bench.awaitConsumed(sent);
-            bench.robot.powerCycle();
+            bench.robot.attendant().powerCycle();
             bench.steps(2);
             wire.skipTo("HemiOS V1.50");
         }
