@@ -10,7 +10,12 @@ record Flag(String name, @Nullable Expr argument) {
     private static final Set<String> OBSOLETE = Set.of("timeout", "stop", "freeze");
 
     static boolean in(List<Flag> flags, String name) {
-        return flags.stream().anyMatch(flag -> flag.name().equals(name));
+        for (Flag flag : flags) {
+            if (flag.name().equals(name)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     boolean isObsolete() {

@@ -29,6 +29,11 @@ sealed interface Value {
         return print();
     }
 
+    /** The memory that it takes, about that many bytes; what a list holds twice counts twice. */
+    default long weight() {
+        return 16;
+    }
+
     /** Whether a test of it succeeds. */
     default boolean isTrue() {
         return false;
@@ -56,7 +61,7 @@ sealed interface Value {
             if (Double.isInfinite(number)) {
                 return number > 0 ? "inf" : "-inf";
             }
-            return String.format(Locale.ROOT, "%.6f", number);
+            return Decimals.six(number);
         }
 
         @Override
@@ -82,6 +87,11 @@ sealed interface Value {
     /** A string, kept as it was written: its backslash sequences are resolved by echo alone. */
     record Text(String raw) implements Value {
         @Override
+        public long weight() {
+            return raw.length();
+        }
+
+        @Override
         public String print() {
             return '"' + raw + '"';
         }
@@ -106,6 +116,11 @@ sealed interface Value {
             items = List.copyOf(items);
         }
 
+        @Override
+        public long weight() {
+            return 16 + items.stream().mapToLong(Value::weight).sum();
+        }
+
         Items plus(Value added) {
             List<Value> longer = new ArrayList<>(items);
             longer.add(added);
@@ -120,6 +135,11 @@ sealed interface Value {
 
     /** Bytes with the words that describe them, such as {@code jpeg 208 160}. */
     record Binary(String bytes, String parameters) implements Value {
+        @Override
+        public long weight() {
+            return bytes.length();
+        }
+
         @Override
         public String print() {
             String header = "BIN " + bytes.length() + (parameters.isEmpty() ? "" : " " + parameters);
