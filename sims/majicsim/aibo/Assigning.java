@@ -19,7 +19,7 @@ final class Assigning {
         Value value = values.get(0);
         Modifiers modifiers = Modifiers.NONE;
         if (value instanceof Value.Text text) {
-            value = Value.of(Modifiers.compose(text.raw(), assignment.modifiers(), rest));
+            value = Budget.checked(Value.of(Modifiers.compose(text.raw(), assignment.modifiers(), rest)));
         } else {
             modifiers = Modifiers.of(context, assignment.modifiers(), rest);
         }
@@ -27,6 +27,7 @@ final class Assigning {
             context.frame().declare(assignment.target().text(), value);
             return null;
         }
+        context.kernel().variables().admit(value, context.kernel().pass());
         return write(context, assignment, value, modifiers);
     }
 

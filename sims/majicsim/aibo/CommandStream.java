@@ -43,7 +43,7 @@ final class CommandStream extends Task {
     }
 
     int waiting() {
-        return pending.size();
+        return pending.size() + background.size();
     }
 
     /** Ends everything in it, but not the stream itself. */

@@ -1,9 +1,7 @@
 package majicsim.aibo;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Locale;
 import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
@@ -12,6 +10,7 @@ final class Connection {
     /** The stick's CLIENT.INI has run in the connection before the client's first line (URBI sheet, section 11). */
     private static final Place FIRST_PLACE = new Place(19, 1);
 
+    private static final int STAMP_DIGITS = 8;
     private static final int MAX_PREFIX = 1024;
     private static final int MAX_WAITING = 20_000;
     private static final int MAX_BINARY = 4 << 20;
@@ -21,9 +20,10 @@ final class Connection {
     private final @Nullable Line line;
     private final CommandReader reader = new CommandReader(FIRST_PLACE, problem -> send("error", "!!! " + problem));
     private final CommandStream stream;
-    private final ByteArrayOutputStream output = new ByteArrayOutputStream();
+    private final Outbox outbox;
     private Action.@Nullable AssignBinary binary;
     private boolean closing;
+    private long refusedInPass = -1;
 
     /** @param line the client, or null for the kernel's own connection */
     Connection(Kernel kernel, String id, @Nullable Line line) {
@@ -31,6 +31,7 @@ final class Connection {
         this.id = id;
         this.line = line;
         stream = new CommandStream(context());
+        outbox = new Outbox(line, () -> prefix("error") + "!!! Send buffer full\n");
     }
 
     Kernel kernel() {
@@ -116,12 +117,20 @@ final class Connection {
 
     /** Answers with a value; a binary has no line end behind its bytes. */
     void reply(String tag, Value value) {
-        write(prefix(tag) + value.print() + (value instanceof Value.Binary ? "" : "\n"));
+        outbox.write(value.weight(), () -> prefix(tag) + value.print() + (value instanceof Value.Binary ? "" : "\n"));
     }
 
     /** Sends one line. */
     void send(String tag, String body) {
-        write(prefix(tag) + body + "\n");
+        outbox.write(body.length(), () -> prefix(tag) + body + "\n");
+    }
+
+    /** Tells that a command of it was refused, once in a pass of the kernel. */
+    void overloaded() {
+        if (refusedInPass != kernel.pass()) {
+            refusedInPass = kernel.pass();
+            send("error", "!!! CPU Overload");
+        }
     }
 
     /** Closes it from the server's side, after what was sent. */
@@ -136,18 +145,12 @@ final class Connection {
     }
 
     void flush() {
-        if (output.size() > 0 && line != null && line.isOpen()) {
-            line.send(output.toByteArray());
-        }
-        output.reset();
+        outbox.flush();
     }
 
     private String prefix(String tag) {
-        String prefix = String.format(Locale.ROOT, "[%08d:%s] ", (long) kernel.timestampMs(), tag);
+        String stamp = Long.toString((long) kernel.timestampMs());
+        String prefix = "[" + "0".repeat(Math.max(0, STAMP_DIGITS - stamp.length())) + stamp + ":" + tag + "] ";
         return prefix.length() > MAX_PREFIX ? prefix.substring(0, MAX_PREFIX) : prefix;
-    }
-
-    private void write(String text) {
-        output.writeBytes(text.getBytes(StandardCharsets.ISO_8859_1));
     }
 }

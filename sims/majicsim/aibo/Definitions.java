@@ -23,12 +23,14 @@ final class Definitions {
     }
 
     static @Nullable Task event(Context context, Name name) throws Failure {
+        Budget.checkNames(context.kernel().events().count());
         context.kernel().events().declare(fullName(context, name));
         return null;
     }
 
     static @Nullable Task classOf(Context context, Definition.ClassOf definition) throws Failure {
         Kernel kernel = context.kernel();
+        Budget.checkNames(kernel.objects().count());
         kernel.objects().define(definition.name());
         for (String variable : definition.variables()) {
             kernel.variables().targets(context, Name.of(definition.name() + "." + variable), true);
@@ -37,13 +39,17 @@ final class Definitions {
         return null;
     }
 
-    static @Nullable Task alias(Context context, Definition.Alias alias) {
+    static @Nullable Task alias(Context context, Definition.Alias alias) throws Failure {
+        if (alias.meaning() != null) {
+            Budget.checkNames(context.kernel().variables().aliases().size());
+        }
         context.kernel().variables().alias(alias.name(), alias.meaning());
         return null;
     }
 
-    static @Nullable Task group(Context context, Definition.Grouping grouping) {
+    static @Nullable Task group(Context context, Definition.Grouping grouping) throws Failure {
         Groups groups = context.kernel().groups();
+        Budget.checkNames(groups.names().size());
         switch (grouping.word()) {
             case "addgroup" -> groups.add(grouping.group(), grouping.members());
             case "delgroup" -> groups.remove(grouping.group(), grouping.members());

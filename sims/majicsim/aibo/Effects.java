@@ -50,6 +50,7 @@ final class Effects {
         double durationMs = lasts ? Operators.number(values.get(values.size() - 1)) : 0;
         List<Value> arguments = values.subList(0, emit.arguments().size());
         Kernel kernel = context.kernel();
+        Budget.checkNames(kernel.events().count());
         kernel.events()
                 .emit(kernel.variables().fullName(context, key), new Events.Event(List.copyOf(arguments), durationMs));
         return null;

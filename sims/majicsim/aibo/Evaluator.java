@@ -45,7 +45,7 @@ final class Evaluator {
     }
 
     Value items(Expr.Items list) throws Failure {
-        return new Value.Items(values(list.parts()));
+        return Budget.checked(new Value.Items(values(list.parts())));
     }
 
     Value members(String group) {

@@ -47,6 +47,10 @@ final class Events {
         return declared.contains(name) || channels.containsKey(name);
     }
 
+    int count() {
+        return declared.size() + channels.size();
+    }
+
     void emit(String name, Event event) {
         Channel channel = channels.computeIfAbsent(name, any -> new Channel());
         if (channel.waiting.size() < MAX_WAITING) {

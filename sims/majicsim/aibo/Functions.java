@@ -41,6 +41,7 @@ final class Functions {
         if (lasting.containsKey(name)) {
             throw Failure.of("function " + name + " already exists");
         }
+        Budget.checkNames(lasting.size());
         List<String> parameters = definition.parameters();
         Lasting body = (call, arguments) -> {
             Frame frame = java.util.Objects.requireNonNull(call.frame());

@@ -173,6 +173,7 @@ final class Kernel {
     /** One cycle: every command that runs is stepped. */
     void cycle() {
         pass++;
+        budget.beginCycle();
         restart.step();
         events.turn(nowMs);
         for (Connection connection : connections()) {

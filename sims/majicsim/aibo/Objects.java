@@ -21,6 +21,10 @@ final class Objects {
         return parents.containsKey(name);
     }
 
+    int count() {
+        return parents.size();
+    }
+
     void remove(String name) {
         parents.remove(name);
     }
@@ -34,6 +38,7 @@ final class Objects {
         if (!contains(parent)) {
             throw Failure.of("Unkown object " + parent);
         }
+        Budget.checkNames(count());
         define(name);
         if (lineage(parent).contains(name)
                 || !parents.getOrDefault(name, Set.of()).add(parent)) {

@@ -34,10 +34,10 @@ final class Operators {
 
     private static Value plus(Value left, Value right) throws Failure {
         if (left instanceof Value.Items list) {
-            return list.plus(right);
+            return Budget.checked(list.plus(right));
         }
         if (left instanceof Value.Text || right instanceof Value.Text) {
-            return Value.of(left.join() + right.join());
+            return Budget.checked(Value.of(left.join() + right.join()));
         }
         return Value.of(number(left) + number(right));
     }

@@ -24,7 +24,7 @@ final class Stick {
 
     /** Runs CLIENT.INI in a connection, from the next cycle on and beside what the client sends (URBI sheet, section 2). */
     void greet(Connection connection) {
-        connection.stream().adopt(run(connection.context(), files.getOrDefault(CLIENT, "")));
+        connection.stream().adopt(program(connection.context(), files.getOrDefault(CLIENT, "")));
     }
 
     private Task load(Context context, List<Value> arguments) throws Failure {
@@ -41,16 +41,24 @@ final class Stick {
         if (arguments.size() != 2) {
             throw Failure.inExpression();
         }
+        String name = shown(arguments.get(0));
         String text = shown(arguments.get(1));
-        if (saved + text.length() > MAX_SAVED) {
-            throw Failure.inExpression("Cannot save to the file " + shown(arguments.get(0)));
+        if (saved + name.length() + text.length() > MAX_SAVED) {
+            throw Failure.inExpression("Cannot save to the file " + name);
         }
-        saved += text.length();
-        files.put(shown(arguments.get(0)), text);
+        saved += name.length() + text.length();
+        files.put(name, text);
         return Value.VOID;
     }
 
-    private static Task run(Context context, String text) {
+    private static Task run(Context context, String text) throws Failure {
+        if (!context.kernel().budget().takeText(context.kernel().pass(), text.length())) {
+            throw Failure.of("CPU Overload");
+        }
+        return program(context, text);
+    }
+
+    private static Task program(Context context, String text) {
         byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
         List<Step> steps =
                 CommandReader.all(bytes, problem -> context.connection().send("error", "!!! " + problem));

@@ -24,15 +24,15 @@ final class TaggedTask extends Task {
 
     @Override
     protected boolean advance() {
-        if (!begun) {
+        boolean first = !begun;
+        if (first && context.kernel().tags().isBlocked(tag())) {
+            return true;
+        }
+        if (first && context.kernel().tags().isFrozen(tag())) {
+            return false;
+        }
+        if (first) {
             begun = true;
-            if (context.kernel().tags().isBlocked(tag())) {
-                return true;
-            }
-            if (context.kernel().tags().isFrozen(tag())) {
-                begun = false;
-                return false;
-            }
             warn();
             announce("begin");
         }
@@ -41,7 +41,18 @@ final class TaggedTask extends Task {
         if (ended) {
             announce("end");
         }
-        return ended;
+        return ended || !mayGoOn(first);
+    }
+
+    /** A command that is not over at once may find that there are too many of its kind already. */
+    private boolean mayGoOn(boolean isNew) {
+        Budget budget = context.kernel().budget();
+        if (isNew && budget.isCrowded()) {
+            context.connection().overloaded();
+            return false;
+        }
+        budget.countRunning();
+        return true;
     }
 
     @Override

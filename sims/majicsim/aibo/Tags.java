@@ -16,7 +16,8 @@ final class Tags {
         return holds(frozen, tag);
     }
 
-    void block(String tag) {
+    void block(String tag) throws Failure {
+        Budget.checkNames(blocked.size());
         blocked.add(tag);
     }
 
@@ -24,7 +25,8 @@ final class Tags {
         blocked.remove(tag);
     }
 
-    void freeze(String tag) {
+    void freeze(String tag) throws Failure {
+        Budget.checkNames(frozen.size());
         frozen.add(tag);
     }
 

@@ -39,16 +39,19 @@ abstract class Task {
             startMs = context.nowMs();
         }
         if (advance() && !over) {
-            over = true;
-            ended();
+            finish();
         }
         return over;
     }
 
     final void kill() {
-        if (over) {
-            return;
+        if (!over) {
+            finish();
         }
+    }
+
+    /** Nothing inside it lives on: a function may return while something in it runs. */
+    private void finish() {
         over = true;
         List.copyOf(parts()).forEach(Task::kill);
         ended();

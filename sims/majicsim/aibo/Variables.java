@@ -16,12 +16,20 @@ final class Variables {
     /** More variables than this are not made. */
     private static final int MAX_COUNT = 100_000;
 
+    /** All variables together hold about so many bytes at most. */
+    private static final long MAX_WEIGHT = 32 << 20;
+
+    /** What is lighter is only counted, not weighed. */
+    private static final int LIGHT = 256;
+
     private final Map<String, Variable> all = new LinkedHashMap<>();
     private final Map<String, String> aliases = new HashMap<>();
     private final Map<String, Variable> system = new LinkedHashMap<>();
     private final Groups groups;
     private final Objects objects;
     private boolean strict;
+    private long weight;
+    private long weighedInPass = -1;
 
     Variables(Groups groups, Objects objects) {
         this.groups = groups;
@@ -115,11 +123,28 @@ final class Variables {
             throw Failure.of("Unknown identifier: " + fullName(context, key));
         }
         if (all.size() >= MAX_COUNT) {
-            throw Failure.of("Out of memory");
+            throw Failure.of(Budget.OUT_OF_MEMORY);
         }
         Variable made = new Variable(fullName(context, key), Value.VOID);
         put(made);
         return made;
+    }
+
+    /** Refuses a value for which there is no memory. The variables are weighed once in a pass of the kernel. */
+    void admit(Value value, long pass) throws Failure {
+        if (value.weight() < LIGHT) {
+            return;
+        }
+        if (pass != weighedInPass) {
+            weighedInPass = pass;
+            weight = all.values().stream()
+                    .mapToLong(each -> each.target().weight())
+                    .sum();
+        }
+        weight += value.weight();
+        if (weight > MAX_WEIGHT) {
+            throw Failure.of(Budget.OUT_OF_MEMORY);
+        }
     }
 
     void assign(Context context, String key, Value value) {

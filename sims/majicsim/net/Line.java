@@ -17,6 +17,15 @@ public interface Line {
      */
     void send(byte[] message);
 
+    /**
+     * What was sent and is kept because the client does not read it.
+     *
+     * @return bytes; 0 on a line that keeps none
+     */
+    default int unsent() {
+        return 0;
+    }
+
     /** Closes the line once everything sent so far has gone out. A pseudo-terminal cannot be closed from this side and stays open. */
     void close();
 

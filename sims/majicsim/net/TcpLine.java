@@ -60,6 +60,11 @@ final class TcpLine extends RobotLine {
     }
 
     @Override
+    public int unsent() {
+        return unsentBytes;
+    }
+
+    @Override
     boolean isFlushed() {
         return unsent.isEmpty();
     }

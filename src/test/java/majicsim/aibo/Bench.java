@@ -124,6 +124,12 @@ final class Bench {
             received.writeBytes(message);
         }
 
+        /** What a test has not taken, nobody has read. */
+        @Override
+        public int unsent() {
+            return received.size();
+        }
+
         @Override
         public void close() {
             open = false;

@@ -50,6 +50,12 @@ class NastyInputTest {
                 "headPan.val = 10 sin:0 ampli:inf, robot.walkspeed = 0; robot.walk(0-inf),",
                 "robot.walk(log(0)), robot.turn(\"x\"); robot.walk([1]);",
                 "$(1+2) = 4; $(\"a.b\"); x[1/0] = 2; a.b.c = 3;",
+                "s = \"0123456789\"; loop { s = s + s },",
+                "l = [1]; for (i = 0; i < 40; i++) l = [l, l]; l;",
+                "b = camera.val; l = [b]; loop { l = [l, l] },",
+                "i = 0; loop { i++; $(\"v\" + i) = camera.val },",
+                "every(0) { loop 1, loop 1, loop 1 },",
+                "s = \"exec(s) & exec(s)\"; exec(s);",
                 "b = bin 99999999999;"
             })
     void aBadProgramDoesNoHarm(String program) {
