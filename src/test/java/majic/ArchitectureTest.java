@@ -111,7 +111,7 @@ class ArchitectureTest {
     private static DescribedPredicate<JavaClass> panelsOfRobots() {
         return DescribedPredicate.describe(
                 "a robot's panel or what it draws with",
-                type -> type.getName().matches(".*(Panel|Drawing|Picture|Numbers|Lights)(\\$.*)?"));
+                type -> type.getName().matches(".*(Panel|Drawing|Picture|Numbers|Lights|Button)(\\$.*)?"));
     }
 
     private static DescribedPredicate<JavaClass> notTheReturnOfDisplay() {

@@ -2,77 +2,74 @@ package majic.hemisson;
 
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Shape;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import majic.panel.Ink;
-import org.jspecify.annotations.Nullable;
 
-/** A bar where each infra-red sensor sits, filled the more the nearer something is, with its figure. */
+/** A bar where each infra-red sensor sits, pointing where it looks, filled the more the nearer something is; its figure. */
 final class BarsDrawing {
-    private static final double LENGTH_MM = 38;
-    private static final double WIDTH_MM = 13;
-    private static final double GROUND_LENGTH_MM = 26;
-    private static final double FIGURE_MM = 9;
-    private static final double GROUND_ASIDE_MM = 7;
+    private static final double HALF_WIDTH_MM = 6;
+    private static final double GROUND_HALF_WIDTH_MM = 4.5;
+    private static final double FIGURE_MM = 15;
+    private static final double GROUND_FIGURE_MM = -6;
+    private static final double APART_PX = 2;
     private static final double FULL = 255;
 
-    /** Where a bar begins and points: x, y in mm, direction in degrees. The ground's two stand inside, side by side. */
-    private static final double[][] PLACES = {
-        {64, 0, 0}, {54, -36, -40}, {54, 36, 40}, {8, -66, -90}, {8, 66, 90}, {-64, 0, 180}, {14, -10, 0}, {14, 10, 0},
-    };
+    /** Figures smaller than this cannot be read; the bars remain. */
+    private static final double LEAST_PX_PER_MM = 0.55;
 
-    private final @Nullable Proximity seen;
+    private final HemissonView view;
     private final Ink ink;
     private final double pxPerMm;
 
-    BarsDrawing(@Nullable Proximity seen, Ink ink, double pxPerMm) {
-        this.seen = seen;
+    BarsDrawing(HemissonView view, Ink ink, double pxPerMm) {
+        this.view = view;
         this.ink = ink;
         this.pxPerMm = pxPerMm;
     }
 
-    /** Paints around the pen's origin, in pixels, ahead upward. */
-    void paint(Graphics2D pen) {
+    /** Paints in the robot's frame, mm. */
+    void paintBars(Graphics2D pen) {
         for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
-            paintBar(pen, sensor);
-            paintFigure(pen, sensor);
+            paintBar(pen, SensorDrawing.ALL.get(sensor), view.proximity(sensor) / FULL);
         }
     }
 
-    private void paintBar(Graphics2D pen, int sensor) {
-        double[] place = PLACES[sensor];
-        AffineTransform onScreen = new AffineTransform(0, -pxPerMm, -pxPerMm, 0, 0, 0);
-        onScreen.translate(place[0], place[1]);
-        onScreen.rotate(Math.toRadians(place[2]));
-        double share = seen == null ? 0 : seen.value(sensor) / FULL;
+    private void paintBar(Graphics2D pen, SensorDrawing mount, double share) {
+        AffineTransform place = mount.transform();
+        double half = mount.looksDown() ? GROUND_HALF_WIDTH_MM : HALF_WIDTH_MM;
+        Shape frame =
+                place.createTransformedShape(new RoundRectangle2D.Double(0, -half, mount.lengthMm(), 2 * half, 4, 4));
         pen.setColor(ink.paper());
-        pen.fill(onScreen.createTransformedShape(bar(sensor, 1)));
+        pen.fill(frame);
         pen.setColor(ink.accent());
-        pen.fill(onScreen.createTransformedShape(bar(sensor, share)));
-        pen.setColor(ink.grey(0.7));
-        pen.setStroke(Ink.stroke(1.2));
-        pen.draw(onScreen.createTransformedShape(bar(sensor, 1)));
+        pen.fill(place.createTransformedShape(new Rectangle2D.Double(0, -half, mount.lengthMm() * share, 2 * half)));
+        pen.setColor(ink.grey(0.75));
+        pen.setStroke(Ink.stroke(1.2 / pxPerMm));
+        pen.draw(frame);
     }
 
-    private void paintFigure(Graphics2D pen, int sensor) {
-        double[] place = PLACES[sensor];
-        double beyond = isGround(sensor) ? -FIGURE_MM : LENGTH_MM + FIGURE_MM;
-        double direction = Math.toRadians(place[2]);
-        double aside = isGround(sensor) ? Math.signum(place[1]) * GROUND_ASIDE_MM : 0;
-        double x = -pxPerMm * (place[1] + aside + beyond * Math.sin(direction));
-        double y = -pxPerMm * (place[0] + beyond * Math.cos(direction));
-        String text = seen == null ? "–" : String.valueOf(seen.value(sensor));
-        FontMetrics metrics = pen.getFontMetrics();
-        pen.setColor(ink.line());
-        pen.drawString(text, (float) (x - metrics.stringWidth(text) / 2.0), (float) (y + metrics.getAscent() * 0.4));
+    /** Writes the figures; around the pen's origin, in pixels, ahead upward. */
+    void paintFigures(Graphics2D screen) {
+        for (int sensor = 0; sensor < Proximity.SENSORS && pxPerMm >= LEAST_PX_PER_MM; sensor++) {
+            paintFigure(screen, SensorDrawing.ALL.get(sensor), sensor);
+        }
     }
 
-    private static boolean isGround(int sensor) {
-        return sensor >= Proximity.GROUND_RIGHT;
-    }
-
-    private static RoundRectangle2D bar(int sensor, double filled) {
-        double length = (isGround(sensor) ? GROUND_LENGTH_MM : LENGTH_MM) * filled;
-        return new RoundRectangle2D.Double(0, -WIDTH_MM / 2, length, WIDTH_MM, 4, 4);
+    private void paintFigure(Graphics2D screen, SensorDrawing mount, int sensor) {
+        Point2D place = mount.along(mount.looksDown() ? GROUND_FIGURE_MM : mount.lengthMm() + FIGURE_MM);
+        String text = view.seen() == null ? "\u2013" : String.valueOf(view.proximity(sensor));
+        FontMetrics metrics = screen.getFontMetrics();
+        int width = metrics.stringWidth(text);
+        double x = -pxPerMm * place.getY();
+        if (mount.looksDown()) {
+            x = Math.signum(x) * Math.max(Math.abs(x), width / 2.0 + APART_PX);
+        }
+        screen.setColor(ink.line());
+        screen.drawString(
+                text, (float) (x - width / 2.0), (float) (-pxPerMm * place.getX() + metrics.getAscent() * 0.4));
     }
 }

@@ -1,9 +1,7 @@
 package majic.hemisson;
 
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Shape;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -12,13 +10,16 @@ import java.util.List;
 import majic.panel.Ink;
 
 /**
- * The robot without its sensors: a round body; wheels with an arrow that grows with what the motor is told; lamps that
- * shine when on; and at the rear the four switches.
+ * The robot without its sensors and lamps: a round body, flat at the sides; wheels filled as far as their motors are
+ * told to run, with an arrow; and at the rear the four switches. In the robot's frame, mm.
  */
 final class BodyDrawing {
+    static final double WHEEL_Y_MM = 47;
+    static final double WHEEL_HALF_MM = 22;
+
     private static final double HULL_MM = Clearance.HULL_MM;
-    private static final double WHEEL_Y_MM = 46;
-    private static final double ARROW_MM = 17;
+    private static final double WHEEL_HALF_WIDTH_MM = 7;
+    private static final double ARROW_MM = 6;
 
     private final HemissonView view;
     private final Ink ink;
@@ -30,79 +31,63 @@ final class BodyDrawing {
         this.pxPerMm = pxPerMm;
     }
 
-    /** Paints around the pen's origin, ahead upward. */
-    void paint(Graphics2D screen) {
-        Graphics2D pen = (Graphics2D) screen.create();
-        pen.transform(new AffineTransform(0, -pxPerMm, -pxPerMm, 0, 0, 0));
-        part(pen, circle(0, 0, HULL_MM), 0.13);
+    void paint(Graphics2D pen) {
+        part(pen, new Ellipse2D.Double(-HULL_MM, -HULL_MM, 2 * HULL_MM, 2 * HULL_MM), 0.12);
+        paintNose(pen);
         paintWheel(pen, WHEEL_Y_MM, view.wheels().left());
         paintWheel(pen, -WHEEL_Y_MM, view.wheels().right());
-        paintLamp(pen, 40, 24, view.leds().left());
-        paintLamp(pen, 40, -24, view.leds().right());
-        paintLamp(pen, -14, -24, view.leds().pgm());
         paintSwitches(pen, view.switches());
-        pen.dispose();
-        paintFigure(screen, WHEEL_Y_MM, view.wheels().left());
-        paintFigure(screen, -WHEEL_Y_MM, view.wheels().right());
+    }
+
+    /** Which way is ahead, also where nothing else tells. */
+    private void paintNose(Graphics2D pen) {
+        Path2D nose = new Path2D.Double();
+        nose.moveTo(HULL_MM - 1, 0);
+        nose.lineTo(HULL_MM - 8, 8);
+        nose.lineTo(HULL_MM - 8, -8);
+        nose.closePath();
+        pen.setColor(ink.grey(0.55));
+        pen.fill(nose);
     }
 
     private void paintWheel(Graphics2D pen, double y, int told) {
-        part(pen, new RoundRectangle2D.Double(-22, y - 8, 44, 16, 8, 8), 0.3);
-        if (told != 0) {
-            double tip = ARROW_MM * told / Wheels.MAX;
-            Path2D arrow = new Path2D.Double();
-            arrow.moveTo(tip + Math.signum(tip) * 4, y);
-            arrow.lineTo(0, y - 7);
-            arrow.lineTo(0, y + 7);
-            arrow.closePath();
-            pen.setColor(ink.line());
-            pen.fill(arrow);
+        Shape tyre = new RoundRectangle2D.Double(
+                -WHEEL_HALF_MM, y - WHEEL_HALF_WIDTH_MM, 2 * WHEEL_HALF_MM, 2 * WHEEL_HALF_WIDTH_MM, 6, 6);
+        part(pen, tyre, 0.28);
+        if (told == 0) {
+            return;
         }
-    }
-
-    /** What the motor is told, below its wheel. */
-    private void paintFigure(Graphics2D screen, double y, int told) {
-        String text = String.valueOf(told);
-        FontMetrics metrics = screen.getFontMetrics();
-        screen.setColor(ink.line());
-        screen.drawString(text, (float) (-y * 0.8 * pxPerMm - metrics.stringWidth(text) / 2.0), (float)
-                (28 * pxPerMm + metrics.getAscent() * 0.6));
-    }
-
-    /** A lamp that is on is filled and has a ring of light. */
-    private void paintLamp(Graphics2D pen, double x, double y, boolean on) {
-        if (on) {
-            pen.setColor(ink.wash(0.3));
-            pen.fill(circle(x, y, 10));
-            pen.setColor(ink.accent());
-            pen.fill(circle(x, y, 5));
-        }
-        outline(pen, circle(x, y, 5));
+        double tip = WHEEL_HALF_MM * told / Wheels.MAX;
+        double side = WHEEL_HALF_WIDTH_MM - 2;
+        pen.setColor(ink.accent());
+        pen.fill(new Rectangle2D.Double(Math.min(0, tip), y - side, Math.abs(tip), 2 * side));
+        Path2D arrow = new Path2D.Double();
+        arrow.moveTo(tip + Math.signum(tip) * ARROW_MM, y);
+        arrow.lineTo(tip, y + side);
+        arrow.lineTo(tip, y - side);
+        arrow.closePath();
+        pen.fill(arrow);
+        pen.setColor(ink.grey(0.85));
+        pen.setStroke(Ink.stroke(1.3 / pxPerMm));
+        pen.draw(tyre);
     }
 
     /** Sliders in the order the robot lists them; one that reads 1 is at the upper end. */
     private void paintSwitches(Graphics2D pen, List<Integer> switches) {
         for (int index = 0; index < switches.size(); index++) {
-            double y = 13.5 - 9 * index;
-            part(pen, new Rectangle2D.Double(-52, y - 3, 16, 6), 0);
-            pen.setColor(ink.line());
-            pen.fill(new Rectangle2D.Double(switches.get(index) == 1 ? -44 : -52, y - 3, 8, 6));
+            boolean one = switches.get(index) == 1;
+            double y = 15 - 10 * index;
+            part(pen, new Rectangle2D.Double(-54, y - 3.5, 17, 7), 0);
+            pen.setColor(one ? ink.line() : ink.alarm());
+            pen.fill(new Rectangle2D.Double(one ? -45.5 : -54, y - 3.5, 8.5, 7));
         }
     }
 
     private void part(Graphics2D pen, Shape shape, double grey) {
         pen.setColor(ink.grey(grey));
         pen.fill(shape);
-        outline(pen, shape);
-    }
-
-    private void outline(Graphics2D pen, Shape shape) {
         pen.setColor(ink.grey(0.8));
         pen.setStroke(Ink.stroke(1.3 / pxPerMm));
         pen.draw(shape);
-    }
-
-    private static Ellipse2D circle(double x, double y, double radius) {
-        return new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius);
     }
 }

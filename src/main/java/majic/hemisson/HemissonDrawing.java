@@ -1,44 +1,146 @@
 package majic.hemisson;
 
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.event.MouseEvent;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Point2D;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
 import javax.swing.JPanel;
 import majic.panel.Ink;
 
 /**
- * The robot from above, its front upward, as large as the room allows: its body, and around it the bars of its sensors.
- * For the event thread.
+ * The robot from above, its front upward, as large as the room allows: its body, around it the bars of its sensors over
+ * the light that falls on them, and on it the lamps and the buzzer to click. For the event thread.
  */
 final class HemissonDrawing extends JPanel {
     private static final long serialVersionUID = 1;
 
-    /** From the middle to the figures beyond the bars, mm. */
-    private static final double SHOWN_MM = 122;
+    /** From the middle to beyond the figures, mm. */
+    private static final double SHOWN_MM = 124;
 
+    private static final double LAMP_MM = 5;
+    private static final double LEAST_LAMP_PX = 3.5;
+    private static final int LEAST_CLICK_PX = 16;
+
+    private final transient LampSwitch lampSwitch;
+    private final transient List<LampButton> buttons;
     private transient HemissonView view;
 
-    HemissonDrawing(HemissonView view) {
+    HemissonDrawing(HemissonView view, LampSwitch lampSwitch) {
+        super(null);
         this.view = view;
+        this.lampSwitch = lampSwitch;
+        this.buttons = Arrays.stream(Lamp.values()).map(LampButton::new).toList();
+        setName("robot");
         setOpaque(false);
         getAccessibleContext().setAccessibleName("the Hemisson from above with its proximity readings");
-        setToolTipText("Bars: infra-red proximity, 0 nothing to 255 near; bars inside look at the ground");
+        setToolTipText("");
+        buttons.forEach(button -> {
+            button.addActionListener(click -> toggle(button.lamp()));
+            add(button);
+        });
     }
 
     /** Shows another moment; on the event dispatch thread. */
-    void show(HemissonView newView) {
+    void show(HemissonView newView, Lamps lamps) {
         view = newView;
+        for (LampButton button : buttons) {
+            Lamp lamp = button.lamp();
+            button.show(lamp.isOn(lamps), lampSwitch.isWaiting(lamp), view.isConnected());
+        }
         repaint();
+    }
+
+    private void toggle(Lamp lamp) {
+        lampSwitch.toggle(lamp);
+        buttons.stream()
+                .filter(button -> button.lamp() == lamp)
+                .forEach(button -> button.show(button.isOn(), lampSwitch.isWaiting(lamp), view.isConnected()));
+    }
+
+    private double pxPerMm() {
+        return Math.min(getWidth(), getHeight()) / (2 * SHOWN_MM);
+    }
+
+    @Override
+    public void doLayout() {
+        double scale = pxPerMm();
+        double radius = Math.max(LEAST_LAMP_PX, LAMP_MM * scale);
+        int side = (int) Math.max(LEAST_CLICK_PX, 4 * radius);
+        for (LampButton button : buttons) {
+            Lamp lamp = button.lamp();
+            double x = getWidth() / 2.0 - lamp.yMm() * scale;
+            double y = getHeight() / 2.0 - lamp.xMm() * scale;
+            button.scale(radius);
+            button.setBounds((int) Math.round(x - side / 2.0), (int) Math.round(y - side / 2.0), side, side);
+        }
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
-        pen.translate(getWidth() / 2.0, getHeight() / 2.0);
-        double pxPerMm = Math.min(getWidth(), getHeight()) / (2 * SHOWN_MM);
-        Ink ink = view.connected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
-        new BodyDrawing(view, ink, pxPerMm).paint(pen);
-        new BarsDrawing(view.seen(), ink, pxPerMm).paint(pen);
-        pen.dispose();
+        Graphics2D screen = (Graphics2D) graphics.create();
+        Ink.prepare(screen);
+        screen.translate(getWidth() / 2.0, getHeight() / 2.0);
+        double scale = pxPerMm();
+        Ink ink = view.isConnected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
+        BarsDrawing bars = new BarsDrawing(view, ink, scale);
+        Graphics2D robot = (Graphics2D) screen.create();
+        robot.transform(onScreen(scale));
+        List<Integer> light = view.light();
+        new BodyDrawing(view, ink, scale).paint(robot);
+        if (light != null && view.isConnected()) {
+            LightDrawing.paint(robot, light, ink, scale);
+        }
+        bars.paintBars(robot);
+        robot.dispose();
+        bars.paintFigures(screen);
+        paintSpeed(screen, ink, BodyDrawing.WHEEL_Y_MM, view.wheels().left());
+        paintSpeed(screen, ink, -BodyDrawing.WHEEL_Y_MM, view.wheels().right());
+        screen.dispose();
+    }
+
+    /** What the motor is told, behind its wheel. */
+    private void paintSpeed(Graphics2D screen, Ink ink, double y, int told) {
+        String text =
+                String.format(Locale.ROOT, "%+d", told).replace('-', '\u2212').replace("+0", "0");
+        FontMetrics metrics = screen.getFontMetrics();
+        double x = -y * pxPerMm() - metrics.stringWidth(text) / 2.0;
+        screen.setColor(ink.line());
+        screen.drawString(text, (float) x, (float) (BodyDrawing.WHEEL_HALF_MM * pxPerMm() + metrics.getAscent()));
+    }
+
+    private static AffineTransform onScreen(double scale) {
+        return new AffineTransform(0, -scale, -scale, 0, 0, 0);
+    }
+
+    @Override
+    public String getToolTipText(MouseEvent event) {
+        double scale = pxPerMm();
+        Point2D at = new Point2D.Double(
+                (getHeight() / 2.0 - event.getY()) / scale, (getWidth() / 2.0 - event.getX()) / scale);
+        for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
+            SensorDrawing mount = SensorDrawing.ALL.get(sensor);
+            if (mount.along(mount.lengthMm() / 2).distance(at) < mount.lengthMm() / 2) {
+                return words(mount, sensor);
+            }
+        }
+        return "Bars: proximity, 0 nothing to 255 near. Shade: infra-red light, yellow bright, grey dark. "
+                + "At the wheels: what the motors are told, \u22129 to 9.";
+    }
+
+    private String words(SensorDrawing mount, int sensor) {
+        Proximity seen = view.seen();
+        List<Integer> light = view.light();
+        String text = mount.name() + ": proximity " + (seen == null ? "not yet known" : view.proximity(sensor));
+        OptionalDouble mm = seen == null || mount.looksDown() ? OptionalDouble.empty() : seen.distanceMm(sensor);
+        if (mm.isPresent()) {
+            text += String.format(Locale.ROOT, ", about %.0f mm if it is white", mm.getAsDouble());
+        }
+        return text + (light == null ? "" : "; light " + light.get(sensor) + ", 0 bright to 255 dark");
     }
 }

@@ -15,6 +15,7 @@ import majic.panel.NumbersPanel;
 final class HemissonNumbers extends NumbersPanel {
     private static final long serialVersionUID = 1;
     private static final String NONE = "–";
+    private static final double SHORT_MS = 0.1;
     private static final String LONGEST = "≈ -888 deg/s";
 
     private final JLabel wheels = row("wheels", LONGEST);
@@ -24,17 +25,14 @@ final class HemissonNumbers extends NumbersPanel {
     private final JLabel left = row("distanceLeft", LONGEST);
     private final JLabel right = row("distanceRight", LONGEST);
     private final JLabel back = row("distanceBack", LONGEST);
-    private final JLabel beep = row("beep", "off");
-    private final JLabel switches = row("switches", LONGEST);
-    private final JLabel roundTrip = row("round trip", LONGEST);
-    private final JLabel missed = row("missed", LONGEST);
     private final JLabel x = row("x", LONGEST);
     private final JLabel y = row("y", LONGEST);
     private final JLabel heading = row("heading", LONGEST);
-
-    HemissonNumbers() {
-        setToolTipText("It has no watchdog: if the link is lost, lift it, or press 5 on a TV remote control");
-    }
+    private final JLabel switches = row("switches", LONGEST);
+    private final JLabel beep = row("beep", "off");
+    private final JLabel roundTrip = row("round trip", LONGEST);
+    private final JLabel missed = row("missed", LONGEST);
+    private final JLabel repeated = row("repeated", LONGEST);
 
     void show(HemissonView view) {
         wheels.setText(view.wheels().left() + ", " + view.wheels().right());
@@ -45,8 +43,10 @@ final class HemissonNumbers extends NumbersPanel {
                         : view.switches().stream().map(String::valueOf).collect(Collectors.joining(", ")));
         showDistances(view);
         showMotion(view);
-        roundTrip.setText(text("%.1f ms", view.quality().roundTripMs()));
-        missed.setText(text("%d of %d", view.quality().misses(), view.quality().answers()));
+        LinkQuality quality = view.line().quality();
+        roundTrip.setText(milliseconds("", quality));
+        missed.setText(text("%d of %d", quality.misses(), quality.misses() + quality.answers()));
+        repeated.setText(text("%d", quality.repeats()));
     }
 
     private void showDistances(HemissonView view) {
@@ -72,6 +72,13 @@ final class HemissonNumbers extends NumbersPanel {
         x.setText(text("≈ %.0f mm", pose.xMm()));
         y.setText(text("≈ %.0f mm", pose.yMm()));
         heading.setText(text("≈ %.0f deg", pose.headingDeg()));
+    }
+
+    /** The mean round trip, with a digit behind the point where it matters. */
+    static String milliseconds(String name, LinkQuality quality) {
+        double ms = quality.roundTripMs();
+        String format = ms < SHORT_MS ? "%s < %.1f ms" : ms < 10 ? "%s %.1f ms" : "%s %.0f ms";
+        return text(format, name, Math.max(SHORT_MS, ms)).strip();
     }
 
     private static String text(String format, Object... numbers) {

@@ -1,24 +1,40 @@
 package majic.hemisson;
 
 import javax.swing.JComponent;
+import javax.swing.SwingUtilities;
+import majic.bot.BotState;
+import majic.panel.Banner;
+import majic.panel.Instruments;
 import majic.panel.NewsPanel;
-import majic.panel.NumbersBeside;
+import majic.panel.ZoomableMap;
 
-/** Shows a Hemisson from above with its readings where its sensors sit, and what else is known of it in figures. */
+/**
+ * Shows a Hemisson from above with its readings where its sensors sit, the way it should have come, how its line carries,
+ * and what a person can do when nothing else can stop it. Clicks on lamps and buzzer are all that it sends.
+ */
 final class HemissonPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
     private final transient MajicHemisson bot;
-    private final HemissonNumbers numbers = new HemissonNumbers();
     private final HemissonDrawing drawing;
+    private final transient FloorDrawing floor = new FloorDrawing();
+    private final ZoomableMap map = new ZoomableMap(floor);
+    private final transient HemissonLights lights = new HemissonLights();
+    private final HemissonNumbers numbers = new HemissonNumbers();
+    private final transient HemissonAdvice advice = new HemissonAdvice();
+    private final Banner banner = new Banner();
 
     private HemissonPanel(MajicHemisson bot) {
         super(bot);
         this.bot = bot;
-        this.drawing = new HemissonDrawing(HemissonView.of(bot));
+        this.drawing = new HemissonDrawing(HemissonView.of(bot), new LampSwitch(bot, this::refused));
+        map.getAccessibleContext().setAccessibleName("Map of the way the Hemisson should have come, an estimate");
         add(drawing);
+        add(lights.panel());
+        add(map);
         add(numbers);
-        setLayout(new NumbersBeside(drawing, numbers));
+        add(banner);
+        setLayout(new Instruments(banner, drawing, lights.panel(), map, numbers));
     }
 
     /** Makes the panel; on the event dispatch thread. */
@@ -29,9 +45,27 @@ final class HemissonPanel extends NewsPanel {
     }
 
     @Override
+    protected void heard(BotState state) {
+        floor.hear(state.pose());
+    }
+
+    @Override
     protected void refresh() {
         HemissonView view = HemissonView.of(bot);
         numbers.show(view);
-        drawing.show(view);
+        lights.show(view);
+        HemissonAdvice.Words words = advice.on(view, System.nanoTime());
+        banner.show(words.text(), words.urgent());
+        floor.show(view);
+        map.repaint();
+        drawing.show(view, bot.lamps());
+    }
+
+    /** Called on the thread that waited for the robot. */
+    private void refused(String why) {
+        SwingUtilities.invokeLater(() -> {
+            advice.refused(why, System.nanoTime());
+            refresh();
+        });
     }
 }

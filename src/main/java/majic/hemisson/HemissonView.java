@@ -2,39 +2,108 @@ package majic.hemisson;
 
 import java.util.List;
 import majic.bot.BotState;
+import majic.bot.MajicBot.Connection;
 import org.jspecify.annotations.Nullable;
 
 /**
  * What the panel shows, taken at one moment. Immutable.
  *
- * @param connected whether the robot can be commanded
+ * @param line how well it is reached
  * @param seen its proximity readings; null before the first
+ * @param light the light on its sensors; null while it is not known or too old
  * @param wheels what its motors are told
  * @param state where it should be
- * @param leds its lamps
- * @param buzzing whether its buzzer is on
- * @param switches its switches as they were at connecting; empty if not told
- * @param quality how well the line works
+ * @param leds its lamps, as far as the driver knows
+ * @param buzzing whether its buzzer is on, as far as the driver knows
+ * @param identity who answered at connecting
+ * @param switches its switches as they are now; empty if not told
  */
 record HemissonView(
-        boolean connected,
+        Line line,
         @Nullable Proximity seen,
+        @Nullable List<Integer> light,
         Wheels wheels,
         BotState state,
         Leds leds,
         boolean buzzing,
-        List<Integer> switches,
-        LinkQuality quality) {
+        Identity identity,
+        List<Integer> switches) {
+
+    /** Light read longer ago than this may be another. */
+    private static final double FRESH_S = 3;
+
+    /** How long a missed answer is worth a look. */
+    private static final double LATELY_S = 5;
+
+    /**
+     * How well the robot is reached.
+     *
+     * @param connection how the connection stands
+     * @param quality how the answers came
+     * @param missesAnswers whether one was missed lately
+     * @param silentS how long none has come, seconds
+     * @param outOfControl whether it may move though nobody can tell it anything
+     */
+    record Line(
+            Connection connection, LinkQuality quality, boolean missesAnswers, double silentS, boolean outOfControl) {
+        static Line of(MajicHemisson bot) {
+            LinkQuality quality = bot.quality();
+            return new Line(
+                    bot.connection(),
+                    quality,
+                    quality.hasMissedSince(bot.nanos() - (long) (LATELY_S * 1e9)),
+                    bot.silentSeconds(),
+                    bot.isOutOfControl());
+        }
+    }
 
     static HemissonView of(MajicHemisson bot) {
         return new HemissonView(
-                bot.isConnected(),
+                Line.of(bot),
                 bot.overseer().seen(),
+                freshLight(bot),
                 bot.overseer().track().wheels(),
                 bot.state(),
                 bot.lamps().leds(),
                 bot.lamps().isBuzzing(),
-                bot.identity().switches(),
-                bot.quality());
+                bot.identity(),
+                bot.spectator().switches());
+    }
+
+    private static @Nullable List<Integer> freshLight(MajicHemisson bot) {
+        Spectator.Light light = bot.spectator().light();
+        return light != null && bot.nanos() - light.atNanos() < FRESH_S * 1e9 ? light.raw() : null;
+    }
+
+    boolean isConnected() {
+        return line.connection() == Connection.CONNECTED;
+    }
+
+    /** What the robot's running mode is called, as its switches stood at connecting. */
+    String mode() {
+        return RunningMode.of(identity.switches());
+    }
+
+    /** Whether it does what it is told and nothing else; also if it did not tell. */
+    boolean isRemoteControlled() {
+        return identity.isRemoteControlled();
+    }
+
+    /** Whether the switches choose another mode for the next start than for this one. */
+    boolean areSwitchesMoved() {
+        return !identity.switches().isEmpty() && !switches.equals(identity.switches());
+    }
+
+    /** One proximity reading, that of the ground on the left corrected as far as the light is known (sheet 6). */
+    int proximity(int sensor) {
+        Proximity known = seen;
+        List<Integer> shade = light;
+        if (known == null) {
+            return 0;
+        }
+        return sensor == Proximity.GROUND_LEFT && shade != null
+                ? Proximity.correctedGroundLeft(
+                        known.value(sensor), shade.get(Proximity.GROUND_RIGHT), shade.get(Proximity.GROUND_LEFT))
+                : known.value(sensor);
     }
 }

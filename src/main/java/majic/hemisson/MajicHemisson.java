@@ -337,8 +337,15 @@ public final class MajicHemisson extends MajicBot {
     /** Whether its wheels may turn though nobody can tell it anything: the link is lost, or it misses answers. */
     boolean isOutOfControl() {
         Session open = session;
-        boolean deaf = isLost() || overseer.motion().trouble() != null;
+        boolean deaf =
+                isLost() || (overseer.motion().trouble() != null && quality().misses() > 0);
         return open != null && deaf && open.conversation().mayMove();
+    }
+
+    /** How long no question has been answered, seconds; 0 while none can be asked. */
+    double silentSeconds() {
+        Session open = session;
+        return open == null || !isConnected() ? 0 : open.conversation().silentSeconds();
     }
 
     /** How well the line works; nothing counted while there is none. */

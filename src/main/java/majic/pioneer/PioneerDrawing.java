@@ -1,13 +1,7 @@
 package majic.pioneer;
 
-import java.awt.BasicStroke;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
-import java.awt.Stroke;
-import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
-import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 import majic.panel.Echoes;
@@ -15,6 +9,7 @@ import majic.panel.Ink;
 import majic.panel.MapContent;
 import majic.panel.MapView;
 import majic.panel.Trail;
+import majic.panel.WayDrawing;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,16 +23,10 @@ final class PioneerDrawing implements MapContent {
     private static final double LEAST_REACH_MM = 2000;
     private static final double MOST_REACH_MM = 4200;
     private static final double MARGIN_MM = 900;
-    private static final String START = "start";
-    private static final double START_PX = 5;
-    private static final double WAY_STEP_PX = 2;
-
-    /** Thousands of round joins would take longer than all the rest. */
-    private static final Stroke WAY = new BasicStroke(1.6f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL);
 
     private final Trail trail = new Trail();
     private final Echoes echoes = new Echoes();
-    private final Path2D way = new Path2D.Double();
+    private final WayDrawing way = WayDrawing.measured(trail);
     private @Nullable PioneerScene scene;
 
     /** Remembers where the robot was and what it heard there. */
@@ -104,13 +93,13 @@ final class PioneerDrawing implements MapContent {
             return;
         }
         Ink ink = shown.isConnected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
-        paintStart(pen, view, ink);
+        WayDrawing.paintStart(pen, view, ink);
         Graphics2D robot = inRobotFrame(pen, view, shown.state().pose());
         if (shown.isConnected() && shown.state().sonarOn()) {
             new ConesDrawing(shown.state(), ink, view.pxPerMm())
                     .paint(robot, shown.model().discs());
         }
-        paintWay(pen, view, ink);
+        way.paint(pen, view, ink);
         Graphics2D echoPen = (Graphics2D) pen.create();
         new EchoesDrawing(ink, view).paint(echoPen, echoes.all(), shown.state().atNanos());
         echoPen.dispose();
@@ -123,25 +112,6 @@ final class PioneerDrawing implements MapContent {
         FontMetrics metrics = pen.getFontMetrics();
         pen.setColor(Ink.ofTheLook().grey(0.7));
         pen.drawString(text, (view.width() - metrics.stringWidth(text)) / 2, view.height() / 2);
-    }
-
-    private static void paintStart(Graphics2D pen, MapView view, Ink ink) {
-        Point2D start = view.pixel(0, 0);
-        pen.setColor(ink.grey(0.85));
-        pen.setStroke(Ink.stroke(1.5));
-        pen.draw(new Ellipse2D.Double(start.getX() - START_PX, start.getY() - START_PX, 2 * START_PX, 2 * START_PX));
-        pen.fill(new Ellipse2D.Double(start.getX() - 1.5, start.getY() - 1.5, 3, 3));
-        FontMetrics metrics = pen.getFontMetrics();
-        float left = (float) (start.getX() - metrics.stringWidth(START) / 2.0);
-        pen.drawString(START, left, (float) (start.getY() + START_PX + metrics.getAscent()));
-    }
-
-    private void paintWay(Graphics2D pen, MapView view, Ink ink) {
-        trail.trace(way, WAY_STEP_PX / view.pxPerMm());
-        AffineTransform floor = view.transform();
-        pen.setColor(ink.grey(0.6));
-        pen.setStroke(WAY);
-        pen.draw(floor.createTransformedShape(way));
     }
 
     /** x ahead, y to the left, mm. */

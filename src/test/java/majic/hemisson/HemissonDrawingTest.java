@@ -3,37 +3,120 @@ package majic.hemisson;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Graphics2D;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
-import majic.bot.BotState;
+import majic.bot.BotEnvironment;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class HemissonDrawingTest {
-    private static final int SIZE = 400;
+    private static final int SIZE = 496;
+    private static final double PX_PER_MM = 2;
+    private static final List<Integer> NOTHING = Collections.nCopies(8, 0);
+    private static final List<Integer> BRIGHT = Collections.nCopies(8, 0);
+    private static final List<Integer> DARK = Collections.nCopies(8, 255);
 
-    @Test
-    void aNearThingFillsItsBar() {
-        int[] far = painted(new Proximity(List.of(0, 0, 0, 0, 0, 0, 0, 0)));
-        int[] near = painted(new Proximity(List.of(255, 0, 0, 0, 0, 0, 0, 0)));
+    private final MajicHemisson bot = new MajicHemisson("//127.0.0.1:1", BotEnvironment.plain());
 
-        assertThat(differing(near, far)).isGreaterThan(500);
+    @AfterEach
+    void close() {
+        bot.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6, 7})
+    void aBarFillsFromItsSensorOutward(int sensor) {
+        SensorDrawing mount = SensorDrawing.ALL.get(sensor);
+        List<Integer> half = new java.util.ArrayList<>(NOTHING);
+        half.set(sensor, 128);
+        int[] empty = painted(Views.seeing(new Proximity(NOTHING), null));
+        int[] filled = painted(Views.seeing(new Proximity(half), null));
+
+        assertThat(at(filled, mount.along(mount.lengthMm() * 0.4)))
+                .isNotEqualTo(at(empty, mount.along(mount.lengthMm() * 0.4)));
+        assertThat(at(filled, mount.along(mount.lengthMm() * 0.6)))
+                .isEqualTo(at(empty, mount.along(mount.lengthMm() * 0.6)));
     }
 
     @Test
-    void paintsBeforeTheFirstReading() {
-        assertThat(differing(painted(null), new int[SIZE * SIZE])).isPositive();
+    void lightIsSunnyAndDarknessIsShadeBesideTheBar() {
+        Point2D besideTheFrontBar = new Point2D.Double(90, 9);
+        int unknown = at(painted(Views.seeing(null, null)), besideTheFrontBar);
+        int bright = at(painted(Views.seeing(null, BRIGHT)), besideTheFrontBar);
+        int dark = at(painted(Views.seeing(null, DARK)), besideTheFrontBar);
+
+        assertThat(blue(bright)).isLessThan(red(bright) / 2);
+        assertThat(red(dark)).isEqualTo(blue(dark)).isLessThan(red(unknown));
     }
 
-    private static int[] painted(Proximity seen) {
-        HemissonDrawing drawing = new HemissonDrawing(new HemissonView(
-                true, seen, Wheels.STILL, BotState.UNKNOWN, Leds.OFF, false, List.of(), LinkQuality.NONE));
+    @Test
+    void aWheelIsFilledAheadOrBackward() {
+        int[] still = painted(Views.driving(Wheels.STILL));
+        int[] turning = painted(Views.driving(new Wheels(-9, 9)));
+        Point2D leftBehind = new Point2D.Double(-15, BodyDrawing.WHEEL_Y_MM);
+        Point2D leftAhead = new Point2D.Double(15, BodyDrawing.WHEEL_Y_MM);
+        Point2D rightAhead = new Point2D.Double(15, -BodyDrawing.WHEEL_Y_MM);
+
+        assertThat(at(turning, leftBehind)).isNotEqualTo(at(still, leftBehind));
+        assertThat(at(turning, leftAhead)).isEqualTo(at(still, leftAhead));
+        assertThat(at(turning, rightAhead)).isNotEqualTo(at(still, rightAhead));
+    }
+
+    @Test
+    void aSwitchThatReadsZeroIsDown() {
+        int[] all = painted(Views.withSwitches(Views.REMOTE, Views.REMOTE));
+        int[] moved = painted(Views.withSwitches(Views.REMOTE, Views.DANCE));
+
+        assertThat(differing(all, moved)).isBetween(100L, 1500L);
+    }
+
+    @Test
+    void aLostRobotIsPaintedFaded() {
+        int[] here = painted(Views.standing(Views.WELL));
+
+        assertThat(differing(here, painted(Views.standing(Views.LOST)))).isGreaterThan(5000);
+    }
+
+    @Test
+    void theLeftGroundSensorsSlipIsCorrectedWhereTheLightIsKnown() {
+        Proximity seen = new Proximity(List.of(0, 0, 0, 0, 0, 0, 60, 80));
+        List<Integer> light = List.of(220, 220, 220, 220, 220, 220, 220, 200);
+
+        assertThat(Views.seeing(seen, light).proximity(Proximity.GROUND_LEFT)).isEqualTo(60);
+        assertThat(Views.seeing(seen, null).proximity(Proximity.GROUND_LEFT)).isEqualTo(80);
+    }
+
+    private int[] painted(HemissonView view) {
+        HemissonDrawing drawing = new HemissonDrawing(view, new LampSwitch(bot, why -> {}));
         drawing.setSize(SIZE, SIZE);
-        BufferedImage image = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_ARGB);
+        drawing.doLayout();
+        BufferedImage image = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_RGB);
         Graphics2D canvas = image.createGraphics();
+        canvas.setColor(java.awt.Color.WHITE);
+        canvas.fillRect(0, 0, SIZE, SIZE);
         drawing.paint(canvas);
         canvas.dispose();
         return image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE);
+    }
+
+    /** The colour at a place in the robot's frame, mm. */
+    private static int at(int[] image, Point2D place) {
+        int x = (int) (SIZE / 2.0 - PX_PER_MM * place.getY());
+        int y = (int) (SIZE / 2.0 - PX_PER_MM * place.getX());
+        return image[y * SIZE + x];
+    }
+
+    private static int red(int rgb) {
+        return rgb >> 16 & 0xFF;
+    }
+
+    private static int blue(int rgb) {
+        return rgb & 0xFF;
     }
 
     private static long differing(int[] one, int[] other) {

@@ -1,0 +1,109 @@
+package majic.hemisson;
+
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import majic.bot.Pose;
+import majic.panel.Ink;
+import majic.panel.MapContent;
+import majic.panel.MapView;
+import majic.panel.Trail;
+import majic.panel.WayDrawing;
+
+/**
+ * The floor with the way the robot should have come by what its wheels were told: dashed and called an estimate, since
+ * nothing measures it. {@link #hear} is for the driver's threads, everything else for the event thread.
+ */
+final class FloorDrawing implements MapContent {
+    private static final double PX_PER_MM = 0.18;
+    private static final double LEAST_REACH_MM = 400;
+    private static final double MOST_REACH_MM = 900;
+    private static final double MARGIN_MM = 200;
+    private static final double LEAST_RADIUS_PX = 7;
+    private static final String MARK = "an estimate";
+    private static final int INSET = 6;
+
+    private final Trail trail = new Trail();
+    private final WayDrawing way = WayDrawing.estimated(trail);
+    private Pose pose = Pose.START;
+    private boolean connected;
+
+    /** Remembers where the robot should be. */
+    void hear(Pose now) {
+        trail.add(now);
+    }
+
+    void show(HemissonView view) {
+        pose = view.state().pose();
+        connected = view.isConnected();
+    }
+
+    @Override
+    public Pose pose() {
+        return pose;
+    }
+
+    @Override
+    public Rectangle2D extent() {
+        Rectangle2D extent = new Rectangle2D.Double(pose.xMm(), pose.yMm(), 0, 0);
+        extent.add(0, 0);
+        trail.extend(extent);
+        return new Rectangle2D.Double(
+                extent.getX() - MARGIN_MM,
+                extent.getY() - MARGIN_MM,
+                extent.getWidth() + 2 * MARGIN_MM,
+                extent.getHeight() + 2 * MARGIN_MM);
+    }
+
+    @Override
+    public double nearPxPerMm(int sidePx) {
+        double reach = Math.max(LEAST_REACH_MM, Math.min(MOST_REACH_MM, sidePx / 2.0 / PX_PER_MM));
+        return sidePx / 2.0 / reach;
+    }
+
+    @Override
+    public void clear() {
+        trail.clear();
+    }
+
+    @Override
+    public void paint(Graphics2D pen, MapView view) {
+        Ink ink = connected ? Ink.ofTheLook() : Ink.ofTheLook().faded();
+        WayDrawing.paintStart(pen, view, ink);
+        way.paint(pen, view, ink);
+        paintRobot(pen, view, ink);
+        FontMetrics metrics = pen.getFontMetrics();
+        pen.setColor(Ink.ofTheLook().grey(0.8));
+        pen.drawString(
+                MARK, view.width() - metrics.stringWidth(MARK) - INSET, view.height() - INSET - metrics.getDescent());
+    }
+
+    /** A disc to scale, or as small as can be found, with an arrow ahead. */
+    private void paintRobot(Graphics2D pen, MapView view, Ink ink) {
+        Point2D middle = view.pixel(pose.xMm(), pose.yMm());
+        double radius = Math.max(LEAST_RADIUS_PX, Clearance.HULL_MM * view.pxPerMm());
+        Graphics2D robot = (Graphics2D) pen.create();
+        robot.translate(middle.getX(), middle.getY());
+        robot.rotate(-Math.toRadians(pose.headingDeg() + MapView.Y_UP - view.upDeg()));
+        robot.setColor(ink.grey(0.2));
+        robot.fill(new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius));
+        robot.setColor(ink.line());
+        robot.setStroke(Ink.stroke(1.3));
+        robot.draw(new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius));
+        robot.fill(arrow(0.75 * radius));
+        robot.dispose();
+    }
+
+    private static Path2D arrow(double length) {
+        Path2D arrow = new Path2D.Double();
+        arrow.moveTo(length, 0);
+        arrow.lineTo(-0.6 * length, 0.6 * length);
+        arrow.lineTo(-0.2 * length, 0);
+        arrow.lineTo(-0.6 * length, -0.6 * length);
+        arrow.closePath();
+        return arrow;
+    }
+}

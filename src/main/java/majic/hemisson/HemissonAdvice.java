@@ -1,0 +1,49 @@
+package majic.hemisson;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a person should know or do, the most urgent alone: how to stop a robot that nobody reaches, why a click came to
+ * nothing, what is wrong with its switches. For the event thread.
+ */
+final class HemissonAdvice {
+    static final Words LIFT =
+            new Words("Nobody reaches it and it may be moving: lift it, or press 5 on a TV remote control.", true);
+
+    private static final Words NONE = new Words("", false);
+    private static final long REFUSAL_NANOS = 8_000_000_000L;
+
+    private @Nullable String refusal;
+    private long refusedNanos;
+
+    /**
+     * A piece of advice.
+     *
+     * @param text whole sentences; empty for none
+     * @param urgent whether a person must act at once
+     */
+    record Words(String text, boolean urgent) {}
+
+    /** Notes why a click came to nothing, to be told for some seconds. */
+    void refused(String why, long nowNanos) {
+        refusal = why;
+        refusedNanos = nowNanos;
+    }
+
+    Words on(HemissonView view, long nowNanos) {
+        String why = nowNanos - refusedNanos < REFUSAL_NANOS ? refusal : null;
+        if (view.line().outOfControl()) {
+            return LIFT;
+        }
+        if (why != null) {
+            return new Words(why, false);
+        }
+        if (view.isConnected() && !view.isRemoteControlled()) {
+            return new Words(
+                    "It runs as its switches say (" + view.mode()
+                            + ") and may do as it likes: put all four to the side that reads 1, switch it off and on.",
+                    false);
+        }
+        return NONE;
+    }
+}

@@ -1,0 +1,73 @@
+package majic.hemisson;
+
+import java.util.List;
+import java.util.Locale;
+import majic.hemisson.HemissonView.Line;
+import majic.panel.Light;
+import majic.panel.Light.Kind;
+import majic.panel.LightsPanel;
+
+/** Whether it moves, how the line carries and in which mode it runs, each by word and shape. For the event thread. */
+final class HemissonLights {
+    private static final String LONGEST = "answers missing";
+
+    /** A robot that is asked ten times a second has said nothing for too long. */
+    private static final double SILENT_S = 0.7;
+
+    private final Light motors = new Light("motors", "What the wheels are told; nothing measures what they do");
+    private final Light line = new Light(
+            "line", "The mean time from a question to its answer; or that answers are missing, or since when");
+    private final Light mode = new Light(
+            "mode", "What the four switches chose when the robot was switched on; 1, 1, 1, 1 is remote control");
+    private final LightsPanel panel = new LightsPanel(LONGEST, List.of(motors, line, mode));
+
+    /** All of them. */
+    LightsPanel panel() {
+        return panel;
+    }
+
+    void show(HemissonView view) {
+        showMotors(view);
+        showLine(view.line());
+        showMode(view);
+    }
+
+    private void showMotors(HemissonView view) {
+        if (view.line().outOfControl()) {
+            motors.show(Kind.ALARM, "may be moving");
+        } else if (!view.isConnected()) {
+            motors.show(Kind.QUIET, "not driven");
+        } else {
+            boolean still = view.wheels().isStill();
+            motors.show(still ? Kind.QUIET : Kind.GOOD, still ? "told to stand" : "told to move");
+        }
+    }
+
+    private void showLine(Line now) {
+        switch (now.connection()) {
+            case NEW, CONNECTING -> line.show(Kind.QUIET, "connecting");
+            case LOST, CLOSED -> line.show(Kind.ALARM, "link lost");
+            case CONNECTED -> showAnswers(now);
+        }
+    }
+
+    private void showAnswers(Line now) {
+        if (now.silentS() > SILENT_S) {
+            line.show(Kind.WARNING, String.format(Locale.ROOT, "silent %.1f s", now.silentS()));
+        } else if (now.missesAnswers()) {
+            line.show(Kind.WARNING, "answers missing");
+        } else {
+            line.show(Kind.GOOD, HemissonNumbers.milliseconds("line", now.quality()));
+        }
+    }
+
+    private void showMode(HemissonView view) {
+        if (view.identity().switches().isEmpty()) {
+            mode.show(Kind.QUIET, "mode not known");
+        } else if (view.areSwitchesMoved()) {
+            mode.show(Kind.WARNING, "switches moved since its start");
+        } else {
+            mode.show(view.isRemoteControlled() ? Kind.GOOD : Kind.WARNING, view.mode());
+        }
+    }
+}

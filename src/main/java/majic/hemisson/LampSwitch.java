@@ -1,0 +1,79 @@
+package majic.hemisson;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.Value;
+import majic.bot.Value.Flag.Words;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Sends what was clicked, on a thread beside, one question at a time: clicks that come faster than the line takes them
+ * end in the last one's wish. Thread-safe; whoever clicks never waits.
+ */
+final class LampSwitch {
+    private final MajicHemisson bot;
+    private final Consumer<String> refused;
+    private final Map<Lamp, Boolean> wanted = new EnumMap<>(Lamp.class);
+    private boolean working;
+
+    /**
+     * Nothing clicked yet.
+     *
+     * @param refused takes why a lamp was not switched, on the thread beside
+     */
+    LampSwitch(MajicHemisson bot, Consumer<String> refused) {
+        this.bot = bot;
+        this.refused = refused;
+    }
+
+    /** Switches a lamp over, from what was wanted of it last. */
+    void toggle(Lamp lamp) {
+        synchronized (wanted) {
+            wanted.put(lamp, !wanted.getOrDefault(lamp, lamp.isOn(bot.lamps())));
+            if (working) {
+                return;
+            }
+            working = true;
+        }
+        bot.aside("lamps", this::work);
+    }
+
+    /** Whether the robot has not yet confirmed what was clicked. */
+    boolean isWaiting(Lamp lamp) {
+        synchronized (wanted) {
+            return wanted.containsKey(lamp);
+        }
+    }
+
+    private void work() {
+        for (Lamp lamp = next(); lamp != null; lamp = next()) {
+            boolean on = wish(lamp);
+            try {
+                bot.set(lamp.parameter(), List.of(new Value.Flag(on, Words.ON_OFF)));
+            } catch (BotException e) {
+                refused.accept(lamp.parameter() + ": " + e.getMessage());
+            } finally {
+                synchronized (wanted) {
+                    wanted.remove(lamp, on);
+                }
+            }
+        }
+    }
+
+    private @Nullable Lamp next() {
+        synchronized (wanted) {
+            Lamp next = wanted.keySet().stream().findFirst().orElse(null);
+            working = next != null;
+            return next;
+        }
+    }
+
+    private boolean wish(Lamp lamp) {
+        synchronized (wanted) {
+            return wanted.getOrDefault(lamp, false);
+        }
+    }
+}

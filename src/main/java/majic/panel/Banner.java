@@ -1,0 +1,83 @@
+package majic.panel;
+
+import java.awt.Color;
+import java.awt.Font;
+import javax.swing.BorderFactory;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+
+/**
+ * A sentence across a panel while there is one to say, as high as its words need. An alarm stands out by weight and by
+ * reversed colours. For the event dispatch thread.
+ */
+public final class Banner extends JTextArea {
+    private static final long serialVersionUID = 1;
+    private static final int PAD = 6;
+    private static final float ALARM_SIZE = 1.1f;
+
+    private boolean alarm;
+
+    /** Makes one that says nothing. */
+    public Banner() {
+        setName("banner");
+        setEditable(false);
+        setFocusable(false);
+        setLineWrap(true);
+        setWrapStyleWord(true);
+        setVisible(false);
+        dress();
+    }
+
+    /**
+     * Says what a person had better know or do.
+     *
+     * @param words whole sentences, short; empty to say nothing any more
+     * @param urgent whether it must be acted on at once
+     */
+    public void show(String words, boolean urgent) {
+        if (words.equals(getText()) && urgent == alarm) {
+            return;
+        }
+        alarm = urgent;
+        setText(words);
+        dress();
+        setVisible(!words.isEmpty());
+        getAccessibleContext().setAccessibleName(words);
+        revalidate();
+    }
+
+    /**
+     * Whether what it says must be acted on.
+     *
+     * @return false also while it says nothing
+     */
+    public boolean isAlarm() {
+        return alarm;
+    }
+
+    /** How high it must be for its words. */
+    int heightIn(int width) {
+        setSize(width, Short.MAX_VALUE);
+        return getPreferredSize().height;
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        dress();
+    }
+
+    private void dress() {
+        Ink ink = Ink.ofTheLook();
+        Font font = UIManager.getFont("Label.font");
+        if (font != null) {
+            setFont(alarm ? font.deriveFont(Font.BOLD, font.getSize2D() * ALARM_SIZE) : font);
+        }
+        Color edge = alarm ? ink.alarm() : ink.grey(0.5);
+        setOpaque(true);
+        setBackground(alarm ? ink.alarm() : ink.grey(0.08));
+        setForeground(alarm ? ink.paper() : ink.line());
+        setBorder(BorderFactory.createCompoundBorder(
+                BorderFactory.createLineBorder(edge), BorderFactory.createEmptyBorder(PAD / 2, PAD, PAD / 2, PAD)));
+    }
+}

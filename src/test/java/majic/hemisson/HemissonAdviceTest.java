@@ -1,0 +1,83 @@
+package majic.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import majic.bot.MajicBot.Connection;
+import majic.hemisson.HemissonView.Line;
+import org.junit.jupiter.api.Test;
+
+/** What the advice and the lights of the Hemisson's tab say, and when. */
+class HemissonAdviceTest {
+    private static final long SECOND = 1_000_000_000;
+
+    private final HemissonAdvice advice = new HemissonAdvice();
+    private final HemissonLights lights = new HemissonLights();
+
+    @Test
+    void whatToDoIsSaidExactlyWhileARobotNobodyReachesMayBeMoving() {
+        assertThat(advice.on(Views.standing(Views.LOST_MOVING), 0).text()).contains("lift it", "5 on a TV remote");
+        assertThat(advice.on(Views.standing(Views.LOST_MOVING), 0).urgent()).isTrue();
+        assertThat(advice.on(Views.standing(Views.LOST), 0).text()).isEmpty();
+    }
+
+    @Test
+    void aRefusalStaysForSomeSeconds() {
+        advice.refused("ledLeft: no answer", 0);
+
+        assertThat(advice.on(Views.standing(Views.WELL), 7 * SECOND).text()).isEqualTo("ledLeft: no answer");
+        assertThat(advice.on(Views.standing(Views.WELL), 9 * SECOND).text()).isEmpty();
+    }
+
+    @Test
+    void aRobotOutOfControlIsMoreUrgentThanARefusal() {
+        advice.refused("ledLeft: no answer", 0);
+
+        assertThat(advice.on(Views.standing(Views.LOST_MOVING), SECOND)).isEqualTo(HemissonAdvice.LIFT);
+    }
+
+    @Test
+    void anotherRunningModeIsCalledByItsName() {
+        HemissonView dancing = Views.withSwitches(Views.DANCE, Views.DANCE);
+
+        assertThat(advice.on(dancing, 0).text()).contains("dance", "reads 1");
+        assertThat(advice.on(dancing, 0).urgent()).isFalse();
+        assertThat(light("mode", dancing)).isEqualTo("WARNING dance");
+    }
+
+    @Test
+    void switchesMovedAfterItsStartAreSaid() {
+        assertThat(light("mode", Views.withSwitches(Views.REMOTE, Views.DANCE)))
+                .isEqualTo("WARNING switches moved since its start");
+        assertThat(light("mode", Views.standing(Views.WELL))).isEqualTo("GOOD remote control");
+    }
+
+    @Test
+    void theLineTellsHowItCarries() {
+        LinkQuality quality = new LinkQuality(4.25, 100, 2, 1, 0);
+
+        assertThat(line(quality, false, 0.1)).isEqualTo("GOOD line 4.3 ms");
+        assertThat(line(quality, true, 0.1)).isEqualTo("WARNING answers missing");
+        assertThat(line(quality, true, 1.24)).isEqualTo("WARNING silent 1.2 s");
+        assertThat(light("line", Views.standing(Views.LOST))).isEqualTo("ALARM link lost");
+    }
+
+    @Test
+    void motorsAreSaidToBeToldNotToTurn() {
+        assertThat(light("motors", Views.driving(new Wheels(3, 3)))).isEqualTo("GOOD told to move");
+        assertThat(light("motors", Views.driving(Wheels.STILL))).isEqualTo("QUIET told to stand");
+        assertThat(light("motors", Views.standing(Views.LOST_MOVING))).isEqualTo("ALARM may be moving");
+    }
+
+    private String line(LinkQuality quality, boolean missing, double silentS) {
+        return light("line", Views.standing(new Line(Connection.CONNECTED, quality, missing, silentS, false)));
+    }
+
+    private String light(String name, HemissonView view) {
+        lights.show(view);
+        return lights.panel().lights().stream()
+                .filter(light -> light.getName().equals(name))
+                .map(light -> light.kind() + " " + light.getText())
+                .findFirst()
+                .orElseThrow();
+    }
+}

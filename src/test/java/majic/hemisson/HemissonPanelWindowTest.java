@@ -1,0 +1,183 @@
+package majic.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.function.BooleanSupplier;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import majic.bot.BotEnvironment;
+import majic.gui.Patience;
+import majic.panel.Banner;
+import org.assertj.swing.core.BasicRobot;
+import org.assertj.swing.core.Robot;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The Hemisson's tab in a real window, clicked with a real mouse, before a peer that answers as told. */
+@Timeout(60)
+class HemissonPanelWindowTest {
+    private static final int PATIENCE_S = 15;
+
+    private final Robot mouse = BasicRobot.robotWithNewAwtHierarchy();
+    private ScriptedHemisson peer;
+    private MajicHemisson bot;
+    private JFrame frame;
+
+    @BeforeEach
+    void open() throws Exception {
+        peer = new ScriptedHemisson();
+        bot = new MajicHemisson(peer.address(), BotEnvironment.plain());
+        bot.connect();
+        frame = GuiActionRunner.execute(() -> {
+            JFrame made = new JFrame("Hemisson");
+            JComponent panel = HemissonPanel.create(bot);
+            panel.setPreferredSize(new java.awt.Dimension(700, 400));
+            made.setContentPane(panel);
+            return made;
+        });
+        mouse.showWindow(frame);
+        mouse.waitForIdle();
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        mouse.cleanUp();
+        bot.close();
+        peer.close();
+    }
+
+    @Test
+    void aClickSwitchesALampAndAnotherSwitchesItOff() {
+        click("ledLeft");
+        await("the lamp", () -> button("ledLeft").isOn());
+        assertThat(bot.get("ledLeft").isYes()).isTrue();
+        assertThat(peer.commands()).contains("L,0,0,1,0");
+
+        click("ledLeft");
+        await("darkness", () -> !button("ledLeft").isOn());
+        assertThat(peer.commands()).contains("L,0,0,0,0");
+    }
+
+    @Test
+    void aClickSoundsTheBuzzer() {
+        click("beep");
+
+        await("the buzzer", () -> button("beep").isOn());
+        assertThat(peer.commands()).contains("H,1");
+    }
+
+    @Test
+    void aRefusedClickIsToldInWordsAndTheLampStaysAsItWas() {
+        peer.answer('L', command -> "Unknown Command ?!");
+
+        click("ledRight");
+
+        await("a word", () -> banner().getText().startsWith("ledRight: the robot refused"));
+        assertThat(button("ledRight").isOn()).isFalse();
+    }
+
+    @Test
+    void aClickOnARobotThatIsGoneSaysSo() throws Exception {
+        peer.hangUp();
+        await("the loss", () -> !bot.isConnected());
+
+        click("ledPgm");
+
+        await("a word", () -> banner().isShowing() && banner().getText().startsWith("ledPgm: "));
+        assertThat(banner().isAlarm()).isFalse();
+    }
+
+    @Test
+    void clicksFasterThanTheLineEndInTheLastWish() {
+        CountDownLatch answering = new CountDownLatch(1);
+        peer.answer('H', command -> {
+            await("leave to answer", () -> answering.getCount() == 0);
+            return "h";
+        });
+
+        clickWithoutMouse("beep", 5);
+        answering.countDown();
+
+        await("the buzzer", () -> button("beep").isOn());
+        assertThat(peer.commands().stream().filter(command -> command.startsWith("H")))
+                .hasSizeLessThanOrEqualTo(2)
+                .last()
+                .isEqualTo("H,1");
+    }
+
+    @Test
+    void lookingAtTheTabCostsTheLineNothing() {
+        await("questions", () -> peer.count("N") >= 20);
+        double seen = shareOfLight();
+        GuiActionRunner.execute(() -> frame.setVisible(false));
+        long looks = peer.count("N");
+
+        await("more questions", () -> peer.count("N") >= looks + 20);
+        assertThat(shareOfLight()).isCloseTo(seen, within(0.1));
+    }
+
+    private double shareOfLight() {
+        return (double) peer.count("O") / peer.count("N");
+    }
+
+    @Test
+    void whatToDoIsSaidWhenTheLinkIsLostInMotionAndOnlyThen() throws Exception {
+        assertThat(banner().isShowing()).isFalse();
+        bot.drive(40, 0);
+        await("a moving robot", () -> peer.commands().contains("D,3,3"));
+
+        peer.hangUp();
+
+        await("what to do", () -> banner().isShowing() && banner().getText().contains("lift it"));
+        assertThat(banner().isAlarm()).isTrue();
+        bot.connect();
+        await("peace", () -> !banner().isShowing());
+    }
+
+    @Test
+    void aLinkLostWhileItStandsIsNoAlarm() throws Exception {
+        peer.hangUp();
+
+        await("the loss", () -> !bot.isConnected());
+        GuiActionRunner.execute(() -> frame.getContentPane().repaint());
+        await("the sign", () -> light("link lost"));
+        assertThat(banner().isShowing()).isFalse();
+    }
+
+    private void click(String name) {
+        mouse.click(button(name));
+    }
+
+    /** Faster than any mouse. */
+    private void clickWithoutMouse(String name, int times) {
+        GuiActionRunner.execute(() -> {
+            for (int click = 0; click < times; click++) {
+                button(name).doClick(0);
+            }
+        });
+    }
+
+    private LampButton button(String name) {
+        return mouse.finder().findByName(frame, name, LampButton.class);
+    }
+
+    private Banner banner() {
+        return mouse.finder().findByName(frame, "banner", Banner.class, false);
+    }
+
+    private boolean light(String words) {
+        return mouse.finder()
+                .findByName(frame, "line", majic.panel.Light.class)
+                .getText()
+                .equals(words);
+    }
+
+    private static void await(String what, BooleanSupplier condition) {
+        Patience.await(what, condition, PATIENCE_S);
+    }
+}

@@ -1,0 +1,44 @@
+package majic.hemisson;
+
+import java.util.List;
+import majic.bot.BotState;
+import majic.bot.MajicBot.Connection;
+import majic.hemisson.HemissonView.Line;
+import org.jspecify.annotations.Nullable;
+
+/** Moments of a Hemisson for tests of what is shown of them. */
+final class Views {
+    static final Line WELL = new Line(Connection.CONNECTED, LinkQuality.NONE, false, 0, false);
+    static final Line LOST = new Line(Connection.LOST, LinkQuality.NONE, false, 0, false);
+    static final Line LOST_MOVING = new Line(Connection.LOST, LinkQuality.NONE, true, 0, true);
+    static final List<Integer> REMOTE = List.of(1, 1, 1, 1);
+    static final List<Integer> DANCE = List.of(1, 0, 1, 1);
+
+    private Views() {}
+
+    static HemissonView standing(Line line) {
+        return of(line, Wheels.STILL, REMOTE, REMOTE);
+    }
+
+    static HemissonView driving(Wheels wheels) {
+        return of(WELL, wheels, REMOTE, REMOTE);
+    }
+
+    /** With switches as they were at its start and as they are. */
+    static HemissonView withSwitches(List<Integer> atStart, List<Integer> now) {
+        return of(WELL, Wheels.STILL, atStart, now);
+    }
+
+    static HemissonView seeing(@Nullable Proximity seen, @Nullable List<Integer> light) {
+        return new HemissonView(
+                WELL, seen, light, Wheels.STILL, BotState.UNKNOWN, Leds.OFF, false, identity(REMOTE), REMOTE);
+    }
+
+    private static HemissonView of(Line line, Wheels wheels, List<Integer> atStart, List<Integer> now) {
+        return new HemissonView(line, null, null, wheels, BotState.UNKNOWN, Leds.OFF, false, identity(atStart), now);
+    }
+
+    private static Identity identity(List<Integer> switches) {
+        return new Identity("HemiOS_v_1.50", switches, true);
+    }
+}
