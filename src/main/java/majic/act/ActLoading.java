@@ -17,7 +17,10 @@ record ActLoading(String label, ActContents contents) {
             return checked(in.readObject());
         } catch (InvalidClassException e) {
             throw refused(
-                    "was saved with another version of the class " + e.classname + ", or holds what no act may", e);
+                    e.classname == null
+                            ? "holds what no act may hold"
+                            : "was saved with another version of the class " + e.classname,
+                    e);
         } catch (ClassNotFoundException | NoClassDefFoundError e) {
             throw refused("uses the class " + dotted(e) + ", which is neither in it nor in this MAJIC", e);
         } catch (ExceptionInInitializerError e) {

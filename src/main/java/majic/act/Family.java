@@ -55,6 +55,6 @@ final class Family {
     boolean has(String className) {
         return inFile.containsKey(className)
                 || lineage.contains(className)
-                || lineage.stream().anyMatch(one -> className.startsWith(one + "$"));
+                || lineage.stream().anyMatch(one -> !inFile.containsKey(one) && className.startsWith(one + "$"));
     }
 }

@@ -79,13 +79,14 @@ final class SerialScan {
             case TC_OBJECT -> object(depth);
             case TC_ARRAY -> array(depth);
             case TC_ENUM -> constant();
+            case TC_CLASS -> aboutClass(depth);
             default -> throw new Unfit("holds what no act may hold: " + nameOf(tag));
         }
     }
 
     private static String nameOf(byte tag) {
         return switch (tag) {
-            case TC_CLASS, TC_CLASSDESC -> "a class";
+            case TC_CLASSDESC -> "a description of a class";
             case TC_PROXYCLASSDESC -> "a dynamic proxy";
             case TC_EXCEPTION -> "a broken-off stream";
             default -> "data of an unknown kind";
@@ -160,6 +161,12 @@ final class SerialScan {
             value(type.name().charAt(1), depth);
         }
         node.open = false;
+    }
+
+    /** A class as a value, as tables of enums have it. */
+    private void aboutClass(int depth) throws IOException {
+        describedClass(depth);
+        newNode(true).open = false;
     }
 
     private void constant() throws IOException {

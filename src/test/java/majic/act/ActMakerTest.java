@@ -1,73 +1,207 @@
 package majic.act;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import majic.bot.Settings;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
-/** From a source or compiled classes to a file that a MAJIC which has never seen the class can load. */
+/** The maker takes a source, a class file, a folder or a jar, and says what is wrong with a class that will not do. */
 @Timeout(60)
 class ActMakerTest {
-    private static final ActDetails DETAILS = new ActDetails("Wander", "1.2", "Ada", "walks\nabout");
+    private static final ActDetails DETAILS = ActDetails.named("Wander");
 
     @TempDir
     Path folder;
 
-    static final String WANDER = """
-            import java.util.List;
-            import java.util.function.IntSupplier;
-            import majic.act.MajicAct;
-            import majic.act.Role;
+    @TempDir
+    static Path sources;
 
-            public class Wander extends MajicAct {
-                private final Step step = new Step(300);
-                enum Mode { SLOW, FAST { } }
-                private final Mode mode = Mode.FAST;
-                private final List<String> words = List.of("a", "b");
+    private static Path source;
+    private static Map<String, byte[]> all;
 
-                record Step(int mm) implements java.io.Serializable { }
+    private final Map<String, byte[]> compiled = new TreeMap<>(all);
 
-                @Override
-                public List<Role> roles() {
-                    return List.of(Role.any("me").types("aibo").with("distanceFront"));
-                }
+    @BeforeAll
+    static void compile() throws IOException {
+        source = Files.writeString(sources.resolve("Wander.java"), "package far.away;\n" + Sources.WANDER);
+        all = JavaSource.compile(source);
+    }
 
-                @Override
-                protected void behave() {
-                    IntSupplier far = () -> new Helper().twice(step.mm());
-                    bot.move(far.getAsInt());
-                }
-            }
-
-            class Helper {
-                int twice(int number) {
-                    return 2 * number;
-                }
-            }
-            """;
-
-    private Path source(String name, String text) throws IOException {
-        return Files.writeString(folder.resolve(name), text);
+    /** The compiled classes in the folders of their packages. */
+    private Path unpacked() throws IOException {
+        Path root = folder.resolve("classes");
+        for (Map.Entry<String, byte[]> one : compiled.entrySet()) {
+            Path file = root.resolve(ActNames.pathOf(one.getKey()));
+            Files.createDirectories(file.getParent());
+            Files.write(file, one.getValue());
+        }
+        return root;
     }
 
     @Test
-    void aSourceBecomesAFileThatLoads() throws IOException {
-        ActMaker maker = ActMaker.from(source("Wander.java", WANDER));
-        byte[] bytes = maker.make(maker.onlyAct(), DETAILS);
-        ActFile file = ActFile.of("wander.act", bytes);
-        ActTrust trust = new ActTrust(Settings.inMemory());
-        trust.agree(file);
-        MajicAct act = file.load(trust);
-        assertThat(act.getClass().getName()).isEqualTo("Wander");
-        assertThat(file.details()).isEqualTo(new ActDetails("Wander", "1.2", "Ada", "walks about"));
-        assertThat(file.roles()).isEqualTo(List.of(Role.parse("me aibo (distanceFront)")));
-        assertThat(file.classes()).containsExactly("Helper", "Wander", "Wander$Mode", "Wander$Mode$1", "Wander$Step");
-        assertThat(file.packages()).contains("majic.act", "java.util.function");
+    void aClassFileAFolderAndAJarMakeTheSameFileAsTheSource() throws IOException {
+        byte[] fromSource = ActMaker.from(source).make("far.away.Wander", DETAILS);
+        Path classes = unpacked();
+        Map<String, byte[]> entries = new TreeMap<>();
+        compiled.forEach((name, bytes) -> entries.put(ActNames.pathOf(name), bytes));
+        Path jar = Files.write(folder.resolve("wander.jar"), BoundedZipTest.zip(entries));
+        for (Path given : new Path[] {classes.resolve("far/away/Wander.class"), classes, jar}) {
+            ActMaker maker = ActMaker.from(given);
+            assertThat(maker.onlyAct()).isEqualTo("far.away.Wander");
+            assertThat(maker.make(maker.onlyAct(), DETAILS)).isEqualTo(fromSource);
+        }
+    }
+
+    @Test
+    void whatTheActDoesNotUseStaysOutside() throws IOException {
+        compiled.put("far.away.Unused", TinyClass.of("far.away.Unused", 61));
+        ActMaker maker = ActMaker.from(unpacked());
+        ActFile file = ActFile.of("wander.act", maker.make("far.away.Wander", DETAILS));
+        assertThat(file.classes()).contains("far.away.Helper").doesNotContain("far.away.Unused");
+    }
+
+    @Test
+    void aClassThatIsMissingIsNamedWithItsUser() throws IOException {
+        compiled.remove("far.away.Helper");
+        ActMaker maker = ActMaker.from(unpacked());
+        assertThatThrownBy(() -> maker.make("far.away.Wander", DETAILS))
+                .isInstanceOf(ActException.class)
+                .hasMessage("far.away.Wander has the class far.away.Wander, which uses far.away.Helper;"
+                        + " that is neither with it nor in MAJIC or Java");
+    }
+
+    @Test
+    void aClassFileOutsideTheFolderOfItsPackageIsSentThere() throws IOException {
+        Path astray = Files.write(folder.resolve("Wander.class"), compiled.get("far.away.Wander"));
+        assertThatThrownBy(() -> ActMaker.from(astray))
+                .hasMessage("Wander.class is the class far.away.Wander; its place is far/away/Wander.class");
+    }
+
+    @Test
+    void amongSeveralActsOneIsChosen() {
+        ActMaker maker = Sources.maker(folder, "Two", """
+                import majic.act.MajicAct;
+                class One extends MajicAct { protected void behave() {} }
+                class Two extends One {}
+                abstract class Half extends MajicAct {}
+                """);
+        assertThat(maker.acts()).containsExactly("One", "Two");
+        assertThatThrownBy(maker::onlyAct).hasMessage("Two.java has several acts; choose one of One, Two");
+        ActFile file = ActFile.of("two.act", maker.make("Two", ActDetails.named("Two")));
+        assertThat(file.load(Sources.trusting(file)).getClass().getName()).isEqualTo("Two");
+    }
+
+    @Test
+    void aSourceThatDoesNotCompileSaysWhere() {
+        assertThatThrownBy(() -> Sources.maker(folder, "Bad", "class Bad {\n int x = y;\n int z = y; }"))
+                .isInstanceOf(ActException.class)
+                .hasMessageStartingWith("Bad.java cannot be compiled: line 2: cannot find symbol")
+                .hasMessageEndingWith("(and 1 more)");
+    }
+
+    @Test
+    void withoutACompilerItSaysWhatToDo() {
+        assertThatThrownBy(() -> JavaSource.compile(source, null))
+                .hasMessage("this Java has no compiler; install a JDK, or compile Wander.java elsewhere"
+                        + " and give the class file");
+    }
+
+    @Test
+    void whatIsNotThereOrNoCodeIsSaid() throws IOException {
+        assertThatThrownBy(() -> ActMaker.from(folder.resolve("none.jar"))).hasMessageStartingWith("there is no file ");
+        assertThatThrownBy(() -> ActMaker.from(folder.resolve("None.java")))
+                .hasMessageStartingWith("there is no file ");
+        Path text = Files.writeString(folder.resolve("Text.class"), "hello, this is text");
+        assertThatThrownBy(() -> ActMaker.from(text)).hasMessage("Text.class is not a class file");
+        Path empty = Files.createDirectory(folder.resolve("empty"));
+        assertThatThrownBy(() -> ActMaker.from(empty).onlyAct())
+                .hasMessage("empty has no act: none of its classes extends MajicAct");
+    }
+
+    /** Each class is called Act, and what stands here is all of it behind the imports. */
+    @ParameterizedTest(name = "{1}")
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "class Act {} | no act: it does not extend MajicAct",
+                "interface Act {} | no act: it does not extend MajicAct",
+                "abstract class Act extends MajicAct {} | is abstract; an act has to be complete",
+                "class Outer { class Act extends MajicAct { protected void behave() {} } } | is an inner class; make it static",
+                "class Outer { Object o() { class Act extends MajicAct { protected void behave() {} } return new Act(); } }"
+                        + " | is declared inside a method; give it a file of its own",
+            })
+    void aClassThatCannotBeAnActIsToldWhy(String source, String why) {
+        ActMaker maker = Sources.maker(folder, "Act", "import majic.act.MajicAct;\n" + source);
+        assertThat(maker.acts()).isEmpty();
+        assertThatThrownBy(maker::onlyAct).isInstanceOf(ActException.class).hasMessageContaining(why);
+    }
+
+    /** What stands here is the inside of a class Act. */
+    @ParameterizedTest(name = "{1}")
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "Act(int x) {} | Act has no constructor without arguments; give it one",
+                "int x = 1 / (int) (0 * Math.random()); | Act failed in its constructor, where it has no robot yet:",
+                "{ bot.move(1); } | Act failed in its constructor, where it has no robot yet:",
+                "static int x = Integer.parseInt(`x`.trim()); | Act failed in its static initialiser:",
+                "java.io.PrintStream out = System.out; | its field 'out' holds a java.io.PrintStream, which cannot be saved",
+                "Thread thread = new Thread(); | its field 'thread' holds a java.lang.Thread, which cannot be saved",
+                "java.net.InetSocketAddress to = new java.net.InetSocketAddress(80);"
+                        + " | its field 'to' holds a java.net.InetSocketAddress, which no act may hold",
+                "Helper helper = new Helper(); static class Helper {} | its field 'helper' holds a Act$Helper",
+                "Runnable run = () -> {}; | its field 'run' holds a Act$$Lambda",
+                "Runnable run = (Runnable & java.io.Serializable) () -> {};"
+                        + " | its field 'run' holds a java.lang.invoke.SerializedLambda",
+                "Helper h = new Helper(); class Helper implements java.io.Serializable {} | holds data that holds itself",
+                "public java.util.List<majic.act.Role> roles() { return java.util.List.of(); } | asks for no robot",
+                "public java.util.List<majic.act.Role> roles() { return null; } | failed in its roles()",
+                "public java.util.List<majic.act.Role> roles() { var me = majic.act.Role.any(`me`);"
+                        + " return java.util.List.of(me, me); } | for two robots of the name me",
+                "Object lab() { return majicsim.Lab.class; } | uses majicsim.Lab; that belongs to the simulated lab"
+            })
+    void anActThatCannotBeSavedIsToldWhy(String inside, String why) {
+        ActMaker maker = Sources.maker(
+                folder,
+                "Act",
+                "class Act extends majic.act.MajicAct { protected void behave() {} " + inside.replace('`', '"') + " }");
+        assertThatThrownBy(() -> maker.make("Act", ActDetails.named("Act")))
+                .isInstanceOf(ActException.class)
+                .hasMessageStartingWith("Act ")
+                .hasMessageContaining(why);
+    }
+
+    @Test
+    void aTransientFieldMayHoldAnything() {
+        byte[] file = Sources.act(folder, "Act", """
+                class Act extends majic.act.MajicAct {
+                    private transient Thread helper = new Thread();
+                    protected void behave() {}
+                }
+                """);
+        assertThat(ActFile.of("act.act", file).classes()).containsExactly("Act");
+    }
+
+    @Test
+    void aPackageOfMajicsIsNotForActs() {
+        ActMaker maker = Sources.maker(folder, "Act", """
+                package majic.mine;
+                class Act extends majic.act.MajicAct { protected void behave() {} }
+                """);
+        assertThatThrownBy(maker::onlyAct)
+                .hasMessage("Act.java has no act: majic.mine.Act is in the package majic.mine, which belongs to MAJIC;"
+                        + " choose another");
     }
 }

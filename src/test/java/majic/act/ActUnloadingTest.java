@@ -1,0 +1,51 @@
+package majic.act;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.ref.WeakReference;
+import java.nio.file.Path;
+import java.util.OptionalInt;
+import majic.bot.FakeBot;
+import majic.bot.Member;
+import majic.bot.SteppedTime;
+import majic.bot.Team;
+import majic.bot.TimeSource;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** When an act has ended, nothing holds its classes. */
+@Timeout(60)
+class ActUnloadingTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void anActThatHasRunGoesWithItsClasses() throws InterruptedException {
+        ActFile file = ActFile.of("wander.act", Sources.act(folder, "Wander", Sources.WANDER));
+        WeakReference<ClassLoader> classes = run(file);
+        while (classes.get() != null && !Thread.interrupted()) {
+            System.gc();
+            Thread.onSpinWait();
+        }
+        assertThat(classes.get()).isNull();
+        assertThat(file.details().name()).isEqualTo("Wander");
+    }
+
+    private static WeakReference<ClassLoader> run(ActFile file) throws InterruptedException {
+        SteppedTime time = new SteppedTime();
+        try (Team team = new Team(time);
+                TimeSource.Membership membership = time.join()) {
+            FakeBot robot = FakeBot.on(time);
+            robot.connect();
+            Member member = team.add(robot, OptionalInt.empty());
+            MajicAct act = file.load(Sources.trusting(file));
+            act.start(member::control, time);
+            time.sleep(10);
+            act.join();
+            assertThat(robot.sent()).startsWith("move 600");
+            assertThat(membership).isNotNull();
+            return new WeakReference<>(act.getClass().getClassLoader());
+        }
+    }
+}
