@@ -1,40 +1,23 @@
 package majic.act;
 
 import java.util.List;
-import java.util.function.Function;
 import majic.bot.BotCommand;
 import majic.bot.BotControl;
 import majic.bot.Guard;
+import majic.bot.MajicBot;
 import majic.bot.MotionReport;
-import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.Permit;
 import majic.bot.Value;
 
-/** A robot on loan. Once it is taken back every use of it throws, and nothing reaches the robot any more. */
+/** A robot on loan. Once the leave is revoked every use of it throws, and nothing reaches the robot any more. */
 final class Lease implements BotControl {
-    private final Permit permit = new Permit();
+    private final Permit permit;
     private final BotControl robot;
 
-    /**
-     * Lends a robot out.
-     *
-     * @param loan gives the robot under a permit, as {@code member::control} does
-     */
-    Lease(Function<Permit, BotControl> loan) {
-        this.robot = loan.apply(permit);
-    }
-
-    /** Takes the robot back and halts it, in an order that lets no command slip in between; once is enough. */
-    void revoke() {
-        if (!permit.isRevoked()) {
-            permit.revoke(() -> new MotionStopped("the act has ended"));
-            robot.stop();
-        }
-    }
-
-    boolean isRevoked() {
-        return permit.isRevoked();
+    Lease(MajicBot robot, Permit permit) {
+        this.permit = permit;
+        this.robot = robot.control(permit);
     }
 
     private BotControl robot() {

@@ -5,11 +5,12 @@ import java.io.Serializable;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CountDownLatch;
-import java.util.function.Function;
 import majic.bot.BotControl;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
 import majic.bot.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -31,8 +32,9 @@ public abstract class MajicAct extends Thread implements Serializable {
     /** The robot, from the start of {@link #behave()} to its end; null before and after. */
     protected transient volatile @Nullable BotControl bot;
 
-    private transient volatile @Nullable Lease lease;
-    private transient volatile @Nullable TimeSource time;
+    private transient volatile @Nullable Cast cast;
+    private transient volatile @Nullable Audience audience;
+    private transient volatile @Nullable Throwable failure;
     private transient volatile @Nullable CountDownLatch joined;
 
     /** A behaviour that has no robot yet. Reading a saved act does not come by here. */
@@ -71,10 +73,10 @@ public abstract class MajicAct extends Thread implements Serializable {
      * @throws MotionStopped if the act was ended meanwhile
      */
     protected final void pause(double seconds) {
-        TimeSource clock = time;
+        Cast robots = cast;
         try {
-            if (clock != null) {
-                clock.sleep(seconds);
+            if (robots != null) {
+                robots.clock().sleep(seconds);
             }
         } catch (InterruptedException e) {
             interrupt();
@@ -85,24 +87,77 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
-     * Gives the act its robot and starts it; returns as soon as it lives by the clock.
+     * A further robot, by the role that {@link #roles()} gave it.
      *
-     * @param loan gives the robot under a permit that the act can lose: {@code member::control}
-     * @param clock what its pauses go by, the robot's own
-     * @throws IllegalThreadStateException if it was started before
+     * @param role the act's word for it
+     * @return the robot; of no use any more once the act has ended
+     * @throws BotException if the act has no such role, or no robots yet
      */
-    public final void start(Function<Permit, BotControl> loan, TimeSource clock) {
+    protected final BotControl robot(String role) {
+        Cast robots = cast;
+        if (robots == null) {
+            throw new BotException("an act has no robots before it is started");
+        }
+        return robots.robot(role);
+    }
+
+    /**
+     * Tells the person what the act is doing: it stands beside the robot, among the messages and in the session log.
+     *
+     * @param words a few of them
+     */
+    protected final void say(String words) {
+        Audience listening = audience;
+        if (listening != null) {
+            listening.said(words);
+        }
+    }
+
+    /**
+     * Gives the act its robot and starts it, outside of any session; returns as soon as it lives by the robot's clock.
+     * What it says goes to the log.
+     *
+     * @param robot connected; nobody else should command it meanwhile
+     * @throws IllegalThreadStateException if it was started before
+     * @throws BotException if it needs another robot, or several
+     */
+    public final void start(MajicBot robot) {
+        List<Role> wanted = roles();
+        if (wanted.size() > 1) {
+            throw new BotException("the act needs " + wanted.size() + " robots: " + wanted);
+        }
+        wanted.get(0).unfit(robot.type().name(), robot.parameters()).ifPresent(why -> {
+            throw new BotException("the robot " + why);
+        });
+        start(new Cast(Map.of(Role.ME, robot)), new Audience() {
+            @Override
+            public void said(String words) {
+                LOG.log(Level.INFO, "{0}: {1}", getName(), words);
+            }
+
+            @Override
+            public void ended() {
+                Throwable reason = failure;
+                if (reason != null) {
+                    LOG.log(Level.WARNING, getName() + " failed", reason);
+                }
+            }
+        });
+    }
+
+    /** Starts the act with all its robots; returns as soon as it lives by the clock of its own. */
+    final void start(Cast robots, Audience listening) {
         if (getState() != State.NEW) {
             throw new IllegalThreadStateException("an act runs only once");
         }
-        Lease given = new Lease(loan);
-        lease = given;
-        bot = given;
-        time = clock;
         CountDownLatch begun = new CountDownLatch(1);
         joined = begun;
+        cast = robots;
+        audience = listening;
+        bot = robots.robot(Role.ME);
         setDaemon(true);
         setName("act " + getClass().getSimpleName());
+        setContextClassLoader(getClass().getClassLoader());
         start();
         awaitQuietly(begun);
     }
@@ -116,55 +171,56 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
-     * Ends the act from outside: halts the robot, takes it away, then interrupts the thread. From the first moment on
-     * nothing the act says reaches the robot. Blocks as long as the robot's stop does; may be called again, and from
-     * any thread.
+     * Ends the act from outside: takes its robots away, halts them, then interrupts the thread. From the first moment on
+     * nothing the act says reaches a robot. Blocks as long as the slowest robot's stop does; may be called again, and
+     * from any thread.
      */
     public final void end() {
-        Lease given = lease;
-        try {
-            if (given != null) {
-                given.revoke();
-            }
-        } finally {
-            interrupt();
+        Cast robots = cast;
+        if (robots != null) {
+            robots.revoke();
+            robots.halt();
         }
+        interrupt();
+    }
+
+    /** Why it failed; null if it did not, or has not ended. */
+    final @Nullable Throwable failure() {
+        return failure;
     }
 
     /** Runs the behaviour; called by the thread's start and by nobody else. */
     @Override
     public final void run() {
-        TimeSource clock = time;
+        Cast robots = cast;
+        Audience listening = audience;
         CountDownLatch begun = joined;
-        if (clock == null || begun == null) {
+        if (robots == null || listening == null || begun == null) {
             throw new IllegalStateException("an act is started with its robot");
         }
-        TimeSource.Membership membership = clock.join();
+        TimeSource.Membership membership = robots.clock().join();
         begun.countDown();
-        boolean cutShort = true;
         try {
-            cutShort = !behaveToTheEnd();
-        } finally {
+            boolean cutShort = !behaveToTheEnd(robots);
             bot = null;
             tidyUp(cutShort);
+        } finally {
+            listening.ended();
             membership.close();
         }
     }
 
-    private boolean behaveToTheEnd() {
-        Lease given = lease;
+    private boolean behaveToTheEnd(Cast robots) {
         try {
             behave();
-            return given == null || !given.isRevoked();
-        } catch (MotionStopped e) {
-            LOG.log(Level.DEBUG, "{0} was stopped", getName());
-            return false;
-        } catch (RuntimeException e) {
-            LOG.log(Level.WARNING, getName() + " failed", e);
+            return !robots.isRevoked();
+        } catch (RuntimeException | Error e) {
+            failure = robots.isRevoked() ? null : e;
             return false;
         } finally {
-            if (given != null) {
-                given.revoke();
+            if (!robots.isRevoked()) {
+                robots.revoke();
+                robots.halt();
             }
         }
     }
@@ -172,8 +228,8 @@ public abstract class MajicAct extends Thread implements Serializable {
     private void tidyUp(boolean cutShort) {
         try {
             ended(cutShort);
-        } catch (RuntimeException e) {
-            LOG.log(Level.WARNING, getName() + " failed at its end", e);
+        } catch (RuntimeException | Error e) {
+            failure = e;
         }
     }
 }

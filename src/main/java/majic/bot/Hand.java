@@ -109,7 +109,7 @@ public final class Hand implements AutoCloseable {
 
     /** Ends in a stand however it ends; the lease is gone before, so that nothing more is driven after a stop. */
     private void run() {
-        BotControl robot = member.control(lease);
+        BotControl robot = member.bot().control(lease);
         try {
             while (!released) {
                 wanted.await(this::hasWork, Signal.FOR_EVER);

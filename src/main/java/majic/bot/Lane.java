@@ -17,6 +17,7 @@ final class Lane {
     private final Signal work;
     private final Deque<Pending> queue = new ArrayDeque<>();
     private @Nullable Pending current;
+    private @Nullable Thread worker;
     private boolean closed;
 
     /**
@@ -36,11 +37,20 @@ final class Lane {
     }
 
     void start(String thread) {
-        bot.time().thread(thread, this::work).start();
+        Thread begun = bot.time().thread(thread, this::work);
+        synchronized (this) {
+            worker = begun;
+        }
+        begun.start();
     }
 
     synchronized boolean isIdle() {
         return queue.isEmpty() && current == null;
+    }
+
+    /** Whether no order is under way, or only the one that asks. */
+    synchronized boolean isAtRest() {
+        return current == null || Thread.currentThread() == worker;
     }
 
     synchronized boolean hasRoom() {

@@ -163,11 +163,13 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     /**
-     * Tells the robot to stand and waits until it has confirmed it.
+     * Tells the robot to stand and waits until it has confirmed it. Unlike {@link #stop()} it takes nobody's leave to
+     * move the robot: for whoever revoked the leave that matters himself.
      *
      * @throws LinkLost if the connection was lost: nobody can tell it, so nobody may say it stands
      */
-    final void sendStop() {
+    public final void sendStop() {
+        changes.raise();
         LinkLost cause = lostBecause;
         if (cause != null) {
             throw new LinkLost(cause.getMessage(), cause);
@@ -515,7 +517,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      *
      * @return the only way its driver may wait and measure
      */
-    protected final TimeSource time() {
+    public final TimeSource time() {
         return environment.time();
     }
 
@@ -609,6 +611,16 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      */
     public final boolean isBusy() {
         return helm.isBusy();
+    }
+
+    /**
+     * The robot in the hands of somebody whose leave to move it can be taken back; reading and stopping it stay allowed.
+     *
+     * @param lease the leave; once it is revoked every further motion throws what the revocation said
+     * @return the robot, for use from any thread
+     */
+    public final BotControl control(Permit lease) {
+        return new PermittedControl(this, () -> permit().and(lease));
     }
 
     final Permit permit() {

@@ -222,7 +222,8 @@ public final class Member {
      *
      * @param to who gets it
      * @param by the owner, who stays that; null if it has none
-     * @throws BotException if it is somebody else's, or lent already
+     * @throws BotException if it is somebody else's, or lent already, or still carries out an order, other than the one
+     *     that lends it
      */
     public void lend(Owner to, @Nullable Owner by) {
         Loan begun = new Loan(to, new Lane(team, number, bot, () -> mayWork(to)));
@@ -231,6 +232,9 @@ public final class Member {
             if (other != null && other != by) {
                 throw other.inTheWay(number);
             }
+            if (!lane.isAtRest()) {
+                throw new BotException(number + " is still busy; \"" + number + " wait\" lets it finish first");
+            }
             loan = begun;
         }
         begun.lane.start("robot " + number + " " + to.name());
@@ -238,7 +242,7 @@ public final class Member {
     }
 
     /**
-     * Ends a loan.
+     * Ends a loan. What was still ordered under it is not carried out, and nothing is said of it.
      *
      * @param from who has it; nothing happens if he has not
      */
@@ -252,7 +256,7 @@ public final class Member {
             loan = null;
         }
         ended.lane.close();
-        ended.lane.tellDropped(ended.lane.drop(), from.name() + " has ended");
+        ended.lane.drop().forEach(pending -> pending.end(Answer.Outcome.NOT_RUN));
         lane.wake();
         team.changes().raise();
         team.tell(listener -> listener.ownerChanged(this));
@@ -267,16 +271,6 @@ public final class Member {
     public void tell(Owner from, String words) {
         from.said(words);
         team.tell(listener -> listener.noticed(number, number + ": " + from.name() + ": " + words));
-    }
-
-    /**
-     * The robot in the hands of an owner, for calls past the queue.
-     *
-     * @param lease the owner's leave; revoking it makes every further motion throw
-     * @return the robot
-     */
-    public BotControl control(Permit lease) {
-        return new PermittedControl(bot, () -> bot.permit().and(lease));
     }
 
     /**

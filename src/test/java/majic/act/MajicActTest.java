@@ -79,7 +79,7 @@ class MajicActTest {
     @Test
     void commandsItsRobotAndPausesOnItsClock() throws InterruptedException {
         MajicAct square = new Square(2);
-        square.start(member::control, time);
+        square.start(robot);
         time.sleep(8.5);
         square.join();
         assertThat(robot.sent()).startsWith("move 300", "turn 90", "move 300", "turn 90");
@@ -89,7 +89,7 @@ class MajicActTest {
     @Test
     void endedWhileItMovesItHaltsTheRobotAndLosesIt() throws InterruptedException {
         MajicAct square = new Square(4);
-        square.start(member::control, time);
+        square.start(robot);
         time.sleep(0.5);
         square.end();
         square.join();
@@ -100,7 +100,7 @@ class MajicActTest {
     @Test
     void endedWhileItPausesItWakesAtOnce() throws InterruptedException {
         MajicAct square = new Square(4);
-        square.start(member::control, time);
+        square.start(robot);
         time.sleep(2);
         square.end();
         square.join();
@@ -110,7 +110,7 @@ class MajicActTest {
     @Test
     void keptControlsAreOfNoUseAfterwards() throws InterruptedException {
         Thief thief = new Thief();
-        thief.start(member::control, time);
+        thief.start(robot);
         thief.join();
         assertThatThrownBy(() -> thief.kept.move(100)).isInstanceOf(MotionStopped.class);
         assertThatThrownBy(() -> thief.kept.get("x")).isInstanceOf(MotionStopped.class);
@@ -131,9 +131,9 @@ class MajicActTest {
     @Test
     void runsOnlyOnce() throws InterruptedException {
         MajicAct square = new Square(0);
-        square.start(member::control, time);
+        square.start(robot);
         square.join();
-        assertThatThrownBy(() -> square.start(member::control, time)).isInstanceOf(IllegalThreadStateException.class);
+        assertThatThrownBy(() -> square.start(robot)).isInstanceOf(IllegalThreadStateException.class);
     }
 
     @Test
@@ -146,7 +146,7 @@ class MajicActTest {
         try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
             again = (MajicAct) in.readObject();
         }
-        again.start(member::control, time);
+        again.start(robot);
         time.sleep(5);
         again.join();
         assertThat(robot.sent()).startsWith("move 300", "turn 90");

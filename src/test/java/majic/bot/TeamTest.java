@@ -193,7 +193,7 @@ class TeamTest {
     void aRevokedLeaseLeavesItsHolderPowerless() {
         FakeBot bot = join();
         Permit lease = new Permit();
-        BotControl held = team.member(1).control(lease);
+        BotControl held = team.member(1).bot().control(lease);
         lease.revoke(() -> new MotionStopped("revoked"));
 
         assertThatThrownBy(() -> held.move(100)).hasMessage("revoked");

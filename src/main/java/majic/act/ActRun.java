@@ -1,0 +1,162 @@
+package majic.act;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.Member;
+import majic.bot.MotionStopped;
+import majic.bot.Owner;
+import majic.bot.Signal;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One act on robots of a team, from the loan of the robots to their return. Whoever stops one of them ends it for all: its
+ * leave is revoked at once, the robots are halted, its thread is interrupted; if it does not end then it is left behind
+ * without a robot. Used once.
+ */
+public final class ActRun {
+    /** How long an act has for its ending, by the system's clock: an act that does not wait holds up a lab's. */
+    static final double GRACE_S = 2;
+
+    private final MajicAct act;
+    private final String name;
+    private final Map<String, Member> members;
+    private final Cast cast;
+    private final Signal changes;
+    private final Owner owner;
+    private final AtomicBoolean cutShort = new AtomicBoolean();
+    private volatile boolean calledOff;
+    private volatile boolean over;
+
+    /**
+     * A run that has not begun.
+     *
+     * @param act fresh
+     * @param name what messages call it
+     * @param members a robot for each of its roles, {@value Role#ME} the first
+     */
+    public ActRun(MajicAct act, String name, Map<String, Member> members) {
+        this.act = act;
+        this.name = name;
+        this.members = new LinkedHashMap<>(members);
+        Map<String, MajicBot> robots = new LinkedHashMap<>();
+        members.forEach((role, member) -> robots.put(role, member.bot()));
+        this.cast = new Cast(robots);
+        this.changes = cast.clock().signal();
+        this.owner = new Owner(Owner.Kind.ACT, name, this::end);
+    }
+
+    /**
+     * Runs the act and waits for its end, at most {@value #GRACE_S} seconds longer than it is allowed to. However that
+     * is, the robots stand and are given back then.
+     *
+     * @param by whose robots they are; null for nobody's
+     * @throws MotionStopped if a robot of it was stopped
+     * @throws BotException if a robot cannot be lent, or the act failed; the message says how
+     */
+    public void run(@Nullable Owner by) {
+        List<Member> lent = new ArrayList<>();
+        try {
+            for (Member member : members.values()) {
+                member.lend(owner, by);
+                lent.add(member);
+            }
+            if (!cutShort.get()) {
+                act.start(cast, new Hall());
+                changes.await(() -> over, Signal.FOR_EVER);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            end();
+        } finally {
+            giveBack(lent);
+        }
+        if (cutShort.get() && !calledOff) {
+            throw new MotionStopped("the act was ended");
+        }
+        Throwable failure = act.failure();
+        if (failure != null) {
+            throw new BotException(Blame.of(act, failure), failure);
+        }
+    }
+
+    private void giveBack(Collection<Member> lent) {
+        cast.revoke();
+        lent.forEach(member -> member.takeBack(owner));
+    }
+
+    /**
+     * Ends it as {@link #run} then does: without a complaint. Returns at once.
+     */
+    public void callOff() {
+        calledOff = true;
+        end();
+    }
+
+    /**
+     * Who the robots belong to while it runs.
+     *
+     * @return the owner that their team knows
+     */
+    public Owner owner() {
+        return owner;
+    }
+
+    /** Ends it; returns at once. */
+    private void end() {
+        if (!cutShort.compareAndSet(false, true)) {
+            return;
+        }
+        cast.revoke();
+        cast.clock().thread("ending " + name, this::halt).start();
+    }
+
+    private void halt() {
+        act.end();
+        Thread patience = new Thread(this::awaitEnding, "awaiting the end of " + name);
+        patience.setDaemon(true);
+        patience.start();
+    }
+
+    private void awaitEnding() {
+        try {
+            act.join(TimeUnit.SECONDS.toMillis((long) GRACE_S));
+            if (act.isAlive()) {
+                tell("does not end; it is left behind without a robot");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        finish();
+    }
+
+    private void finish() {
+        over = true;
+        changes.raise();
+    }
+
+    private void tell(String words) {
+        members.values().iterator().next().tell(owner, words);
+    }
+
+    /** Where the act is heard. */
+    private final class Hall implements Audience {
+        @Override
+        public void said(String words) {
+            if (!cutShort.get()) {
+                tell(words);
+            }
+        }
+
+        @Override
+        public void ended() {
+            finish();
+        }
+    }
+}

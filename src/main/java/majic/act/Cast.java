@@ -1,0 +1,93 @@
+package majic.act;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
+import majic.bot.BotControl;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.MotionStopped;
+import majic.bot.Permit;
+import majic.bot.Signal;
+import majic.bot.TimeSource;
+
+/** The robots that an act commands, by role. They are taken back together, for good. Thread-safe. */
+final class Cast {
+    private static final Logger LOG = System.getLogger(Cast.class.getName());
+
+    private final Permit permit = new Permit();
+    private final Map<String, MajicBot> robots;
+    private final Map<String, BotControl> leases = new LinkedHashMap<>();
+
+    /**
+     * Robots lent from now on.
+     *
+     * @param robots by role, {@value Role#ME} among them
+     */
+    Cast(Map<String, MajicBot> robots) {
+        this.robots = new LinkedHashMap<>(robots);
+        robots.forEach((role, robot) -> leases.put(role, new Lease(robot, permit)));
+    }
+
+    /** What the act's own robot goes by. */
+    TimeSource clock() {
+        return robots.get(Role.ME).time();
+    }
+
+    /** The robot that has a role, as long as it is lent. */
+    BotControl robot(String role) {
+        BotControl lease = leases.get(role);
+        if (lease == null) {
+            throw new BotException(
+                    "the act has no robot called " + role + " (it has " + String.join(", ", leases.keySet()) + ")");
+        }
+        return lease;
+    }
+
+    /** Takes the leave to move back; returns at once. The robots still do what they were told last. */
+    void revoke() {
+        permit.revoke(() -> new MotionStopped("the act has ended"));
+    }
+
+    boolean isRevoked() {
+        return permit.isRevoked();
+    }
+
+    /** Halts all robots side by side, and blocks as long as the slowest link takes. */
+    void halt() {
+        List<MajicBot> all = new ArrayList<>(robots.values());
+        AtomicInteger moving = new AtomicInteger(all.size() - 1);
+        Signal halted = clock().signal();
+        for (MajicBot robot : all.subList(1, all.size())) {
+            robot.time()
+                    .thread("halting the " + robot.type().label(), () -> {
+                        halt(robot);
+                        moving.decrementAndGet();
+                        halted.raise();
+                    })
+                    .start();
+        }
+        halt(all.get(0));
+        try {
+            halted.await(() -> moving.get() == 0, Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static void halt(MajicBot robot) {
+        try {
+            robot.sendStop();
+        } catch (BotException e) {
+            LOG.log(
+                    Level.DEBUG,
+                    "the {0} could not be halted: {1}",
+                    robot.type().label(),
+                    e.getMessage());
+        }
+    }
+}

@@ -1,0 +1,214 @@
+package majic.act;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import majic.bot.Answer;
+import majic.bot.FakeBot;
+import majic.bot.Member;
+import majic.bot.Order;
+import majic.bot.SteppedTime;
+import majic.bot.Team;
+import majic.bot.TeamListener;
+import majic.bot.TimeSource;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** An act has its robots to itself, and whoever stops one of them ends it for all. */
+@Timeout(30)
+class ActRunTest implements TeamListener {
+    private final SteppedTime time = new SteppedTime();
+    private final Team team = new Team(time);
+    private final FakeBot leader = FakeBot.on(time);
+    private final FakeBot follower = FakeBot.on(time);
+    private final List<String> said = new CopyOnWriteArrayList<>();
+    private TimeSource.Membership membership;
+    private Member first;
+    private Member second;
+
+    @BeforeEach
+    void connect() {
+        membership = time.join();
+        leader.connect();
+        follower.connect();
+        first = team.add(leader, OptionalInt.empty());
+        second = team.add(follower, OptionalInt.empty());
+        team.addListener(this);
+    }
+
+    @AfterEach
+    void close() {
+        membership.close();
+        team.close();
+    }
+
+    @Override
+    public void answered(Answer answer) {
+        said.add(answer.text());
+    }
+
+    @Override
+    public void noticed(int robot, String message) {
+        said.add(message);
+    }
+
+    /** Two robots drive side by side, for ever. */
+    private static final class Pair extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public List<Role> roles() {
+            return List.of(Role.any(Role.ME), Role.any("second"));
+        }
+
+        @Override
+        protected void behave() {
+            say("off we go");
+            while (true) {
+                bot.move(100);
+                robot("second").move(200);
+            }
+        }
+    }
+
+    private void order(ActRun run) {
+        first.submit(
+                new Order("act", true, robot -> {
+                    run.run(null);
+                    return List.of("act: done");
+                }),
+                null);
+    }
+
+    private ActRun pair() {
+        Map<String, Member> cast = new LinkedHashMap<>();
+        cast.put(Role.ME, first);
+        cast.put("second", second);
+        return new ActRun(new Pair(), "Pair", cast);
+    }
+
+    private ActRun alone(MajicAct act) {
+        return new ActRun(act, "Alone", Map.of(Role.ME, first));
+    }
+
+    private void awaitIdle() throws InterruptedException {
+        assertThat(team.changes().await(() -> first.isIdle() && second.isIdle(), 100))
+                .isTrue();
+    }
+
+    @Test
+    void nobodyElseMovesItsRobotsMeanwhile() throws InterruptedException {
+        order(pair());
+        time.sleep(1);
+        Order move = new Order("move 1", true, robot -> List.of());
+        assertThatThrownBy(() -> second.submit(move, null))
+                .hasMessageContaining("2 is running Pair; \"2 stop\" ends it");
+        assertThat(said).contains("1: Pair: off we go");
+    }
+
+    @Test
+    void aStopOfOneOfItsRobotsEndsItForAll() throws InterruptedException {
+        order(pair());
+        time.sleep(5);
+        team.stop(List.of(second), null);
+        awaitIdle();
+        assertThat(said).contains("1 act: stopped", "2 stop: done");
+        assertThat(List.of(first, second)).allMatch(member -> member.owner() == null);
+        assertThat(leader.sent()).endsWith("halt");
+    }
+
+    @Test
+    void calledOffItIsNotAComplaint() throws InterruptedException {
+        ActRun run = pair();
+        order(run);
+        time.sleep(5);
+        run.callOff();
+        awaitIdle();
+        assertThat(said).contains("1 act: done").noneMatch(line -> line.contains("stopped"));
+    }
+
+    @Test
+    void aRobotThatIsBusyIsNotTakenAway() throws InterruptedException {
+        second.submit(
+                new Order("move 1000", true, robot -> List.of(robot.move(1000).toString())), null);
+        time.sleep(0.1);
+        order(pair());
+        time.sleep(1);
+        assertThat(said).contains("1 act: failed: 2 is still busy; \"2 wait\" lets it finish first");
+    }
+
+    @Test
+    void aMistakeOfItsAuthorIsToldWithItsPlace() throws InterruptedException {
+        order(alone(new MajicAct() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            protected void behave() {
+                throw new IllegalStateException("no idea");
+            }
+        }));
+        awaitIdle();
+        assertThat(said)
+                .anyMatch(line ->
+                        line.matches("1 act: failed: IllegalStateException: no idea \\(ActRunTest.java, line \\d+\\)"));
+    }
+
+    /** Pays no attention to anything, until the test is over. */
+    private static final class Deaf extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        private final transient CountDownLatch over = new CountDownLatch(1);
+
+        @Override
+        protected void behave() {
+            boolean waiting = true;
+            while (waiting) {
+                try {
+                    over.await();
+                    waiting = false;
+                } catch (InterruptedException e) {
+                    waiting = true;
+                }
+            }
+        }
+    }
+
+    @Test
+    void oneThatDoesNotEndIsLeftBehindAndNamed() throws InterruptedException {
+        FakeBot robot = FakeBot.on(TimeSource.system());
+        robot.connect();
+        try (Team others = new Team(TimeSource.system())) {
+            others.addListener(this);
+            Member member = others.add(robot, OptionalInt.empty());
+            Deaf deaf = new Deaf();
+            member.submit(
+                    new Order("act", true, control -> {
+                        new ActRun(deaf, "Deaf", Map.of(Role.ME, member)).run(null);
+                        return List.of();
+                    }),
+                    null);
+            assertThat(others.changes().await(() -> member.owner() != null, 10)).isTrue();
+            others.stop(List.of(member), null);
+            assertThat(others.changes().await(member::isIdle, 10)).isTrue();
+            assertThat(said).contains("1: Deaf: does not end; it is left behind without a robot", "1 act: stopped");
+            deaf.over.countDown();
+        }
+    }
+
+    @Test
+    void aRobotLostUnderWayIsWhyItFails() throws InterruptedException {
+        order(pair());
+        time.sleep(0.1);
+        follower.cut();
+        awaitIdle();
+        assertThat(said).anyMatch(line -> line.startsWith("1 act: failed: connection lost"));
+    }
+}
