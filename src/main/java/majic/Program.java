@@ -8,6 +8,8 @@ import java.time.Clock;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import majic.act.ActTrust;
+import majic.act.Acts;
 import majic.bot.BotException;
 import majic.bot.BotFactory;
 import majic.bot.Settings;
@@ -58,7 +60,8 @@ final class Program implements AutoCloseable {
         team = new Team(time);
         Path sessions = folder.folder("sessions");
         log = SessionLog.in(sessions, Clock.systemDefaultZone());
-        session = new Session(team, factory, log, quit::countDown);
+        Acts acts = new Acts(folder.file("acts"), new ActTrust(settings));
+        session = new Session(team, factory, log, acts, quit::countDown);
     }
 
     /** From now on the end of the program, for whatever reason, closes the robots first. */

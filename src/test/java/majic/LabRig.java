@@ -8,6 +8,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.BooleanSupplier;
+import majic.act.NoActs;
 import majic.bot.BotFactory;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
@@ -44,7 +45,7 @@ public final class LabRig implements AutoCloseable {
         BotFactory factory = new BotFactory(Plugins.types(Path.of("none")), Settings.inMemory());
         factory.useLab(lab);
         team = new Team(lab.time());
-        session = new Session(team, factory, SessionLog.none(), () -> {});
+        session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
         session.addListener(this::hear);
         parser = new MajicParser(session, false);
     }

@@ -14,6 +14,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import majic.act.NoActs;
 import majic.bot.BotFactory;
 import majic.bot.FakeType;
 import majic.bot.Settings;
@@ -30,7 +31,11 @@ import org.junit.jupiter.api.Timeout;
 class LineServerTest {
     private final Team team = new Team(TimeSource.system());
     private final Session session = new Session(
-            team, new BotFactory(List.of(new FakeType()), Settings.inMemory()), SessionLog.none(), () -> {});
+            team,
+            new BotFactory(List.of(new FakeType()), Settings.inMemory()),
+            SessionLog.none(),
+            NoActs.here(),
+            () -> {});
     private LineServer server;
 
     @BeforeEach

@@ -24,11 +24,13 @@ final class RawCommand {
 
     BotCommand command() {
         return new BotCommand(
-                "urbi",
-                List.of(Parameter.text("text", "as the dog's manual has it")),
-                true,
-                "passes a command to the dog as it is and tells what it answers within 30 s",
-                (arguments, motion) -> run(RawText.checked(arguments.get(0).toString()), motion));
+                        "urbi",
+                        List.of(Parameter.text("text", "as the dog's manual has it")),
+                        true,
+                        "passes a command to the dog as it is and tells what it answers within 30 s",
+                        (arguments, motion) ->
+                                run(RawText.checked(arguments.get(0).toString()), motion))
+                .asRaw();
     }
 
     private String run(String text, Motion motion) {

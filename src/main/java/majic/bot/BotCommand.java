@@ -15,9 +15,17 @@ import org.jspecify.annotations.Nullable;
  * @param moves whether it moves the robot or may do so, as a raw command may; it then needs the robot to be free
  * @param help one line for people
  * @param action what it does
+ * @param raw whether it passes the person's own words to the robot, past what MAJIC knows of it; behaviours written in
+ *     MAJIC Script may not
  */
 public record BotCommand(
-        String name, List<Parameter> arguments, List<Parameter> repeated, boolean moves, String help, Action action) {
+        String name,
+        List<Parameter> arguments,
+        List<Parameter> repeated,
+        boolean moves,
+        String help,
+        Action action,
+        boolean raw) {
 
     /** What a robot's own command does. */
     @FunctionalInterface
@@ -40,6 +48,26 @@ public record BotCommand(
     }
 
     /**
+     * A command that is not raw.
+     *
+     * @param name its word
+     * @param arguments what it takes, in order
+     * @param repeated what may follow behind them
+     * @param moves whether it moves the robot or may do so
+     * @param help one line for people
+     * @param action what it does
+     */
+    public BotCommand(
+            String name,
+            List<Parameter> arguments,
+            List<Parameter> repeated,
+            boolean moves,
+            String help,
+            Action action) {
+        this(name, arguments, repeated, moves, help, action, false);
+    }
+
+    /**
      * A command with so many arguments and no more.
      *
      * @param name its word
@@ -49,7 +77,16 @@ public record BotCommand(
      * @param action what it does
      */
     public BotCommand(String name, List<Parameter> arguments, boolean moves, String help, Action action) {
-        this(name, arguments, List.of(), moves, help, action);
+        this(name, arguments, List.of(), moves, help, action, false);
+    }
+
+    /**
+     * This command, told to be raw.
+     *
+     * @return the same otherwise
+     */
+    public BotCommand asRaw() {
+        return new BotCommand(name, arguments, repeated, moves, help, action, true);
     }
 
     /**

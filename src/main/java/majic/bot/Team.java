@@ -173,7 +173,16 @@ public final class Team implements AutoCloseable {
      * @return for instance {@code robots: 1 Aibo, 2 Pioneer}
      */
     public String roll() {
-        List<Member> all = members();
+        return roll(members());
+    }
+
+    /**
+     * Who some robots are, in words.
+     *
+     * @param all the robots
+     * @return as {@link #roll()} for the whole team
+     */
+    public static String roll(List<Member> all) {
         return all.isEmpty()
                 ? "no robots yet; add one"
                 : all.stream()

@@ -82,7 +82,8 @@ final class Checker implements Statement.Visitor<@Nullable Void> {
     public @Nullable Void forRobots(Statement.ForRobots line) {
         if (!teamMayChange) {
             for (Member member : selection.members(line.robots())) {
-                line.command().accept(new CommandCheck(selection, member, limitsSet.contains(member)));
+                line.command()
+                        .accept(new CommandCheck(session.behaviours(), selection, member, limitsSet.contains(member)));
                 if (setsLimit(line.command())) {
                     limitsSet.add(member);
                 }

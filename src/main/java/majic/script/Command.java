@@ -102,7 +102,8 @@ sealed interface Command {
         }
     }
 
-    record Act(Token at, Literal name) implements Command {
+    /** With the robots for its further roles, in their order. */
+    record Act(Token at, Literal name, @Nullable Robots others) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.act(this);

@@ -14,13 +14,14 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
     private static final double SHORTEST_PERIOD_S = 0.01;
     private static final double LONGEST_PERIOD_S = 86_400;
 
+    private final Behaviours behaviours;
     private final Selection selection;
     private final Member member;
     private final MajicBot bot;
     private final boolean limitMayChange;
 
-    CommandCheck(Selection selection, Member member) {
-        this(selection, member, false);
+    CommandCheck(Behaviours behaviours, Selection selection, Member member) {
+        this(behaviours, selection, member, false);
     }
 
     /**
@@ -29,7 +30,8 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
      * @param limitMayChange whether {@code maxMove} may be another one when the command's turn comes; what a robot that
      *     is busy will be told before is not known here either
      */
-    CommandCheck(Selection selection, Member member, boolean limitMayChange) {
+    CommandCheck(Behaviours behaviours, Selection selection, Member member, boolean limitMayChange) {
+        this.behaviours = behaviours;
         this.limitMayChange = limitMayChange || !member.isIdle();
         this.selection = selection;
         this.member = member;
@@ -101,7 +103,8 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void act(Command.Act act) {
-        throw new ScriptException(act.name().at(), act.name().text() + ": there is no behaviour of that name");
+        behaviours.check(act, member, selection);
+        return null;
     }
 
     @Override

@@ -121,11 +121,13 @@ final class CommandParser {
         return new Command.Log(word, names, at.number(Quantity.TIME));
     }
 
-    /** {@code act = "act" ( "off" | NAME ) ;} */
+    /** {@code act = "act" ( "off" | NAME [ "with" robots ] ) ;} */
     private Command act(Token word) {
-        return at.match("off")
-                ? new Command.ActOff(word)
-                : new Command.Act(word, at.value("a behaviour's name", inCall));
+        if (at.match("off")) {
+            return new Command.ActOff(word);
+        }
+        Literal name = at.value("a behaviour's name", inCall);
+        return new Command.Act(word, name, at.match("with") ? new RobotsParser(at).robots() : null);
     }
 
     /** {@code help = "help" [ PARAMETER ] ;} */

@@ -82,6 +82,7 @@ final class Completion {
             case "add", "probe" -> tokens.size() == 1 ? addresses() : List.of("as");
             case "save" -> tokens.size() == 1 ? List.of("log", "session") : List.of();
             case "remove" -> robotWords();
+            case "trust" -> tokens.size() == 1 ? session.behaviours().acts().names() : List.of();
             case "help" -> tokens.size() == 1 ? Help.topics() : List.of();
             case "while", "if" -> afterCondition(last, session.team().members());
             default -> List.of();
@@ -133,7 +134,10 @@ final class Completion {
             case "log" -> named ? with(parameters(members, false), "off") : List.of("every");
             case "set" ->
                 tokens.size() == command + 1 ? parameters(members, true) : words(tokens.get(command + 1), members);
-            case "act" -> List.of("off");
+            case "act" ->
+                tokens.size() == command + 1
+                        ? with(session.behaviours().acts().names(), "off")
+                        : with(robotWords(), "with");
             case "move", "turn" ->
                 tokens.size() > command + 1 ? with(afterCondition(last, members), "until") : List.of();
             case "drive" -> with(with(afterCondition(last, members), "until"), "for");

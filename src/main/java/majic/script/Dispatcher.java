@@ -1,7 +1,6 @@
 package majic.script;
 
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotException;
@@ -30,7 +29,7 @@ final class Dispatcher {
         this.session = session;
         this.team = session.team();
         this.source = source;
-        this.selection = new Selection(team, OptionalInt.empty());
+        this.selection = new Selection(team);
         this.queue = new LineQueue(team, "script lines", this::inTurn);
         this.comings = new LineQueue(team, "adding robots", this::attempt);
     }

@@ -4,7 +4,6 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -31,6 +30,7 @@ final class Execution {
     private final Tally lines;
     private final Tally own = new Tally();
     private final @Nullable Owner owner;
+    private final boolean lent;
     private final Set<Member> used = new LinkedHashSet<>();
     private final long stopsBefore;
     private final boolean latchedBefore;
@@ -47,37 +47,55 @@ final class Execution {
     }
 
     private Execution(
-            Session session, Manner manner, Tally lines, @Nullable String script, OptionalInt me, long stopsBefore) {
+            Session session, Selection selection, Manner manner, Tally lines, @Nullable Owner act, long stopsBefore) {
         this.session = session;
         this.team = session.team();
-        this.selection = new Selection(team, me);
+        this.selection = selection;
         this.manner = manner;
         this.lines = lines;
-        this.owner = script == null ? null : new Owner(Owner.Kind.SCRIPT, script, this::end);
+        this.owner = act;
+        this.lent = act != null;
         this.stopsBefore = stopsBefore;
         this.latchedBefore = session.team().isLatched();
+    }
+
+    private Execution(Execution line, String script) {
+        this.session = line.session;
+        this.team = line.team;
+        this.selection = line.selection;
+        this.manner = Manner.IN_TURN;
+        this.lines = line.lines;
+        this.owner = new Owner(Owner.Kind.SCRIPT, script, this::end);
+        this.lent = false;
+        this.stopsBefore = line.stopsBefore;
+        this.latchedBefore = line.team.isLatched();
     }
 
     /** One line, which has no robot to itself and ends only by its own end. */
     static Execution ofLine(Session session, Manner manner, Tally lines) {
         return new Execution(
                 session,
+                new Selection(session.team()),
                 manner,
                 lines,
                 null,
-                OptionalInt.empty(),
                 session.stops().all());
     }
 
-    /** A script, which has every robot it commands to itself. */
-    static Execution ofScript(Session session, String name, Tally lines, OptionalInt me) {
+    /** A behaviour, whose robots were lent to it. */
+    static Execution ofAct(Session session, Owner act, Selection robots) {
         return new Execution(
-                session, Manner.IN_TURN, lines, name, me, session.stops().all());
+                session,
+                robots,
+                Manner.IN_TURN,
+                new Tally(),
+                act,
+                session.stops().all());
     }
 
-    /** A script that this line begins. */
+    /** A script that this line begins, which has every robot it commands to itself. */
     Execution asScript(String name) {
-        return new Execution(session, Manner.IN_TURN, lines, name, OptionalInt.empty(), stopsBefore);
+        return new Execution(this, name);
     }
 
     /** Counts the line as not succeeded. */
@@ -127,11 +145,19 @@ final class Execution {
         team.changes().raise();
     }
 
+    /** Who has the robots to himself; null if nobody needs to. */
+    @Nullable
+    Owner owner() {
+        return owner;
+    }
+
     /** Takes robots into a script. */
     void claim(Collection<Member> members) {
         if (owner != null) {
             for (Member member : members) {
-                member.claim(owner);
+                if (!lent) {
+                    member.claim(owner);
+                }
                 used.add(member);
             }
         }

@@ -13,6 +13,10 @@ final class ExecutionEnded extends RuntimeException {
         this.outcome = outcome;
     }
 
+    Answer.Outcome outcome() {
+        return outcome;
+    }
+
     /** How answers tell it. */
     String ending() {
         return outcome == Answer.Outcome.STOPPED ? "stopped" : "failed: " + getMessage();

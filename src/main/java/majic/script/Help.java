@@ -1,5 +1,7 @@
 package majic.script;
 
+import static java.util.Map.entry;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -27,20 +29,22 @@ final class Help {
             "get", "1 get P[,P...]: reads parameters; \"get now P\" does not wait for its turn",
             "set", "1 set P VALUE...: sets a parameter",
             "log", "1 log P[,P...] every TIME: to the parameter log; \"1 log off\" ends it",
-            "act", "1 act NAME: runs a behaviour; \"1 act off\" ends it",
+            "act", "1 act NAME [with ROBOTS]: runs a behaviour, a script or an .act file; \"1 act off\" ends it",
             "wait", "1 wait: holds what follows until robot 1 has finished; \"wait\" for all, \"wait 2s\" for a time",
             "help", "1 help [P]: commands and parameters of robot 1; \"help\" alone: the language"));
 
-    private static final Map<String, String> SESSION_COMMANDS = new TreeMap<>(Map.of(
-            "add", "add URI [as N]: add aibo://192.168.1.20, add pioneer://10.0.0.5:8101, add sim:pioneer",
-            "remove", "remove ROBOTS: stops and closes them",
-            "bots", "bots: who is here, in which state",
-            "probe", "probe URI: what answers there, and what to try if nothing does",
-            "release", "release: allows motion again after STOP",
-            "run", "run FILE: runs a script",
-            "save", "save session FILE, save log FILE: what was done as a script, what was logged as CSV",
-            "lab", "lab: the true poses in the simulated lab",
-            "quit", "quit: stops and closes all robots and ends MAJIC"));
+    private static final Map<String, String> SESSION_COMMANDS = new TreeMap<>(Map.ofEntries(
+            entry("acts", "acts: the behaviours there are"),
+            entry("add", "add URI [as N]: add aibo://192.168.1.20, add pioneer://10.0.0.5:8101, add sim:pioneer"),
+            entry("remove", "remove ROBOTS: stops and closes them"),
+            entry("bots", "bots: who is here, in which state"),
+            entry("probe", "probe URI: what answers there, and what to try if nothing does"),
+            entry("release", "release: allows motion again after STOP"),
+            entry("run", "run FILE: runs a script"),
+            entry("save", "save session FILE, save log FILE: what was done as a script, what was logged as CSV"),
+            entry("lab", "lab: the true poses in the simulated lab"),
+            entry("trust", "trust FILE [HASH]: what code a behaviour brings; with its hash you agree to run it"),
+            entry("quit", "quit: stops and closes all robots and ends MAJIC")));
 
     private static final Map<String, String> BLOCKS = new TreeMap<>(Map.of(
             "repeat", "repeat [N] ... end: N times, or for ever",

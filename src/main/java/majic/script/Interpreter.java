@@ -53,7 +53,8 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
     @Override
     public @Nullable Void forRobots(Statement.ForRobots line) {
         List<Member> members = execution.selection().members(line.robots());
-        members.forEach(member -> line.command().accept(new CommandCheck(execution.selection(), member)));
+        members.forEach(member -> line.command()
+                .accept(new CommandCheck(execution.session().behaviours(), execution.selection(), member)));
         line.command().accept(new Telling(execution, members));
         return null;
     }

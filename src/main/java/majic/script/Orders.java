@@ -111,10 +111,6 @@ final class Orders {
         });
     }
 
-    Order actOff(Command.ActOff actOff, Member member) {
-        return new Order("act off", false, robot -> List.of("act off: done"));
-    }
-
     private static List<String> names(List<Token> parameters, MajicBot bot) {
         return parameters.stream().map(name -> name(name, bot)).toList();
     }

@@ -35,7 +35,8 @@ final class ScriptFile {
         }
     }
 
-    private static String read(Path path) {
+    /** The text of a file, if it may be a script. */
+    static String read(Path path) {
         try {
             if (!Files.isRegularFile(path)) {
                 throw new BotException(path + ": there is no such file");

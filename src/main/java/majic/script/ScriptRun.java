@@ -44,7 +44,7 @@ final class ScriptRun {
      */
     static List<Statement> parse(String file, String text, Session session, Selection selection) {
         List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = parse(text, session, mistakes);
+        List<Statement> script = read(text, words(session), mistakes);
         mistakes.addAll(Checker.check(script, session, selection));
         mistakes.sort(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column));
         mistakes.forEach(mistake -> session.say(Line.Kind.ERROR, mistake.in(file)));
@@ -58,7 +58,8 @@ final class ScriptRun {
         return mistakes == 1 ? "1 mistake" : mistakes + " mistakes";
     }
 
-    private static List<Statement> parse(String text, Session session, List<Mistake> mistakes) {
+    /** Reads a script, and checks nothing that needs robots. */
+    static List<Statement> read(String text, List<String> types, List<Mistake> mistakes) {
         String[] lines = LINES.split(text, -1);
         for (int index = 0; index < lines.length; index++) {
             if (lines[index].length() > MajicParser.LONGEST_LINE) {
@@ -66,7 +67,7 @@ final class ScriptRun {
                 return List.of();
             }
         }
-        Parser parser = new Parser(Scanner.scan(text), words(session));
+        Parser parser = new Parser(Scanner.scan(text), types);
         List<Statement> script = parser.script();
         mistakes.addAll(parser.mistakes());
         return script;

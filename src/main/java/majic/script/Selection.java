@@ -3,25 +3,46 @@ package majic.script;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.OptionalInt;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntFunction;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.Member;
 import majic.bot.Team;
+import org.jspecify.annotations.Nullable;
 
 /** Finds the robots that a script names. */
 final class Selection {
-    private final Team team;
-    private final OptionalInt me;
+    private final Supplier<List<Member>> all;
+    private final IntFunction<Member> byNumber;
+    private final @Nullable Member me;
 
     /**
-     * For one script.
+     * For everything but behaviours.
      *
      * @param team the robots there are
-     * @param me who {@code me} is; empty outside of a behaviour
      */
-    Selection(Team team, OptionalInt me) {
-        this.team = team;
+    Selection(Team team) {
+        this.all = team::members;
+        this.byNumber = team::member;
+        this.me = null;
+    }
+
+    /**
+     * For a behaviour, which has only the robots that it was given.
+     *
+     * @param me the robot it runs on
+     * @param numbers which robot is meant by a number in it
+     */
+    Selection(Member me, Map<Integer, Member> numbers) {
+        this.all = () -> Stream.concat(Stream.of(me), numbers.values().stream())
+                .distinct()
+                .toList();
+        this.byNumber = number -> Optional.ofNullable(numbers.get(number))
+                .orElseThrow(() -> new BotException(number + ": the behaviour was given no such robot"));
         this.me = me;
     }
 
@@ -56,24 +77,25 @@ final class Selection {
         if (item instanceof Robots.Me mine) {
             return List.of(me(mine));
         }
-        List<Member> chosen = new ArrayList<>(team.members());
+        List<Member> chosen = new ArrayList<>(all.get());
         chosen.removeIf(member -> !isChosen(item, member));
         if (chosen.isEmpty()) {
-            throw new ScriptException(item.at(), item.at().text() + ": there is no such robot (" + team.roll() + ")");
+            throw new ScriptException(
+                    item.at(), item.at().text() + ": there is no such robot (" + Team.roll(all.get()) + ")");
         }
         return chosen;
     }
 
     private Member me(Robots.Me item) {
-        if (me.isEmpty()) {
+        if (me == null) {
             throw new ScriptException(item.at(), "me: only a behaviour has a robot of its own; write its number");
         }
-        return member(item.at(), me.getAsInt());
+        return me;
     }
 
     private Member member(Token at, int number) {
         try {
-            return team.member(number);
+            return byNumber.apply(number);
         } catch (BotException e) {
             throw new ScriptException(at, String.valueOf(e.getMessage()));
         }

@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import majic.act.Acts;
 import majic.bot.Answer;
 import majic.bot.BotFactory;
 import majic.bot.Member;
@@ -35,6 +36,7 @@ public final class Session {
     private final List<Listening> listeners = new CopyOnWriteArrayList<>();
     private final Object saying = new Object();
     private final StopCount stops = new StopCount();
+    private final Behaviours behaviours;
     private final Comings comings;
     private final SessionRecord sessionRecord;
     private final ParameterLog parameterLog = new ParameterLog();
@@ -46,13 +48,15 @@ public final class Session {
      * @param team the robots; its answers and notices are told to the session's listeners from now on
      * @param factory makes robots for {@code add}
      * @param log gets everything that is said
+     * @param acts where behaviours are found
      * @param quit what {@code quit} does; must return at once
      */
-    public Session(Team team, BotFactory factory, SessionLog log, Runnable quit) {
+    public Session(Team team, BotFactory factory, SessionLog log, Acts acts, Runnable quit) {
         this.team = team;
         this.factory = factory;
         this.log = log;
         this.quit = quit;
+        this.behaviours = new Behaviours(this, acts);
         this.comings = new Comings(this);
         this.sessionRecord = new SessionRecord(team);
         this.sampling = new Sampling(parameterLog, team.time(), notice -> say(Line.Kind.NOTICE, notice));
@@ -164,6 +168,11 @@ public final class Session {
     /** Where robots come from and go to. */
     Comings comings() {
         return comings;
+    }
+
+    /** The behaviours that can be loaded and those that run. */
+    Behaviours behaviours() {
+        return behaviours;
     }
 
     /** What was done so far, to be replayed. */

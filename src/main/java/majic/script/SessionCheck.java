@@ -43,6 +43,25 @@ record SessionCheck(Session session, Selection selection) implements SessionComm
     }
 
     @Override
+    public @Nullable Void acts(SessionCommand.Acts acts) {
+        return null;
+    }
+
+    @Override
+    public @Nullable Void trust(SessionCommand.Trust trust) {
+        attempt(trust.act().at(), () -> session.behaviours().acts().find(text(trust.act())));
+        return null;
+    }
+
+    private static void attempt(Token at, Runnable check) {
+        try {
+            check.run();
+        } catch (BotException e) {
+            throw new ScriptException(at, String.valueOf(e.getMessage()));
+        }
+    }
+
+    @Override
     public @Nullable Void release(SessionCommand.Release release) {
         return null;
     }

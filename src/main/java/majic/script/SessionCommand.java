@@ -17,6 +17,10 @@ sealed interface SessionCommand {
 
         R probe(Probe probe);
 
+        R acts(Acts acts);
+
+        R trust(Trust trust);
+
         R release(Release release);
 
         R run(Run run);
@@ -63,6 +67,22 @@ sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.probe(this);
+        }
+    }
+
+    /** Lists the behaviours there are. */
+    record Acts() implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.acts(this);
+        }
+    }
+
+    /** Shows what a behaviour brings; with the beginning of its hash the person agrees to that. */
+    record Trust(Literal act, @Nullable Literal hash) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.trust(this);
         }
     }
 

@@ -55,6 +55,25 @@ final class SessionDoing implements SessionCommand.Visitor<@Nullable Void> {
     }
 
     @Override
+    public @Nullable Void acts(SessionCommand.Acts acts) {
+        session.behaviours().list().forEach(this::answer);
+        return null;
+    }
+
+    @Override
+    public @Nullable Void trust(SessionCommand.Trust trust) {
+        if (execution.isScript()) {
+            throw new BotException("trust: only a person agrees to an act's code, not a script");
+        }
+        Literal hash = trust.hash();
+        String act = SessionCheck.text(trust.act());
+        session.behaviours()
+                .trust(act, hash == null ? "" : SessionCheck.text(hash))
+                .forEach(this::answer);
+        return null;
+    }
+
+    @Override
     public @Nullable Void release(SessionCommand.Release release) {
         session.team().release();
         return null;

@@ -8,8 +8,9 @@ import majic.script.Token.Kind;
 /** The rules for commands that are for the session and not for a robot. */
 final class SessionParser {
     /** The words these commands begin with. */
-    static final List<String> WORDS =
-            List.of("add", "bots", "help", "lab", "probe", "quit", "release", "remove", "run", "save", "stop", "wait");
+    static final List<String> WORDS = List.of(
+            "acts", "add", "bots", "help", "lab", "probe", "quit", "release", "remove", "run", "save", "stop", "trust",
+            "wait");
 
     private final Cursor at;
 
@@ -22,8 +23,8 @@ final class SessionParser {
     }
 
     /**
-     * {@code sessionCommand = add | remove | probe | run | save | help | stop | wait | "bots" | "release" | "lab" |
-     * "quit" ;}
+     * {@code sessionCommand = add | remove | probe | run | save | trust | help | stop | wait | "acts" | "bots" |
+     * "release" | "lab" | "quit" ;}
      */
     SessionCommand sessionCommand() {
         Token word = at.advance();
@@ -33,6 +34,8 @@ final class SessionParser {
             case "probe" -> new SessionCommand.Probe(address());
             case "run" -> new SessionCommand.Run(file());
             case "save" -> save();
+            case "trust" -> trust();
+            case "acts" -> new SessionCommand.Acts();
             case "help" -> help();
             case "stop" -> stop();
             case "wait" -> await();
@@ -68,6 +71,12 @@ final class SessionParser {
             return new SessionCommand.SaveLog(file());
         }
         throw at.unexpected("\"session\" or \"log\"");
+    }
+
+    /** {@code trust = "trust" ACT [ HASH ] ;} */
+    private SessionCommand trust() {
+        Literal act = at.value("a behaviour's name", false);
+        return new SessionCommand.Trust(act, at.peek().isEnd() ? null : at.value("the hash of its file", false));
     }
 
     /** {@code help = "help" [ WORD ] ;} */

@@ -72,12 +72,21 @@ final class Telling implements Command.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void act(Command.Act act) {
-        throw new ScriptException(act.name().at(), act.name().text() + ": there is no behaviour of that name");
+        Robots others = act.others();
+        if (others != null) {
+            execution.claim(execution.selection().members(others));
+        }
+        execution.submit(members, member -> behaviours().order(act, member, execution));
+        return null;
+    }
+
+    private Behaviours behaviours() {
+        return execution.session().behaviours();
     }
 
     @Override
     public @Nullable Void actOff(Command.ActOff actOff) {
-        beside(member -> orders.actOff(actOff, member));
+        members.forEach(member -> behaviours().callOff(member));
         return null;
     }
 

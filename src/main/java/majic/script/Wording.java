@@ -65,7 +65,8 @@ final class Wording implements Command.Visitor<String> {
 
     @Override
     public String act(Command.Act act) {
-        return "act " + act.name().text();
+        Robots others = act.others();
+        return "act " + act.name().text() + (others == null ? "" : " with " + of(others));
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
+import majic.act.NoActs;
 import majic.bot.BotFactory;
 import majic.bot.BotType;
 import majic.bot.MajicBot.Connection;
@@ -23,8 +24,8 @@ import org.junit.jupiter.api.Timeout;
 class ConnectAttemptTest {
     private final ToyType type = new ToyType(BotType.Reach.TCP);
     private final Team team = new Team(TimeSource.system(), 1);
-    private final Session session =
-            new Session(team, new BotFactory(List.of(type), Settings.inMemory()), SessionLog.none(), () -> {});
+    private final Session session = new Session(
+            team, new BotFactory(List.of(type), Settings.inMemory()), SessionLog.none(), NoActs.here(), () -> {});
     private final BlockingQueue<String> heard = new ArrayBlockingQueue<>(10);
 
     @AfterEach

@@ -13,6 +13,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.text.JTextComponent;
+import majic.act.NoActs;
 import majic.bot.BotFactory;
 import majic.bot.BotType;
 import majic.bot.Settings;
@@ -37,7 +38,7 @@ final class TestWindow implements AutoCloseable {
     final BotFactory factory = new BotFactory(List.of(type), settings);
     final Team team = new Team(TimeSource.system());
     final AtomicInteger quits = new AtomicInteger();
-    final Session session = new Session(team, factory, SessionLog.none(), quits::incrementAndGet);
+    final Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), quits::incrementAndGet);
     final MajicParser parser = new MajicParser(session, true);
     final MajicFrame frame;
     private final Robot robot;

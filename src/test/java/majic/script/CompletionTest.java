@@ -21,7 +21,7 @@ class CompletionTest {
             delimiter = '|',
             value = {
                 "re | release remove repeat",
-                "a | add aibo all",
+                "a | acts add aibo all",
                 "1 mo | move",
                 "1,2 w | wag wait",
                 "1 bark s | sadly",

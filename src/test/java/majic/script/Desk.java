@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
+import majic.act.NoActs;
 import majic.bot.BotFactory;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
@@ -22,7 +23,7 @@ final class Desk implements AutoCloseable {
     final Team team = new Team(time);
     final BotFactory factory = new BotFactory(List.of(aibo, pioneer), Settings.inMemory());
     final AtomicInteger quits = new AtomicInteger();
-    final Session session = new Session(team, factory, SessionLog.none(), quits::incrementAndGet);
+    final Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), quits::incrementAndGet);
     final MajicParser prompt = new MajicParser(session, true);
     final MajicParser pipe = new MajicParser(session, false);
     private final List<Line> heard = Collections.synchronizedList(new ArrayList<>());

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import majic.bot.FakeBot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -49,21 +50,20 @@ class DocExamplesTest {
     }
 
     @Test
-    void theWandererTurnsBeforeWhatIsNearUntilItIsStopped() throws Exception {
+    void theWandererTurnsBeforeWhatIsNearUntilItIsStopped(@TempDir Path folder) throws Exception {
         String wanderer = examples().filter(DocExamplesTest::hasMe).findFirst().orElseThrow();
         try (Desk desk = Desk.withTwo()) {
             FakeBot robot = desk.bot(2);
             robot.putObstacle(1000);
-            desk.time
-                    .thread("wander", () -> new ScriptBehaviour("Wander", wanderer).run(desk.session, 2))
-                    .start();
+            Path file = Files.writeString(folder.resolve("Wander.majic"), wanderer);
+            desk.prompt.parseText("2 act \"" + file + "\"");
             desk.pause(10);
             desk.prompt.parseText("2 stop");
             desk.prompt.awaitAll();
             desk.pause(1);
             assertThat(robot.sent()).startsWith("move 2000", "turn 100", "move 2000", "turn 100");
             assertThat(robot.state().pose().xMm()).isLessThanOrEqualTo(540);
-            assertThat(desk.said()).contains("2 Wander: stopped");
+            assertThat(desk.said()).contains("2 act \"" + file + "\": stopped");
         }
     }
 }

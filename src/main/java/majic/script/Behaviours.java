@@ -1,0 +1,195 @@
+package majic.script;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Supplier;
+import majic.act.ActFile;
+import majic.act.ActRun;
+import majic.act.Acts;
+import majic.act.MajicAct;
+import majic.act.Role;
+import majic.bot.BotException;
+import majic.bot.Member;
+import majic.bot.Order;
+
+/** Runs behaviours on the robots of a session: finds them, sees that robots and roles fit, ends them. Thread-safe. */
+final class Behaviours {
+    private static final String SCRIPT = ".majic";
+    private static final int SHORTEST_HASH = 8;
+
+    private final Session session;
+    private final Acts acts;
+    private final List<ActRun> running = new CopyOnWriteArrayList<>();
+
+    Behaviours(Session session, Acts acts) {
+        this.session = session;
+        this.acts = acts;
+    }
+
+    /**
+     * A behaviour that was found.
+     *
+     * @param name what messages call it
+     * @param roles the robots it asks for
+     * @param fresh makes one to run
+     */
+    private record Found(String name, List<Role> roles, Supplier<MajicAct> fresh) {}
+
+    Acts acts() {
+        return acts;
+    }
+
+    /**
+     * Looks whether a behaviour can be given to a robot.
+     *
+     * @throws ScriptException if not; it says what would be right
+     */
+    void check(Command.Act act, Member me, Selection selection) {
+        Token at = act.name().at();
+        try {
+            cast(at.text(), find(act.name()).roles(), me, others(act, selection));
+        } catch (BotException e) {
+            throw new ScriptException(at, String.valueOf(e.getMessage()));
+        }
+    }
+
+    /** Runs a behaviour in the robot's turn; the order lasts as long as it does. */
+    Order order(Command.Act act, Member me, Execution execution) {
+        String text = Wording.of(act);
+        List<Member> others = others(act, execution.selection());
+        return new Order(text, true, robot -> {
+            Found found = find(act.name());
+            Map<String, Member> cast = cast(act.name().text(), found.roles(), me, others);
+            long began = me.time().nanos();
+            run(found, cast, execution);
+            return List.of(text
+                    + String.format(Locale.ROOT, ": done (%.1f s)", me.time().secondsSince(began)));
+        });
+    }
+
+    private void run(Found found, Map<String, Member> cast, Execution execution) {
+        MajicAct act = found.fresh().get();
+        ActRun run = new ActRun(act, found.name(), cast);
+        if (act instanceof ScriptAct script) {
+            script.enter(session, run.owner(), cast);
+        }
+        running.add(run);
+        try {
+            run.run(execution.owner());
+        } finally {
+            running.remove(run);
+        }
+    }
+
+    /** Ends the behaviour that a robot runs, or plays a part in; says so if there is none. */
+    void callOff(Member member) {
+        List<ActRun> its =
+                running.stream().filter(run -> run.owner() == member.owner()).toList();
+        its.forEach(ActRun::callOff);
+        session.say(
+                Line.Kind.ANSWER,
+                member.number() + " act off: " + (its.isEmpty() ? "no behaviour runs on it" : "done"));
+    }
+
+    /** One line for each behaviour that needs no path. */
+    List<String> list() {
+        List<String> names = acts.names();
+        return names.isEmpty()
+                ? List.of("acts: none; \"1 act FILE\" takes any file that ends in " + Acts.ENDING + " or " + SCRIPT)
+                : names.stream().map(this::listed).toList();
+    }
+
+    private String listed(String name) {
+        try {
+            ActFile file = acts.find(name);
+            String roles =
+                    String.join(", ", file.roles().stream().map(Role::toString).toList());
+            return "acts: " + name + " (" + roles + "): " + file.details().description();
+        } catch (BotException e) {
+            return "acts: " + name + ": " + e.getMessage();
+        }
+    }
+
+    /** What a behaviour brings. With the beginning of its hash, the person agrees to that very file. */
+    List<String> trust(String name, String hash) {
+        ActFile file = acts.find(name);
+        if (acts.trust().isTrusted(file)) {
+            return List.of("trust " + name + ": agreed to already");
+        }
+        List<String> told = new ArrayList<>();
+        if (hash.isEmpty()) {
+            file.describe().forEach(line -> told.add("trust " + name + ": " + line));
+            told.add("trust " + name + ": its code can do all that you can; if you agree: trust "
+                    + SessionRecord.quoted(name) + " " + file.sha256().substring(0, SHORTEST_HASH));
+        } else if (hash.length() < SHORTEST_HASH || !file.sha256().startsWith(hash.toLowerCase(Locale.ROOT))) {
+            throw new BotException("trust " + name + ": the hash of this file is " + file.sha256());
+        } else {
+            acts.trust().agree(file);
+            told.add("trust " + name + ": done");
+        }
+        return told;
+    }
+
+    private static List<Member> others(Command.Act act, Selection selection) {
+        Robots others = act.others();
+        return others == null ? List.of() : selection.members(others);
+    }
+
+    private static Map<String, Member> cast(String act, List<Role> roles, Member me, List<Member> others) {
+        Map<String, Member> cast = new LinkedHashMap<>();
+        List<Member> given = new ArrayList<>(List.of(me));
+        given.addAll(others);
+        if (given.size() != roles.size()) {
+            throw new BotException(act + ": " + wanted(roles, me));
+        }
+        for (int index = 0; index < roles.size(); index++) {
+            Member member = given.get(index);
+            roles.get(index)
+                    .unfit(member.bot().type().name(), member.bot().parameters())
+                    .ifPresent(why -> {
+                        throw new BotException(act + ": robot " + member.number() + " " + why);
+                    });
+            if (cast.containsValue(member)) {
+                throw new BotException(act + ": robot " + member.number() + " cannot play two parts");
+            }
+            cast.put(roles.get(index).name(), member);
+        }
+        return cast;
+    }
+
+    private static String wanted(List<Role> roles, Member me) {
+        if (roles.size() == 1) {
+            return "needs no further robot than the one it runs on";
+        }
+        List<Role> further = roles.subList(1, roles.size());
+        String numbers = String.join(",", further.stream().map(role -> "N").toList());
+        return "needs " + further.size() + " more ("
+                + String.join(", ", further.stream().map(Role::toString).toList()) + "): " + me.number()
+                + " act NAME with " + numbers;
+    }
+
+    private Found find(Literal name) {
+        String text = SessionCheck.text(name);
+        return text.endsWith(SCRIPT) ? script(SessionCheck.path(name)) : file(text);
+    }
+
+    private static Found script(Path path) {
+        String file = String.valueOf(path.getFileName());
+        ScriptAct act = new ScriptAct(file, ScriptFile.read(path));
+        return new Found(file.substring(0, file.length() - SCRIPT.length()), act.roles(), () -> act);
+    }
+
+    private Found file(String name) {
+        ActFile file = acts.find(name);
+        if (!acts.trust().isTrusted(file)) {
+            throw new BotException(name + ": it brings code of its own; \"trust " + SessionRecord.quoted(name)
+                    + "\" shows whose and lets you agree");
+        }
+        return new Found(file.details().name(), file.roles(), () -> file.load(acts.trust()));
+    }
+}

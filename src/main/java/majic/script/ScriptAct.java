@@ -1,0 +1,94 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import majic.act.MajicAct;
+import majic.act.Role;
+import majic.bot.Answer;
+import majic.bot.BotException;
+import majic.bot.Member;
+import majic.bot.MotionStopped;
+import majic.bot.Owner;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A behaviour written in MAJIC Script. It is data only: saved and read back it brings no code. Each robot number in it is
+ * a role, {@code me} the robot it runs on; without a {@code me} that is the robot named first.
+ */
+public final class ScriptAct extends MajicAct {
+    private static final long serialVersionUID = 1;
+
+    private final String title;
+    private final String text;
+    private transient volatile @Nullable Stage stage;
+
+    /** Where it runs. */
+    private record Stage(Session session, Owner act, Map<String, Member> cast) {}
+
+    /**
+     * A behaviour from a script or a saved session.
+     *
+     * @param title what its mistakes are told with
+     * @param text the script, its lines apart by line breaks
+     * @throws BotException if it has mistakes, or says what only a session may say; one line for each, with its place
+     */
+    public ScriptAct(String title, String text) {
+        this.title = title;
+        this.text = text;
+        Behaviour.of(title, text);
+    }
+
+    /**
+     * The script.
+     *
+     * @return its lines
+     */
+    public String text() {
+        return text;
+    }
+
+    @Override
+    public List<Role> roles() {
+        return Behaviour.of(title, text).roles();
+    }
+
+    /** Tells it where it runs, before it is started. */
+    void enter(Session session, Owner act, Map<String, Member> cast) {
+        stage = new Stage(session, act, cast);
+    }
+
+    @Override
+    protected void behave() {
+        Stage here = stage;
+        if (here == null) {
+            throw new BotException("a behaviour in MAJIC Script runs in a session: 1 act FILE");
+        }
+        Behaviour behaviour = Behaviour.of(title, text);
+        Selection robots = behaviour.among(here.cast);
+        try {
+            check(behaviour, here.session, robots);
+            run(behaviour, Execution.ofAct(here.session, here.act, robots));
+        } catch (ExecutionEnded e) {
+            throw e.outcome() == Answer.Outcome.STOPPED
+                    ? new MotionStopped("stopped")
+                    : new BotException(String.valueOf(e.getMessage()), e);
+        } catch (ScriptException e) {
+            throw new BotException(e.mistake().in(title), e);
+        }
+    }
+
+    private void check(Behaviour behaviour, Session session, Selection robots) {
+        List<Mistake> mistakes = new ArrayList<>(Checker.check(behaviour.statements(), session, robots));
+        mistakes.addAll(behaviour.rawCommands(robots));
+        mistakes.forEach(mistake -> session.say(Line.Kind.ERROR, mistake.in(title)));
+        if (!mistakes.isEmpty()) {
+            throw new BotException("nothing was run: " + mistakes.get(0).in(title));
+        }
+    }
+
+    private static void run(Behaviour behaviour, Execution execution) {
+        new Interpreter(execution).run(behaviour.statements());
+        execution.finish();
+    }
+}

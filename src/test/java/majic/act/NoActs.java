@@ -1,0 +1,14 @@
+package majic.act;
+
+import java.nio.file.Path;
+import majic.bot.Settings;
+
+/** For sessions whose user has no behaviours of his own and has agreed to nothing. */
+public final class NoActs {
+    private NoActs() {}
+
+    /** Those that come with MAJIC. */
+    public static Acts here() {
+        return new Acts(Path.of("no", "such", "folder"), new ActTrust(Settings.inMemory()));
+    }
+}

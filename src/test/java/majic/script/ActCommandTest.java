@@ -1,0 +1,121 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A script as a behaviour: given to a robot, run as an act, ended by a stop. */
+@Timeout(30)
+class ActCommandTest {
+    @TempDir
+    private Path folder;
+
+    private final Desk desk = Desk.withTwo();
+
+    @AfterEach
+    void close() {
+        desk.close();
+    }
+
+    private String file(String name, String... lines) throws IOException {
+        Path path = Files.write(folder.resolve(name), java.util.List.of(lines));
+        return '"' + path.toString() + '"';
+    }
+
+    @Test
+    void theRobotThatItIsGivenIsMe() throws Exception {
+        String square = file("square.majic", "repeat 2", "  me move 300", "  me turn 90", "end");
+        assertThat(desk.runPipe("2 act " + square))
+                .anyMatch(line -> line.startsWith("2 act ") && line.contains("done"));
+        assertThat(desk.bot(2).sent()).startsWith("move 300", "turn 90", "move 300", "turn 90");
+        assertThat(desk.bot(1).sent()).doesNotContain("move 300");
+    }
+
+    @Test
+    void numbersInItAreRolesThatRobotsAreAssignedTo() throws Exception {
+        String both = file("both.majic", "7 move 100", "8 move 200", "wait");
+        assertThat(desk.prompt.parseText("1 act " + both))
+                .get()
+                .asString()
+                .contains("needs 1 more (robot8): 1 act NAME with N");
+        desk.runPipe("2 act " + both + " with 1");
+        assertThat(desk.bot(2).sent()).startsWith("move 100");
+        assertThat(desk.bot(1).sent()).startsWith("move 200");
+    }
+
+    @Test
+    void aSavedSessionBecomesOneWithItsTypesOfRobots() throws Exception {
+        String saved = file("saved.majic", "add sim:aibo as 1", "add sim:pioneer as 2", "1 move 100", "2 move 100");
+        assertThat(desk.prompt.parseText("2 act " + saved + " with 1"))
+                .get()
+                .asString()
+                .contains("robot 2 is of type pioneer, not aibo");
+        assertThat(desk.runPipe("1 act " + saved + " with 2")).noneMatch(line -> line.contains("failed"));
+    }
+
+    @Test
+    void whatOnlyASessionMaySayIsRefusedWithItsPlace() throws Exception {
+        String bad = file("bad.majic", "me move 100", "quit", "1-3 move 5", "me act Other");
+        assertThat(desk.prompt.parseText("1 act " + bad))
+                .get()
+                .asString()
+                .contains(
+                        "bad.majic:2:1: quit: is for a session",
+                        "bad.majic:3:1: 1-3: a behaviour names",
+                        "bad.majic:4:4: act:");
+    }
+
+    @Test
+    void whileItRunsTheRobotIsItsOwnUntilItIsStopped() throws Exception {
+        String ahead = file("ahead.majic", "repeat", "me move 100", "end");
+        desk.prompt.parseText("1 act " + ahead);
+        desk.pause(3);
+        assertThat(desk.prompt.parseText("1 move 50"))
+                .get()
+                .asString()
+                .contains("1 is running ahead; \"1 stop\" ends it");
+        desk.prompt.parseText("1 stop");
+        desk.prompt.awaitAll();
+        assertThat(desk.team.member(1).owner()).isNull();
+        assertThat(desk.said()).anyMatch(line -> line.startsWith("1 act") && line.endsWith("stopped"));
+    }
+
+    @Test
+    void inAScriptItTakesItsTurnAndCanBeCalledOff() throws Exception {
+        String ahead = file("ahead.majic", "repeat", "me move 100", "end");
+        assertThat(desk.runPipe("repeat 1", "1 act " + ahead, "1 turn 90", "2 move 500", "wait 3s", "1 act off", "end"))
+                .noneMatch(line -> line.contains("failed") || line.contains("not run"))
+                .contains("1 act off: done");
+        assertThat(desk.bot(1).sent()).containsSubsequence("move 100", "halt", "turn 90");
+    }
+
+    @Test
+    void actOffWhereNothingRunsSaysSo() throws Exception {
+        assertThat(desk.runPipe("1 act off")).contains("1 act off: no behaviour runs on it");
+    }
+
+    @Test
+    void anUnknownNameIsRefusedWithWhatWouldBeRight() {
+        assertThat(desk.prompt.parseText("1 act Wandr"))
+                .get()
+                .asString()
+                .contains("there is no behaviour Wandr")
+                .contains("\"acts\" lists");
+    }
+
+    @Test
+    void whenOneOfItsRobotsFailsItEndsForAll() throws Exception {
+        String both = file("both.majic", "1 move 5000", "2 move 400", "2 move 400");
+        desk.bot(2).stallAfter(200);
+        assertThat(desk.runPipe("1 act " + both + " with 2"))
+                .anyMatch(line -> line.startsWith("1 act") && line.contains("failed"));
+        assertThat(desk.bot(1).sent()).contains("halt");
+        assertThat(desk.team.member(2).owner()).isNull();
+    }
+}
