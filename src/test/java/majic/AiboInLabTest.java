@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import majic.bot.Hand;
 import majic.bot.MajicBot;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -84,6 +85,21 @@ class AiboInLabTest {
             assertThatThrownBy(() -> calibrate(dog, "right", Value.of(370, Unit.MM)))
                     .hasMessageContaining("above 0 in deg");
             assertThat(rig.run("1 calibrate right 370deg")).anyMatch(line -> line.contains("takes 27.0"));
+        }
+    }
+
+    @Test
+    void whoWalksTheDogByHandHasItsJointsToo() throws InterruptedException {
+        try (LabRig rig = LabRig.exact()) {
+            rig.add("aibo");
+            try (Hand hand = new Hand(rig.team().member(1))) {
+                hand.drive(60, 0);
+
+                assertThat(rig.run("1 set headPan 20", "1 set posture sit", "1 urbi \"headPan.val = 20\""))
+                        .filteredOn(line -> line.equals("1 is driven by hand; \"1 stop\" ends it"))
+                        .hasSize(3);
+                assertThat(rig.run("1 get motors")).anyMatch(line -> line.startsWith("1 motors = "));
+            }
         }
     }
 

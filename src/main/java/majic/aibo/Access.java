@@ -82,7 +82,7 @@ final class Access {
     }
 
     /**
-     * Has the dog do something that moves nothing, and waits until it has.
+     * Has the dog do something that moves nothing, and waits until it has, where the thread may wait.
      *
      * @throws BotException if the dog refuses or does not tell the end in time
      */
@@ -91,6 +91,9 @@ final class Access {
         UrbiConnection on = open.links().sensors();
         Ask ask = new Ask(tags.next(), Ask.Expects.END);
         on.send(ask, ask.tag() + "+end: " + together(commands) + ";");
+        if (!Patience.isAllowed()) {
+            return;
+        }
         open.watch().await(() -> on.isEnded() || ask.isDone(), ANSWER_S);
         on.forget(ask);
         String failure = ask.failure();

@@ -6,6 +6,7 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
+import majic.bot.Patience;
 import majic.link.Link;
 import org.jspecify.annotations.Nullable;
 
@@ -148,8 +149,15 @@ final class AiboSession {
         return hearing.listen(hearer);
     }
 
-    /** Asks for a value. */
+    /**
+     * Asks for a value.
+     *
+     * @throws UrbiRefusal if the dog gives none, or the thread may not wait for it
+     */
     UrbiValue ask(UrbiConnection on, String expression, double seconds) {
+        if (!Patience.isAllowed()) {
+            throw new UrbiRefusal("the dog tells it only when asked");
+        }
         Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
         on.send(ask, on.dialect().labelled(ask.tag(), expression) + ";");
         watch.await(() -> ask.isDone() || on.isEnded(), seconds);

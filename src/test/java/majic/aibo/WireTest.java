@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AfterEach;
@@ -58,6 +59,21 @@ class WireTest {
         dogs.aibo.get("ledF3");
 
         assertThat(said()).contains("TAG: ledF3.val").noneMatch(command -> command.contains("<<"));
+    }
+
+    @Test
+    void whoMayNotWaitIsToldWhatTheDogReportsAnyway() {
+        dogs.aibo.connect();
+        dogs.dog.set("ledF3.val", "0.250000");
+
+        Patience.without(() -> {
+            assertThat(dogs.aibo.get("ledF3")).hasToString("unknown (the dog tells it only when asked)");
+            assertThat(dogs.aibo.get("posture")).hasToString("stand");
+            dogs.aibo.set("ledF3", 1);
+        });
+
+        dogs.dog.awaitReceived("ledF3.val = 1");
+        assertThat(said()).doesNotContain("TAG: ledF3.val");
     }
 
     @Test
