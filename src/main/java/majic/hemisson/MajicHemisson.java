@@ -16,6 +16,7 @@ import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.TimeSource;
 import majic.bot.Value;
 import majic.link.Link;
 import majic.link.Links;
@@ -50,6 +51,7 @@ public final class MajicHemisson extends MajicBot {
     private final Lamps lamps = new Lamps(this);
     private final Spectator spectator = new Spectator(this);
     private volatile @Nullable Session session;
+    private volatile @Nullable LastWord lastWord;
     private final Access access = new Access(this);
     private volatile Identity identity = Identity.NOBODY;
     private volatile Modules modules = Modules.NONE;
@@ -90,6 +92,8 @@ public final class MajicHemisson extends MajicBot {
                 Clearance.HULL_MM,
                 new Range(-fastest, fastest),
                 new Range(-fastestSpin, fastestSpin),
+                table.mmPerSec(SpeedTable.SLOWEST),
+                table.spinDegPerSec(SpeedTable.SLOWEST),
                 CRUISE_MM_PER_S,
                 CRUISE_TURN_DEG_PER_S,
                 NEAR_MM,
@@ -117,6 +121,7 @@ public final class MajicHemisson extends MajicBot {
         session = opened;
         overseer.begin(opened);
         opened.start();
+        lastWord = LastWord.begin(() -> sayLast(opened));
         every("hemisson line", TICK_S, overseer::tick);
         try {
             Handshake handshake = new Handshake(opened, changes());
@@ -156,7 +161,19 @@ public final class MajicHemisson extends MajicBot {
         endSession();
     }
 
+    /** The clock of a simulated lab may not go on when the program ends, nor does its robot. */
+    private void sayLast(Session open) {
+        if (time() == TimeSource.system()) {
+            Farewell.say(open, changes());
+            open.close();
+        }
+    }
+
     private void endSession() {
+        LastWord last = lastWord;
+        if (last != null) {
+            last.end();
+        }
         Session open = session;
         session = null;
         if (open != null) {

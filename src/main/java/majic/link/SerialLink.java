@@ -46,6 +46,7 @@ final class SerialLink implements Link {
         }
         counter.opened();
         Links.register(this);
+        LastOutput.opened(this);
     }
 
     /** A Bluetooth port, for one, opens when the radio has found the robot. */
@@ -158,6 +159,7 @@ final class SerialLink implements Link {
             Links.unregister(this);
             open.closePort();
         }
+        LastOutput.closed(this);
     }
 
     @Override

@@ -3,13 +3,9 @@ package majic.hemisson;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.IOException;
-import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.CountDownLatch;
 import majic.bot.BotEnvironment;
+import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.link.PseudoTerminal;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,24 +17,18 @@ import org.junit.jupiter.api.condition.OS;
 @Timeout(20)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has no pseudo-terminals that are serial ports")
 class MajicHemissonOnAPortTest {
-    private final PseudoTerminal plug = new PseudoTerminal();
-    private final List<String> heard = new CopyOnWriteArrayList<>();
-    private final CountDownLatch moving = new CountDownLatch(1);
-    private final MajicHemisson bot = new MajicHemisson(plug.name(), BotEnvironment.plain());
-    private boolean pulled;
+    private final PortHemisson robot = PortHemisson.roadNarrows();
+    private final MajicHemisson bot = new MajicHemisson(robot.name(), BotEnvironment.plain());
 
     @BeforeEach
     void plugIn() {
-        Thread robot = new Thread(this::converse, "robot on a port");
-        robot.setDaemon(true);
-        robot.start();
         bot.connect();
     }
 
     @AfterEach
     void unplug() {
         bot.close();
-        pull();
+        robot.close();
     }
 
     @Test
@@ -46,14 +36,22 @@ class MajicHemissonOnAPortTest {
         bot.move(10);
 
         assertThat(bot.get("version")).hasToString("HemiOS_v_1.50-RNe");
-        assertThat(heard).containsSubsequence("D,2,2", "D,0,0", "E");
+        assertThat(robot.heard()).containsSubsequence("D,2,2", "D,0,0", "E");
+    }
+
+    @Test
+    void modulesAreSpokenToInTheRoadNarrowsDialect() {
+        assertThat(bot.get("modules")).hasToString("ultrasonic sensor at E0, linear camera at C0");
+        assertThat(bot.get("ultrasonic")).hasToString("320 mm");
+        assertThat(bot.get("ultrasonicEchoes")).hasToString("320 mm, 650 mm");
+        assertThat(bot.get("camera").toString()).startsWith("0, 255, 0, 255");
     }
 
     @Test
     void anAdapterPulledOutWhileItMovesSaysWhatAPersonCanDo() {
         new Thread(() -> {
-                    awaitMotion();
-                    pull();
+                    robot.awaitMotion();
+                    robot.close();
                 })
                 .start();
 
@@ -64,66 +62,23 @@ class MajicHemissonOnAPortTest {
     }
 
     @Test
+    void aSecondDriverIsToldThatThePortIsInUse() {
+        try (MajicHemisson second = new MajicHemisson("hemisson:" + robot.name())) {
+            assertThatThrownBy(second::connect)
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining("does another program use it?");
+        }
+        bot.move(5);
+        assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
     void closingTellsItToStand() {
         bot.drive(42, 0);
-        awaitMotion();
+        robot.awaitMotion();
 
         bot.close();
 
-        assertThat(heard).endsWith("D,0,0", "E");
-    }
-
-    private void awaitMotion() {
-        try {
-            moving.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    private synchronized void pull() {
-        if (!pulled) {
-            pulled = true;
-            plug.close();
-        }
-    }
-
-    private void converse() {
-        StringBuilder command = new StringBuilder();
-        try {
-            while (true) {
-                for (char next : plug.read().toCharArray()) {
-                    if (next == '\r') {
-                        answer(command.toString());
-                        command.setLength(0);
-                    } else {
-                        command.append(next);
-                    }
-                }
-            }
-        } catch (IOException | RuntimeException e) {
-            moving.countDown();
-        }
-    }
-
-    private void answer(String command) {
-        heard.add(command);
-        if (command.startsWith("D") && !command.equals("D,0,0")) {
-            moving.countDown();
-        }
-        plug.write(answerTo(command) + "\r\n");
-    }
-
-    private String answerTo(String command) {
-        return switch (command) {
-            case "B" -> "b,HemiOS_v_1.50-RNe";
-            case "I" -> "i,1,1,1,1";
-            case "N" -> "n,004,004,004,004,004,004,060,060";
-            case "E" ->
-                heard.stream()
-                        .filter(said -> said.startsWith("D"))
-                        .reduce("e,0,0", (before, said) -> "e" + said.substring(1));
-            default -> command.startsWith("D") ? "d" + command.substring(1) : "<E01: unknown command>";
-        };
+        assertThat(robot.heard()).endsWith("D,0,0", "E");
     }
 }

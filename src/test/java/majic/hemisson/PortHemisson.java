@@ -1,0 +1,140 @@
+package majic.hemisson;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.UnaryOperator;
+import majic.link.PseudoTerminal;
+
+/** A Hemisson at the other end of a serial port of the system; remembers what it heard. */
+final class PortHemisson implements AutoCloseable {
+    private final PseudoTerminal plug = new PseudoTerminal();
+    private final List<String> heard = new CopyOnWriteArrayList<>();
+    private final CountDownLatch moving = new CountDownLatch(1);
+    private final CountDownLatch standing = new CountDownLatch(1);
+    private final UnaryOperator<String> answers;
+    private volatile boolean remembers = true;
+    private String speeds = "0,0";
+    private boolean pulled;
+
+    private PortHemisson(UnaryOperator<String> answers) {
+        this.answers = answers;
+        Thread robot = new Thread(this::converse, "robot on a port");
+        robot.setDaemon(true);
+        robot.start();
+    }
+
+    static PortHemisson stock() {
+        return new PortHemisson(PortHemisson::stock);
+    }
+
+    static PortHemisson roadNarrows() {
+        return new PortHemisson(PortHemisson::roadNarrows);
+    }
+
+    String name() {
+        return plug.name();
+    }
+
+    List<String> heard() {
+        return heard;
+    }
+
+    /** For a benchmark, which asks it too often to keep it all. */
+    void remembersNothing() {
+        remembers = false;
+    }
+
+    void awaitMotion() {
+        await(moving);
+    }
+
+    /** Waits until it was told to stand after it moved. */
+    void awaitStop() {
+        await(standing);
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await(10, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Pulls the plug. */
+    @Override
+    public synchronized void close() {
+        if (!pulled) {
+            pulled = true;
+            plug.close();
+        }
+    }
+
+    private void converse() {
+        StringBuilder command = new StringBuilder();
+        try {
+            while (true) {
+                for (char next : plug.read().toCharArray()) {
+                    if (next == '\r') {
+                        take(command.toString());
+                        command.setLength(0);
+                    } else {
+                        command.append(next);
+                    }
+                }
+            }
+        } catch (IOException | RuntimeException e) {
+            moving.countDown();
+            standing.countDown();
+        }
+    }
+
+    private void take(String command) {
+        if (remembers) {
+            heard.add(command);
+        }
+        if (command.startsWith("D")) {
+            speeds = command.substring(2);
+        }
+        plug.write((command.equals("E") ? "e," + speeds : answers.apply(command)) + "\r\n");
+        if (command.equals("D,0,0") && moving.getCount() == 0) {
+            standing.countDown();
+        } else if (command.startsWith("D") && !command.equals("D,0,0")) {
+            moving.countDown();
+        }
+    }
+
+    private static String stock(String command) {
+        return switch (command) {
+            case "B" -> "b,HemiOS_v_1.50";
+            case "I" -> "i,1,1,1,1";
+            case "N" -> "n,004,004,004,004,004,004,060,060";
+            case "O" -> "o,220,220,220,220,220,220,220,220";
+            case "T" -> "t,000";
+            case "J" -> "j";
+            default -> command.startsWith("D") ? "d" : "Unknown Command ?!";
+        };
+    }
+
+    private static String roadNarrows(String command) {
+        return switch (command) {
+            case "B" -> "b,HemiOS_v_1.50-RNe";
+            case "I", "N", "O" -> stock(command);
+            case "J" -> "j,U,E0,06,L,C0,01";
+            default -> roadNarrowsModule(command);
+        };
+    }
+
+    private static String roadNarrowsModule(String command) {
+        return switch (command) {
+            case "A,U,U,C" -> "a,U,U,C";
+            case "A,U,M" -> "a,U,M";
+            case "A,U,A" -> "a,U,A,0020,0041" + ",0000".repeat(15);
+            case "A,L,P,0" -> "a,L,P,0," + "00FF".repeat(51);
+            default -> command.startsWith("D") ? "d" + command.substring(1) : "<E01: unknown command>";
+        };
+    }
+}
