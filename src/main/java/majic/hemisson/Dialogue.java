@@ -215,7 +215,7 @@ final class Dialogue {
         stillness.missed();
         queue.discard(Purpose.MOTION, why);
         if (mayRepeat(open)) {
-            queue.addFirst(open);
+            queue.repeat(open);
         } else {
             open.failed(why);
         }

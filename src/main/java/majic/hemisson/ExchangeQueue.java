@@ -18,6 +18,18 @@ final class ExchangeQueue {
         waiting.addFirst(exchange);
     }
 
+    /** Asks once more before all others, but for a stop that waits. */
+    void repeat(Exchange exchange) {
+        Exchange first = waiting.peekFirst();
+        if (first != null && first.isOfStop()) {
+            waiting.removeFirst();
+            waiting.addFirst(exchange);
+            waiting.addFirst(first);
+        } else {
+            waiting.addFirst(exchange);
+        }
+    }
+
     /** Puts a way of stopping before everything, and throws away what was to move the robot. */
     void stop(Question how) {
         discard(Question.Purpose.MOTION, "stopped");

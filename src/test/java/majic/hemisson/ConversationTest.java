@@ -2,9 +2,6 @@ package majic.hemisson;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.util.ArrayList;
-import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -14,12 +11,12 @@ class ConversationTest {
 
     private final HandClock clock = new HandClock();
     private final RecordingLink link = new RecordingLink();
-    private final List<String> told = new ArrayList<>();
+    private final Told told = new Told();
     private Conversation conversation;
 
     @BeforeEach
     void begin() {
-        conversation = new Conversation(link, clock, 0.3, listener());
+        conversation = new Conversation(link, clock, 0.3, told);
         conversation.brief(false);
     }
 
@@ -41,6 +38,15 @@ class ConversationTest {
 
         assertThat(link.commands()).containsExactly("N");
         hear("n,004,004,004,004,004,004,060,060");
+        assertThat(link.commands()).containsExactly("N", "D,0,0");
+    }
+
+    @Test
+    void aStopGoesBeforeTheRepetitionOfAMissedQuestion() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.stop();
+        pass(0.3);
+
         assertThat(link.commands()).containsExactly("N", "D,0,0");
     }
 
@@ -102,7 +108,7 @@ class ConversationTest {
         pass(0.3);
 
         assertThat(link.commands()).containsExactly("D,3,3", "N", "D,0,0");
-        assertThat(told).contains("missed N");
+        assertThat(told.all()).contains("missed N");
     }
 
     @Test
@@ -161,7 +167,7 @@ class ConversationTest {
         pass(0.1);
 
         assertThat(look.failure()).isEqualTo("the robot was reset");
-        assertThat(told).contains("reset");
+        assertThat(told.all()).contains("reset");
     }
 
     @Test
@@ -266,29 +272,5 @@ class ConversationTest {
     private void pass(double seconds) {
         clock.pass(seconds);
         conversation.tick();
-    }
-
-    private ConversationListener listener() {
-        return new ConversationListener() {
-            @Override
-            public void answered(Exchange exchange) {
-                told.add("answered " + exchange.question().text());
-            }
-
-            @Override
-            public void missed(Exchange exchange) {
-                told.add("missed " + exchange.question().text());
-            }
-
-            @Override
-            public void wasReset() {
-                told.add("reset");
-            }
-
-            @Override
-            public void broken(IOException cause) {
-                told.add("broken");
-            }
-        };
     }
 }
