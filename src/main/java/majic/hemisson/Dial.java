@@ -38,7 +38,7 @@ record Dial(Question get, Function<Reply, Integer> number, IntFunction<Question>
 
     /** Makes a number of it that can be read and set. */
     void describe(ParameterTable table, Access access, Parameter parameter) {
-        table.add(parameter.inWholes(), access.wanted(get, reply -> Access.count(number.apply(reply))))
+        table.add(parameter.inWholes(), access.wanted(get, reply -> Value.of(number.apply(reply), parameter.unit())))
                 .writes(values -> access.tell(set.apply((int) values.get(0).number())));
     }
 
