@@ -1,0 +1,89 @@
+package majic.hemisson;
+
+import com.fazecast.jSerialComm.SerialPort;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * How long a question and its answer take over a pseudo-terminal, beside a bare loop of jSerialComm that writes and reads
+ * the same bytes at another one of the same kind.
+ *
+ * <p>Read: p0.50 and p0.99 of {@link #ask} beside those of {@link #bareLoop}. The difference is one thread that wakes
+ * another: the reader, which has to serve everybody, wakes who asked. Of the driver's own looks, ten a second, one may
+ * come before a question.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.SampleTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 3, time = 2)
+@Measurement(iterations = 5, time = 2)
+@Fork(2)
+public class QuestionBenchmark {
+    private static final int BAUD = 115_200;
+    private static final byte[] QUESTION = "I\r".getBytes(StandardCharsets.ISO_8859_1);
+
+    private final byte[] buffer = new byte[64];
+    private PortHemisson robot;
+    private PortHemisson other;
+    private MajicHemisson driver;
+    private SerialPort bare;
+
+    /** Connects the driver, and a bare port to a peer of the same kind. */
+    @Setup
+    public void open() throws IOException {
+        robot = PortHemisson.stock();
+        other = PortHemisson.stock();
+        robot.remembersNothing();
+        other.remembersNothing();
+        driver = new MajicHemisson("hemisson:" + robot.name());
+        driver.connect();
+        bare = SerialPort.getCommPort(other.name());
+        bare.setComPortParameters(BAUD, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
+        bare.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
+        if (!bare.openPort()) {
+            throw new IOException("cannot open " + other.name());
+        }
+    }
+
+    /** What a parameter that nobody asks all the while costs. */
+    @Benchmark
+    public Reply ask() {
+        return driver.ask(Question.SWITCHES);
+    }
+
+    /** The least it can take. */
+    @Benchmark
+    public int bareLoop() throws IOException {
+        bare.writeBytes(QUESTION, QUESTION.length);
+        int total = 0;
+        while (total == 0 || buffer[total - 1] != '\n') {
+            int count = bare.readBytes(buffer, buffer.length - total, total);
+            if (count < 0) {
+                throw new IOException("the port is gone");
+            }
+            total += count;
+        }
+        return total;
+    }
+
+    /** Lets everything go. */
+    @TearDown
+    public void close() {
+        driver.close();
+        bare.closePort();
+        robot.close();
+        other.close();
+    }
+}
