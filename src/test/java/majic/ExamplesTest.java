@@ -46,4 +46,9 @@ class ExamplesTest {
         assertThat(run("Race", address("aibo"), address("pioneer"), address("hemisson")))
                 .contains("Aibo: about ", "Pioneer: ", "Hemisson: about ");
     }
+
+    @Test
+    void aHemissonFeelsItsWay() throws Exception {
+        assertThat(run("Feeler", address("hemisson"))).contains("ahead: ", "ground: ");
+    }
 }

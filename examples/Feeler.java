@@ -1,0 +1,20 @@
+import majic.hemisson.MajicHemisson;
+
+/** A Hemisson without window, team or script. */
+public final class Feeler {
+    private Feeler() {}
+
+    /**
+     * Drives ahead until something is near, turns away and tells what is there.
+     *
+     * @param args where the robot is, for instance {@code hemisson:/dev/ttyUSB0}
+     */
+    public static void main(String[] args) {
+        try (MajicHemisson robot = new MajicHemisson(args[0])) {
+            robot.connect();
+            robot.move(200, () -> robot.get("distanceFront").number() < 40);
+            robot.turn(90);
+            System.out.println("ahead: " + robot.get("distanceFront") + ", ground: " + robot.get("groundLeft"));
+        }
+    }
+}
