@@ -4,11 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
-import java.util.OptionalInt;
 import majic.bot.FakeBot;
-import majic.bot.Member;
 import majic.bot.SteppedTime;
-import majic.bot.Team;
 import majic.bot.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -34,13 +31,11 @@ class ActUnloadingTest {
 
     private static WeakReference<ClassLoader> run(ActFile file) throws InterruptedException {
         SteppedTime time = new SteppedTime();
-        try (Team team = new Team(time);
-                TimeSource.Membership membership = time.join()) {
-            FakeBot robot = FakeBot.on(time);
+        try (TimeSource.Membership membership = time.join();
+                FakeBot robot = FakeBot.on(time)) {
             robot.connect();
-            Member member = team.add(robot, OptionalInt.empty());
             MajicAct act = file.load(Sources.trusting(file));
-            act.start(member::control, time);
+            act.start(robot);
             time.sleep(10);
             act.join();
             assertThat(robot.sent()).startsWith("move 600");
