@@ -130,7 +130,9 @@ class ManyClientsTest {
     private static int connections(UrbiClient client) throws IOException {
         client.send("connections; z: 1;");
         int count = 0;
-        for (String tag = client.next().tag(); !tag.equals("z"); tag = client.next().tag()) {
+        for (String tag = client.next().tag();
+                !tag.equals("z");
+                tag = client.next().tag()) {
             count += tag.equals("notag") ? 1 : 0;
         }
         return count;
