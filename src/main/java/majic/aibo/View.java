@@ -4,8 +4,8 @@ import java.util.function.ToDoubleFunction;
 
 /** Where the drawn dog is looked at from; lengths in mm. */
 enum View {
-    /** From its right; it looks to the right, up is up. */
-    SIDE(Spot::x, Spot::z, Spot::y),
+    /** From its right and a little from behind and above, so that the legs do not hide each other; it looks to the right. */
+    SIDE(spot -> spot.x() + 0.3 * spot.y(), spot -> spot.z() + 0.05 * spot.y(), Spot::y),
     /** From above; it looks upwards. */
     ABOVE(spot -> -spot.y(), Spot::x, spot -> -spot.z());
 

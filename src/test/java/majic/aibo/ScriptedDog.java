@@ -43,6 +43,10 @@ final class ScriptedDog implements AutoCloseable {
     private final List<String> binaries = new CopyOnWriteArrayList<>();
     volatile boolean answersPolls = true;
     volatile boolean introducesItself = true;
+
+    /** What it never answers a question about. */
+    volatile String silentAbout = "";
+
     volatile boolean refusesGuards;
 
     /** Whether it leaves tags out as 1.5 does: only flags and channels have one. */
@@ -364,6 +368,9 @@ final class ScriptedDog implements AutoCloseable {
             while (reading.find() && answersPolls) {
                 boolean channel = reading.group(2).equals(" <<");
                 String expression = reading.group(3);
+                if (expression.equals(silentAbout)) {
+                    continue;
+                }
                 String fallback = expression.equals("time()") ? now() + ".000000" : "0.000000";
                 String tag = channel == speaks15 ? reading.group(1) : "";
                 say(tag, channel && !speaks15 ? "!!! syntax error" : values.getOrDefault(expression, fallback));
@@ -422,7 +429,7 @@ final class ScriptedDog implements AutoCloseable {
 
         private void say(String tag, String body) {
             String name = tag.isEmpty() ? "" : ":" + tag;
-            String message = String.format("[%08d%s] %s", now(), name, body) + "\n";
+            String message = String.format("[%08d%s] %s", now(), name, body) + (body.startsWith("BIN ") ? "" : "\n");
             if (slownessMs > 0) {
                 clock.schedule(() -> write(message), slownessMs, TimeUnit.MILLISECONDS);
             } else {

@@ -1,0 +1,121 @@
+package majic.aibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import majic.bot.Settings;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Whatever moves, shines or is touched can be seen in the drawing, and a lost dog shines no more. */
+class DogDrawingTest {
+    private static final int WIDTH = 600;
+    private static final int HEIGHT = 500;
+    private static final int PAINTINGS = 50;
+
+    private final Dog dog = new Dog(new Calibration(Settings.inMemory(), "host"));
+    private final DogDrawing drawing = new DogDrawing(dog);
+    private int[] before;
+
+    @BeforeEach
+    void paintAQuietDog() {
+        drawing.setSize(WIDTH, HEIGHT);
+        before = painted();
+    }
+
+    @ParameterizedTest
+    @EnumSource(Joint.class)
+    void everyJointIsDrawnAsItIsMeasured(Joint joint) {
+        put(joint.sensor(), joint.range(Dialect.V1_0).max() / 2 - 10);
+
+        assertThat(differing()).isGreaterThan(30);
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"CHIN", "HEAD_TOUCH", "BACK_FRONT", "BACK_MIDDLE", "BACK_REAR"})
+    void everyTouchIsShownWhereItIs(Sensor sensor) {
+        put(sensor, 30);
+
+        assertThat(differing()).isBetween(30L, 3000L);
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"PAW_LF", "PAW_RF", "PAW_LH", "PAW_RH"})
+    void everyPawOnTheGroundIsShown(Sensor sensor) {
+        put(sensor, 1);
+
+        assertThat(differing()).isBetween(10L, 3000L);
+    }
+
+    static Stream<String> lamps() {
+        return Stream.concat(LightParameters.all().stream(), Stream.of("earL", "earR"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("lamps")
+    void everyLampAndEarIsShown(String device) {
+        shine(device, 1);
+
+        assertThat(differing()).isGreaterThan(30);
+    }
+
+    @Test
+    void aDimLampIsNoBrightOne() {
+        shine("ledF5", 0.3);
+        before = painted();
+        shine("ledF5", 1);
+
+        assertThat(differing()).isGreaterThan(20);
+    }
+
+    @Test
+    void aLostDogIsPaleAndItsLampsAreOut() {
+        drawing.setEnabled(false);
+        int[] lost = painted();
+        assertThat(differing()).isGreaterThan(1000);
+        before = lost;
+        shine("ledF5", 1);
+
+        assertThat(differing()).isZero();
+    }
+
+    @Test
+    void aPaintIsDoneInTimeForTheNext() {
+        long start = System.nanoTime();
+        for (int painting = 0; painting < PAINTINGS; painting++) {
+            painted();
+        }
+        double ms = (System.nanoTime() - start) / 1e6 / PAINTINGS;
+        System.out.printf("the drawn dog, %d × %d: %.1f ms a paint%n", WIDTH, HEIGHT, ms);
+
+        assertThat(differing()).isZero();
+    }
+
+    private void put(Sensor sensor, double amount) {
+        dog.senses().put(sensor, new UrbiValue.Num(amount), 1);
+    }
+
+    private void shine(String device, double amount) {
+        long index = lamps().takeWhile(name -> !name.equals(device)).count();
+        UrbiMessage.Body body = new UrbiMessage.Result(new UrbiValue.Num(amount));
+        dog.lamps().hear(new UrbiMessage(0, "t_lamp" + index, body));
+    }
+
+    private long differing() {
+        int[] after = painted();
+        return IntStream.range(0, after.length)
+                .filter(pixel -> after[pixel] != before[pixel])
+                .count();
+    }
+
+    private int[] painted() {
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        drawing.paint(image.getGraphics());
+        return image.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH);
+    }
+}
