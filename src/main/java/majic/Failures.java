@@ -40,11 +40,22 @@ final class Failures {
                 .replaceFirst("is not a double$", "is not a number");
     }
 
-    static int explain(CommandLine command, Exception problem) {
-        LOG.log(Level.ERROR, "could not start", problem);
+    /** What was asked for cannot be done, and here is why. */
+    static int failed(CommandLine command, BotException problem) {
+        LOG.log(Level.DEBUG, "a command failed", problem);
+        say(command, problem);
+        return FAILED;
+    }
+
+    private static void say(CommandLine command, Exception problem) {
         PrintWriter err = command.getErr();
         err.println("majic: " + sentence(problem));
         err.flush();
+    }
+
+    static int explain(CommandLine command, Exception problem) {
+        LOG.log(Level.ERROR, "could not start", problem);
+        say(command, problem);
         return problem instanceof UsageException ? USAGE : NO_START;
     }
 

@@ -23,6 +23,7 @@ public final class Majic {
         return new CommandLine(new MajicCommand(folder))
                 .addSubcommand(new LabCommand())
                 .addSubcommand(new RunCommand(folder))
+                .addSubcommand(new ActCommand())
                 .addSubcommand(new ClassDataCommand())
                 .setExecutionExceptionHandler((problem, command, parsed) -> Failures.explain(command, problem))
                 .setParameterExceptionHandler((problem, parsed) -> Failures.usage(problem))

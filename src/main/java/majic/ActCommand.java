@@ -1,0 +1,28 @@
+package majic;
+
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code majic act}: the act maker on the command line. */
+@Command(
+        name = "act",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        description = "Makes files of behaviours and shows what is in them.",
+        subcommands = {ActMakeCommand.class, ActShowCommand.class})
+final class ActCommand implements Callable<Integer> {
+    @Spec
+    private @Nullable CommandSpec spec;
+
+    /** Without a further word it lists the words there are. */
+    @Override
+    public Integer call() {
+        if (spec != null) {
+            spec.commandLine().usage(spec.commandLine().getErr());
+        }
+        return Failures.USAGE;
+    }
+}

@@ -1,0 +1,71 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+/** The act maker on the command line says what it wrote, or in one sentence why it did not. */
+@Timeout(60)
+class ActCommandTest {
+    @TempDir
+    Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(Object... words) {
+        String[] line = Stream.of(words).map(Object::toString).toArray(String[]::new);
+        return new CommandLine(new ActCommand())
+                .setOut(new PrintWriter(out))
+                .setErr(new PrintWriter(err))
+                .execute(line);
+    }
+
+    private Path source(String inside) throws IOException {
+        return Files.writeString(
+                folder.resolve("Nod.java"),
+                "public class Nod extends majic.act.MajicAct { protected void behave() { " + inside + " } }");
+    }
+
+    @Test
+    void makesAFileOfASourceAndShowsIt() throws IOException {
+        Path act = folder.resolve("nod.act");
+        int made = run("make", source("bot.turn(90);"), "-o", act, "--author", "Ada", "--act-version", "2");
+        assertThat(made).isZero();
+        assertThat(out.toString()).startsWith("wrote " + act).contains("act: Nod 2", "author: Ada", "class: Nod");
+        assertThat(run("show", act)).isZero();
+        assertThat(err.toString()).isEmpty();
+    }
+
+    @Test
+    void anUnsuitableSourceIsOneSentenceAndAFailure() throws IOException {
+        assertThat(run("make", source("none;"), "-o", folder.resolve("nod.act")))
+                .isEqualTo(Failures.FAILED);
+        assertThat(err.toString())
+                .startsWith("majic: Nod.java cannot be compiled: line 1: ")
+                .hasLineCount(1);
+        assertThat(folder.resolve("nod.act")).doesNotExist();
+    }
+
+    @Test
+    void aFileThatIsNoActIsOneSentenceAndAFailure() throws IOException {
+        assertThat(run("show", source(""))).isEqualTo(Failures.FAILED);
+        assertThat(err.toString())
+                .isEqualTo(String.format("majic: Nod.java is no act: neither a jar nor a saved object%n"));
+    }
+
+    @Test
+    void withoutAWordItListsTheWords() {
+        assertThat(run()).isEqualTo(Failures.USAGE);
+        assertThat(err.toString()).contains("make", "show");
+    }
+}
