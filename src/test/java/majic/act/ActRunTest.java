@@ -165,10 +165,12 @@ class ActRunTest implements TeamListener {
     private static final class Deaf extends MajicAct {
         private static final long serialVersionUID = 1;
 
+        private final transient CountDownLatch begun = new CountDownLatch(1);
         private final transient CountDownLatch over = new CountDownLatch(1);
 
         @Override
         protected void behave() {
+            begun.countDown();
             boolean waiting = true;
             while (waiting) {
                 try {
@@ -195,7 +197,7 @@ class ActRunTest implements TeamListener {
                         return List.of();
                     }),
                     null);
-            assertThat(others.changes().await(() -> member.owner() != null, 10)).isTrue();
+            deaf.begun.await();
             others.stop(List.of(member), null);
             assertThat(others.changes().await(member::isIdle, 10)).isTrue();
             assertThat(said).contains("1: Deaf: does not end; it is left behind without a robot", "1 act: stopped");
