@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
+import majic.bot.BotEnvironment;
 import majic.bot.FakeBot;
+import majic.bot.FakeType;
+import majic.bot.Settings;
 import majic.bot.SteppedTime;
 import majic.bot.TimeSource;
 import org.junit.jupiter.api.Test;
@@ -34,7 +37,7 @@ class ActUnloadingTest {
     private static WeakReference<ClassLoader> run(ActFile file) throws InterruptedException {
         SteppedTime time = new SteppedTime();
         try (TimeSource.Membership membership = time.join();
-                FakeBot robot = FakeBot.on(time)) {
+                FakeBot robot = dog(time)) {
             robot.connect();
             MajicAct act = file.load(Sources.trusting(file));
             act.start(robot);
@@ -44,5 +47,9 @@ class ActUnloadingTest {
             assertThat(membership).isNotNull();
             return new WeakReference<>(act.getClass().getClassLoader());
         }
+    }
+
+    private static FakeBot dog(SteppedTime time) {
+        return new FakeBot(new FakeType("aibo"), new BotEnvironment(time, Settings.inMemory()));
     }
 }
