@@ -20,6 +20,7 @@ import majic.script.Line;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majicsim.LabOptions;
+import majicsim.hemisson.HemissonOptions;
 
 /**
  * A stepped lab, a team and a session on it, for one test. The thread that makes it lives by the lab's clock: time goes on
@@ -58,6 +59,11 @@ public final class LabRig implements AutoCloseable {
     /** As {@link #exact()}, with this Pioneer and its extras, as {@code p3dx-sh+gripper}. */
     public static LabRig exactWithPioneer(String model) {
         return new LabRig(LabOptions.exactOnFreePorts().withPioneer(model));
+    }
+
+    /** As {@link #exact()}, with this Hemisson and its extras, as {@code kteam+camera+overrun}. */
+    public static LabRig exactWithHemisson(String model) {
+        return new LabRig(LabOptions.exactOnFreePorts().withHemisson(HemissonOptions.parse(model)));
     }
 
     /** A lab with noise and jitter, nobody connected yet. */

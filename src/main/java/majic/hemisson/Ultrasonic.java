@@ -24,7 +24,7 @@ final class Ultrasonic implements ExtensionModule {
     /** What the bus reads while the sensor listens for its echoes. */
     private static final int BUSY = 0xFFFF;
 
-    private static final double LISTENING_S = 0.07;
+    private static final double LISTENING_S = 0.08;
     private static final long LISTENING_NANOS = 80_000_000;
     private static final long RECENT_NANOS = 1_000_000_000;
 
@@ -35,26 +35,43 @@ final class Ultrasonic implements ExtensionModule {
     private static final Question FIRST = Bus.read(ADDRESS, LIGHT, 3);
     private static final Question ALL = Bus.read(ADDRESS, ECHOES, 2 * MOST_ECHOES);
 
-    private final Look pingAndListen = new PingAndListen();
+    private final PingAndListen pingAndListen = new PingAndListen();
     private volatile @Nullable Double rangeMm;
 
-    /** Pings and reads in turn. */
+    /** Pings and reads in turn; while the sensor listens it is not to be pinged again, whoever wants to. */
     private static final class PingAndListen implements Look {
         private long pingedNanos;
         private boolean listening;
 
         @Override
         public synchronized @Nullable Question next(long nowNanos) {
-            if (!listening) {
-                listening = true;
-                pingedNanos = nowNanos;
-                return PING;
-            }
-            if (nowNanos - pingedNanos < LISTENING_NANOS) {
+            if (!mayPing(nowNanos)) {
                 return null;
             }
-            listening = false;
-            return FIRST;
+            if (listening) {
+                listening = false;
+                return FIRST;
+            }
+            begin(nowNanos);
+            return PING;
+        }
+
+        /** For somebody who pings out of turn; false if a ping is under way. */
+        synchronized boolean begins(long nowNanos) {
+            boolean mayPing = mayPing(nowNanos);
+            if (mayPing) {
+                begin(nowNanos);
+            }
+            return mayPing;
+        }
+
+        private boolean mayPing(long nowNanos) {
+            return !listening || nowNanos - pingedNanos >= LISTENING_NANOS;
+        }
+
+        private void begin(long nowNanos) {
+            listening = true;
+            pingedNanos = nowNanos;
         }
     }
 
@@ -98,8 +115,10 @@ final class Ultrasonic implements ExtensionModule {
         return reply == null ? Value.unknown("no echo yet") : reading.apply(reply);
     }
 
-    private static Reply ping(Access access, Question read) {
-        access.tell(PING);
+    private Reply ping(Access access, Question read) {
+        if (pingAndListen.begins(access.bot().nanos())) {
+            access.tell(PING);
+        }
         access.pause(LISTENING_S);
         return access.bot().ask(read);
     }

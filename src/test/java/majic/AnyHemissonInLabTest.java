@@ -1,0 +1,109 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.BotException;
+import majic.bot.BotListener;
+import majic.bot.MajicBot;
+import majic.bot.Value;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The driver with Hemissons of every kind: true receivers that go deaf, modules, both firmwares, modes of their own. */
+@Timeout(120)
+class AnyHemissonInLabTest {
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "kteam+camera+ultrasonic+speech+lcd+io+overrun+paced",
+                "roadnarrows+camera+ultrasonic+speech+overrun+paced"
+            })
+    void isNotDeafenedByAnythingItIsAsked(String model) throws Exception {
+        try (LabRig rig = LabRig.exactWithHemisson(model)) {
+            MajicBot bot = rig.add("hemisson");
+            bot.parameters().forEach(parameter -> read(bot, parameter.name()));
+            bot.move(60, () -> bot.get("light0").number() < 1);
+            bot.parameters().forEach(parameter -> read(bot, parameter.name()));
+
+            assertThat(bot.get("modules").toString()).contains("linear camera", "ultrasonic sensor");
+            assertThat(((Value.Many) bot.get("camera")).values()).hasSize(102);
+            assertThat(bot.get("ultrasonic").number()).isGreaterThan(30);
+            assertThat(bot.get("missedAnswers").number()).isZero();
+        }
+    }
+
+    /** Some can only be set. */
+    private static void read(MajicBot bot, String parameter) {
+        if (bot.parameter(parameter).readable()) {
+            assertThat(bot.get(parameter)).isNotNull();
+        }
+    }
+
+    @Test
+    void aGuardReadsTheUltrasonicSensorWhileItMoves() throws Exception {
+        try (LabRig rig = LabRig.exactWithHemisson("kteam+ultrasonic+overrun+paced")) {
+            MajicBot bot = rig.add("hemisson");
+            double start = bot.get("ultrasonic").number();
+
+            bot.move(1000, () -> bot.get("ultrasonic").number() < start - 30);
+
+            assertThat(bot.get("x").number()).as("from %s", start).isBetween(15.0, 100.0);
+        }
+    }
+
+    @Test
+    void aRobotThatDancesIsToldOfAndItsMotionEndsWithTheReason() throws Exception {
+        try (LabRig rig = LabRig.exactWithHemisson("kteam+switches=1011+overrun")) {
+            MajicBot bot = rig.session().factory().create("sim:hemisson");
+            List<String> notices = new CopyOnWriteArrayList<>();
+            bot.addListener(new BotListener() {
+                @Override
+                public void notice(MajicBot who, String message) {
+                    notices.add(message);
+                }
+            });
+            bot.connect();
+
+            assertThat(notices).anyMatch(notice -> notice.contains("[1, 0, 1, 1]"));
+            assertThatThrownBy(() -> bot.move(500))
+                    .isInstanceOf(BotException.class)
+                    .hasMessageMatching(".*(something else|not confirmed).*");
+            bot.close();
+        }
+    }
+
+    @Test
+    void aRobotWithoutAModeIsNotDeafened() throws Exception {
+        try (LabRig rig = LabRig.exactWithHemisson("kteam+switches=0000+overrun")) {
+            MajicBot bot = rig.add("hemisson");
+
+            assertThatThrownBy(() -> bot.move(100))
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining("no running mode");
+            bot.stop();
+            rig.lab().time().sleep(3);
+
+            assertThat(bot.isConnected()).isTrue();
+            assertThat(bot.get("switches")).hasToString("0, 0, 0, 0");
+        }
+    }
+
+    @Test
+    void aRobotThatPullsToOneSideGoesStraightWhenItsTrimIsSet() throws Exception {
+        try (LabRig rig = LabRig.exactWithHemisson("kteam+mismatch=5")) {
+            MajicBot bot = rig.add("hemisson");
+            double before = rig.truePose("hemisson").headingDeg();
+            bot.set("trim", 5);
+
+            bot.move(600);
+
+            assertThat(rig.truePose("hemisson").headingDeg() - before).isCloseTo(0, within(3.0));
+        }
+    }
+}
