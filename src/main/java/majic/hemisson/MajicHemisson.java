@@ -1,6 +1,5 @@
 package majic.hemisson;
 
-import java.io.IOException;
 import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
@@ -16,11 +15,7 @@ import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
 import majic.bot.Pose;
 import majic.bot.Range;
-import majic.bot.TimeSource;
 import majic.bot.Value;
-import majic.link.Link;
-import majic.link.Links;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A K-Team Hemisson. It has neither encoders nor a watchdog: motions are timed, positions are estimates, and a robot
@@ -33,8 +28,6 @@ public final class MajicHemisson extends MajicBot {
     /** What a person can do about a robot that moves and does not hear. */
     static final String HELP = "if it still moves, lift it, or press 5 on a TV remote control";
 
-    private static final int BAUD = 115_200;
-    private static final int OPEN_TIMEOUT_MS = 3000;
     private static final double CRUISE_MM_PER_S = 42;
     private static final double CRUISE_TURN_DEG_PER_S = 53;
     private static final double NEAR_MM = 40;
@@ -46,12 +39,10 @@ public final class MajicHemisson extends MajicBot {
     private static final double TICK_S = 0.05;
 
     private final Calibration calibration;
-    private final String address;
+    private final Sessions sessions;
     private final Overseer overseer;
     private final Lamps lamps = new Lamps(this);
     private final Spectator spectator = new Spectator(this);
-    private volatile @Nullable Session session;
-    private volatile @Nullable LastWord lastWord;
     private final Access access = new Access(this);
     private volatile Identity identity = Identity.NOBODY;
     private volatile Modules modules = Modules.NONE;
@@ -75,8 +66,7 @@ public final class MajicHemisson extends MajicBot {
      */
     public MajicHemisson(String address, BotEnvironment environment) {
         super(new HemissonType(), profileFor(SpeedTable.USUAL), environment);
-        this.address = address;
-        newLink();
+        this.sessions = new Sessions(address, time(), changes());
         this.calibration = new Calibration(settings(), address);
         this.overseer = new Overseer(this, Track.standing(Pose.START, nanos(), calibration.table()));
         profile(profileFor(calibration.table()));
@@ -100,35 +90,18 @@ public final class MajicHemisson extends MajicBot {
                 true);
     }
 
-    private Link newLink() {
-        try {
-            return Links.of(address, 0, BAUD);
-        } catch (IllegalArgumentException e) {
-            throw new BotException("hemisson:" + e.getMessage(), e);
-        }
-    }
-
     @Override
     protected void open() {
-        endSession();
-        Link link = newLink();
-        try {
-            link.open(OPEN_TIMEOUT_MS);
-        } catch (IOException e) {
-            throw new BotException(e.getMessage(), e);
-        }
-        Session opened = new Session(link, time(), overseer);
-        session = opened;
+        Session opened = sessions.open(overseer);
         overseer.begin(opened);
         opened.start();
-        lastWord = LastWord.begin(() -> sayLast(opened));
         every("hemisson line", TICK_S, overseer::tick);
         try {
             Handshake handshake = new Handshake(opened, changes());
             identity = handshake.run();
             equip(handshake.scan());
         } catch (BotException e) {
-            endSession();
+            sessions.end();
             throw e;
         }
         overseer.watch();
@@ -154,31 +127,11 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected void shut() {
-        Session open = session;
+        Session open = sessions.current();
         if (open != null) {
             Farewell.say(open, changes());
         }
-        endSession();
-    }
-
-    /** The clock of a simulated lab may not go on when the program ends, nor does its robot. */
-    private void sayLast(Session open) {
-        if (time() == TimeSource.system()) {
-            Farewell.say(open, changes());
-            open.close();
-        }
-    }
-
-    private void endSession() {
-        LastWord last = lastWord;
-        if (last != null) {
-            last.end();
-        }
-        Session open = session;
-        session = null;
-        if (open != null) {
-            open.close();
-        }
+        sessions.end();
     }
 
     @Override
@@ -203,7 +156,7 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected void halt() {
-        Session open = session;
+        Session open = sessions.current();
         if (open != null) {
             open.conversation().stop();
         }
@@ -211,7 +164,7 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected void confirmHalt() {
-        Session open = session;
+        Session open = sessions.current();
         if (open == null) {
             return;
         }
@@ -235,11 +188,7 @@ public final class MajicHemisson extends MajicBot {
 
     /** The conversation with the robot, if there is one. */
     Conversation conversation() {
-        Session open = session;
-        if (open == null) {
-            throw new LinkLost("not connected");
-        }
-        return open.conversation();
+        return sessions.conversation();
     }
 
     /** Asks one question and waits for the answer, whoever else talks. */
@@ -353,7 +302,7 @@ public final class MajicHemisson extends MajicBot {
 
     /** Whether its wheels may turn though nobody can tell it anything: the link is lost, or it misses answers. */
     boolean isOutOfControl() {
-        Session open = session;
+        Session open = sessions.current();
         boolean deaf =
                 isLost() || (overseer.motion().trouble() != null && quality().misses() > 0);
         return open != null && deaf && open.conversation().mayMove();
@@ -361,13 +310,12 @@ public final class MajicHemisson extends MajicBot {
 
     /** How long no question has been answered, seconds; 0 while none can be asked. */
     double silentSeconds() {
-        Session open = session;
+        Session open = sessions.current();
         return open == null || !isConnected() ? 0 : open.conversation().silentSeconds();
     }
 
     /** How well the line works; nothing counted while there is none. */
     LinkQuality quality() {
-        Session open = session;
-        return open == null ? LinkQuality.NONE : open.conversation().quality();
+        return sessions.quality();
     }
 }

@@ -1,0 +1,102 @@
+package majic.hemisson;
+
+import java.io.IOException;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.Signal;
+import majic.bot.TimeSource;
+import majic.link.Link;
+import majic.link.Links;
+import org.jspecify.annotations.Nullable;
+
+/** The connections to one robot, one after the other. Thread-safe. */
+final class Sessions {
+    private static final int BAUD = 115_200;
+    private static final int OPEN_TIMEOUT_MS = 3000;
+
+    private final String address;
+    private final TimeSource time;
+    private final Signal changes;
+    private volatile @Nullable Session session;
+    private volatile @Nullable LastWord lastWord;
+
+    /**
+     * Opens nothing yet.
+     *
+     * @throws BotException if the address is none
+     */
+    Sessions(String address, TimeSource time, Signal changes) {
+        this.address = address;
+        this.time = time;
+        this.changes = changes;
+        newLink();
+    }
+
+    private Link newLink() {
+        try {
+            return Links.of(address, 0, BAUD);
+        } catch (IllegalArgumentException e) {
+            throw new BotException("hemisson:" + e.getMessage(), e);
+        }
+    }
+
+    /** Ends the connection there is and opens another, whose reader is not yet started. */
+    Session open(ConversationListener listener) {
+        end();
+        Link link = newLink();
+        try {
+            link.open(OPEN_TIMEOUT_MS);
+        } catch (IOException e) {
+            throw new BotException(e.getMessage(), e);
+        }
+        Session opened = new Session(link, time, listener);
+        session = opened;
+        lastWord = LastWord.begin(() -> sayLast(opened));
+        return opened;
+    }
+
+    /** The clock of a simulated lab may not go on when the program ends, nor does its robot. */
+    private void sayLast(Session open) {
+        if (time == TimeSource.system()) {
+            Farewell.say(open, changes);
+            open.close();
+        }
+    }
+
+    void end() {
+        LastWord last = lastWord;
+        if (last != null) {
+            last.end();
+        }
+        Session open = session;
+        session = null;
+        if (open != null) {
+            open.close();
+        }
+    }
+
+    /** The connection there is, perhaps a dead one; null if there is none. */
+    @Nullable
+    Session current() {
+        return session;
+    }
+
+    /**
+     * The conversation with the robot.
+     *
+     * @throws LinkLost if there is none
+     */
+    Conversation conversation() {
+        Session open = session;
+        if (open == null) {
+            throw new LinkLost("not connected");
+        }
+        return open.conversation();
+    }
+
+    /** How well the line works; nothing counted while there is none. */
+    LinkQuality quality() {
+        Session open = session;
+        return open == null ? LinkQuality.NONE : open.conversation().quality();
+    }
+}
