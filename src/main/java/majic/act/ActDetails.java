@@ -11,10 +11,10 @@ package majic.act;
 public record ActDetails(String name, String version, String author, String description) {
     /** Makes one line of each. */
     public ActDetails {
-        name = oneLine(name);
-        version = oneLine(version);
-        author = oneLine(author);
-        description = oneLine(description);
+        name = Printable.line(name);
+        version = Printable.line(version);
+        author = Printable.line(author);
+        description = Printable.line(description);
     }
 
     /**
@@ -25,9 +25,5 @@ public record ActDetails(String name, String version, String author, String desc
      */
     public static ActDetails named(String name) {
         return new ActDetails(name, "", "", "");
-    }
-
-    private static String oneLine(String text) {
-        return text.strip().replaceAll("[\\s\\p{Cntrl}]+", " ");
     }
 }

@@ -30,7 +30,7 @@ public final class ActFile {
         try {
             this.contents = ActContents.of(bytes, MAJIC);
         } catch (IOException e) {
-            throw new ActException(label + " " + e.getMessage(), e);
+            throw new ActException(Printable.of(label + " " + e.getMessage()), e);
         }
     }
 

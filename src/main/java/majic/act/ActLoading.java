@@ -52,7 +52,7 @@ record ActLoading(String label, ActContents contents) {
 
     private ActException refused(String why, Throwable cause) {
         String version = contents.manifest().majicVersion();
-        return new ActException(
-                label + " " + why + (version.isEmpty() ? "" : " (it was made with MAJIC " + version + ")"), cause);
+        String made = version.isEmpty() ? "" : " (it was made with MAJIC " + version + ")";
+        return new ActException(Printable.of(label + " " + why + made), cause);
     }
 }

@@ -2,6 +2,7 @@ package majic.act;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** What a file says of itself, in lines for people. */
 final class ActSheet {
@@ -9,17 +10,19 @@ final class ActSheet {
 
     static List<String> of(ActFile file) {
         ActDetails details = file.details();
-        return List.of(
-                "act: " + details.name() + (details.version().isEmpty() ? "" : " " + details.version()),
-                "author: " + orElse(details.author(), "not said"),
-                "description: " + orElse(details.description(), "none"),
-                "robots: " + file.roles().stream().map(Role::toString).collect(Collectors.joining("; ")),
-                "class: " + file.actClass(),
-                "made with: MAJIC " + orElse(file.majicVersion(), "of an unknown version"),
-                "signed by: " + signers(file.signers()),
-                "SHA-256: " + file.sha256(),
-                "classes in it: " + orElse(String.join(", ", file.classes()), "none; it needs no consent"),
-                "packages they use: " + orElse(String.join(", ", file.packages()), "none"));
+        return Stream.of(
+                        "act: " + details.name() + (details.version().isEmpty() ? "" : " " + details.version()),
+                        "author: " + orElse(details.author(), "not said"),
+                        "description: " + orElse(details.description(), "none"),
+                        "robots: " + file.roles().stream().map(Role::toString).collect(Collectors.joining("; ")),
+                        "class: " + file.actClass(),
+                        "made with: MAJIC " + orElse(file.majicVersion(), "of an unknown version"),
+                        "signed by: " + signers(file.signers()),
+                        "SHA-256: " + file.sha256(),
+                        "classes in it: " + orElse(String.join(", ", file.classes()), "none; it needs no consent"),
+                        "packages they use: " + orElse(String.join(", ", file.packages()), "none"))
+                .map(Printable::of)
+                .toList();
     }
 
     private static String signers(List<Signer> signers) {

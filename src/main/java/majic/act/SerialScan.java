@@ -6,9 +6,7 @@ import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
@@ -18,19 +16,8 @@ import org.jspecify.annotations.Nullable;
  */
 final class SerialScan {
     private final DataInputStream in;
-    private final List<Node> nodes = new ArrayList<>();
+    private final SerialHandles handles = new SerialHandles();
     private final Set<String> classes = new LinkedHashSet<>();
-
-    /** What a later reference may mean. */
-    private static final class Node {
-        private final boolean shareable;
-        private boolean open = true;
-        private @Nullable SerialClass described;
-
-        Node(boolean shareable) {
-            this.shareable = shareable;
-        }
-    }
 
     private SerialScan(byte[] stream) {
         this.in = new DataInputStream(new ByteArrayInputStream(stream));
@@ -73,7 +60,7 @@ final class SerialScan {
         }
         switch (tag) {
             case TC_NULL -> {}
-            case TC_REFERENCE -> reference();
+            case TC_REFERENCE -> handles.checkValue(in.readInt());
             case TC_STRING -> text(in.readUnsignedShort());
             case TC_LONGSTRING -> text(in.readLong());
             case TC_OBJECT -> object(depth);
@@ -94,7 +81,7 @@ final class SerialScan {
     }
 
     private void text(long length) throws IOException {
-        newNode(true).open = false;
+        handles.add(true).close();
         if (length < 0 || length > PlainValues.MAX_BYTES) {
             throw new Unfit("holds a text that is too long");
         }
@@ -106,7 +93,7 @@ final class SerialScan {
         if (type.isEnum() || !type.isReadable()) {
             throw damaged();
         }
-        Node node = newNode(!PlainValues.isContainer(type.name()));
+        SerialHandles.Node node = handles.add(!PlainValues.isContainer(type.name()));
         for (SerialClass one : type.lineage()) {
             if (one.hasFields()) {
                 values(one.fieldTypes(), depth);
@@ -115,7 +102,7 @@ final class SerialScan {
                 more(depth);
             }
         }
-        node.open = false;
+        node.close();
     }
 
     private void values(String types, int depth) throws IOException {
@@ -151,7 +138,7 @@ final class SerialScan {
         if (!type.name().startsWith("[")) {
             throw damaged();
         }
-        Node node = newNode(!PlainValues.isContainer(type.name()));
+        SerialHandles.Node node = handles.add(!PlainValues.isContainer(type.name()));
         int length = in.readInt();
         if (length < 0 || length > PlainValues.MAX_ARRAY) {
             throw new Unfit("holds an array of " + Integer.toUnsignedString(length) + " elements, more than "
@@ -160,38 +147,28 @@ final class SerialScan {
         for (int i = 0; i < length; i++) {
             value(type.name().charAt(1), depth);
         }
-        node.open = false;
+        node.close();
     }
 
     /** A class as a value, as tables of enums have it. */
     private void aboutClass(int depth) throws IOException {
         describedClass(depth);
-        newNode(true).open = false;
+        handles.add(true).close();
     }
 
     private void constant() throws IOException {
         describedClass(0);
-        Node node = newNode(true);
+        SerialHandles.Node node = handles.add(true);
         fieldName();
-        node.open = false;
+        node.close();
     }
 
     /** A text that must be one: the type of a field, the name of an enum's constant. */
     private void fieldName() throws IOException {
         switch (in.readByte()) {
             case TC_STRING -> text(in.readUnsignedShort());
-            case TC_REFERENCE -> reference();
+            case TC_REFERENCE -> handles.checkValue(in.readInt());
             default -> throw damaged();
-        }
-    }
-
-    private void reference() throws IOException {
-        Node node = node();
-        if (node.open) {
-            throw new Unfit("holds data that holds itself, such as an object of an inner class that is not static");
-        }
-        if (!node.shareable) {
-            throw new Unfit("holds the same collection in two places");
         }
     }
 
@@ -208,17 +185,9 @@ final class SerialScan {
         return switch (tag) {
             case TC_NULL -> null;
             case TC_CLASSDESC -> newClass(depth);
-            case TC_REFERENCE -> knownClass();
+            case TC_REFERENCE -> handles.classAt(in.readInt());
             default -> throw new Unfit("holds what no act may hold: " + nameOf(tag));
         };
-    }
-
-    private SerialClass knownClass() throws IOException {
-        SerialClass known = node().described;
-        if (known == null) {
-            throw damaged();
-        }
-        return known;
     }
 
     private SerialClass newClass(int depth) throws IOException {
@@ -227,7 +196,7 @@ final class SerialScan {
         }
         String name = in.readUTF();
         in.skipNBytes(Long.BYTES);
-        Node node = newNode(false);
+        SerialHandles.Node node = handles.add(false);
         if (!PlainValues.has(name)) {
             classes.add(PlainValues.element(name));
         }
@@ -237,8 +206,7 @@ final class SerialScan {
             throw new Unfit("describes the class " + name + " in a foreign way");
         }
         SerialClass described = new SerialClass(name, flags, fields, classOrNone(depth + 1));
-        node.described = described;
-        node.open = false;
+        node.close(described);
         return described;
     }
 
@@ -255,24 +223,7 @@ final class SerialScan {
         return types.toString();
     }
 
-    private Node newNode(boolean shareable) throws IOException {
-        if (nodes.size() == PlainValues.MAX_OBJECTS) {
-            throw new Unfit("holds more than " + PlainValues.MAX_OBJECTS + " objects");
-        }
-        Node node = new Node(shareable);
-        nodes.add(node);
-        return node;
-    }
-
-    private Node node() throws IOException {
-        int index = in.readInt() - baseWireHandle;
-        if (index < 0 || index >= nodes.size()) {
-            throw damaged();
-        }
-        return nodes.get(index);
-    }
-
-    private static Unfit damaged() {
+    static Unfit damaged() {
         return new Unfit("is damaged: its data makes no sense");
     }
 }

@@ -166,6 +166,15 @@ class ActFileTest {
     }
 
     @Test
+    void aNameThatWouldForgeALineOfItsSheetCannot() {
+        String name = "a.X\nsigned by CN=Ada\u202e\u001b[2J";
+        ActFile file =
+                ActFile.of("a.act", changed(entries -> with(entries, ActNames.pathOf(name), TinyClass.of(name, 61))));
+        assertThat(file.describe()).hasSize(10).contains("signed by: nobody");
+        assertThat(String.join("", file.describe())).contains("a.X?signed by CN=Ada??[2J");
+    }
+
+    @Test
     void aClassForANewerJavaSaysWhichOneIsHere() {
         byte[] file = changed(entries -> with(entries, "a/Tomorrow.class", TinyClass.of("a.Tomorrow", 144)));
         assertThatThrownBy(() -> ActFile.of("bad.act", file))
