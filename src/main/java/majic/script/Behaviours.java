@@ -124,8 +124,9 @@ final class Behaviours {
         List<String> told = new ArrayList<>();
         if (hash.isEmpty()) {
             file.describe().forEach(line -> told.add("trust " + name + ": " + line));
+            // In quotes, as many a hash begins like a number.
             told.add("trust " + name + ": its code can do all that you can; if you agree: trust "
-                    + SessionRecord.quoted(name) + " " + file.sha256().substring(0, SHORTEST_HASH));
+                    + SessionRecord.quoted(name) + " \"" + file.sha256().substring(0, SHORTEST_HASH) + '"');
         } else if (hash.length() < SHORTEST_HASH || !file.sha256().startsWith(hash.toLowerCase(Locale.ROOT))) {
             throw new BotException("trust " + name + ": the hash of this file is " + file.sha256());
         } else {
