@@ -12,7 +12,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         description = "Makes files of behaviours and shows what is in them.",
-        subcommands = {ActMakeCommand.class, ActShowCommand.class})
+        subcommands = {ActMakeCommand.class, ActFromSessionCommand.class, ActShowCommand.class})
 final class ActCommand implements Callable<Integer> {
     @Spec
     private @Nullable CommandSpec spec;

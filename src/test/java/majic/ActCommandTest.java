@@ -68,4 +68,20 @@ class ActCommandTest {
         assertThat(run()).isEqualTo(Failures.USAGE);
         assertThat(err.toString()).contains("make", "show");
     }
+
+    @Test
+    void makesAFileOfASavedSession() throws IOException {
+        Path session = Files.writeString(
+                folder.resolve("patrol.majic"), "add sim:aibo as 1\nadd sim:pioneer as 2\n1 move 100\n2 move 100\n");
+        Path act = folder.resolve("patrol.act");
+        assertThat(run("from-session", session, "-o", act)).isZero();
+        assertThat(out.toString()).contains("act: patrol", "me aibo; robot2 pioneer");
+    }
+
+    @Test
+    void aSessionThatIsNoBehaviourSaysWhere() throws IOException {
+        Path session = Files.writeString(folder.resolve("bad.majic"), "1 move 100\nquit\n");
+        assertThat(run("from-session", session)).isEqualTo(Failures.FAILED);
+        assertThat(err.toString()).contains("bad.majic:2:1: quit: is for a session");
+    }
 }

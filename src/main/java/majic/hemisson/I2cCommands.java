@@ -33,18 +33,20 @@ final class I2cCommands {
         Parameter value = Parameter.text("byte", "hex");
         return List.of(
                 new BotCommand(
-                        "i2cRead",
-                        List.of(address, register, count),
-                        false,
-                        "tells registers of a module; 255 where there is none",
-                        (values, motion) -> read(values)),
+                                "i2cRead",
+                                List.of(address, register, count),
+                                false,
+                                "tells registers of a module; 255 where there is none",
+                                (values, motion) -> read(values))
+                        .asRaw(),
                 new BotCommand(
-                        "i2cWrite",
-                        List.of(address, register, value),
-                        List.of(value),
-                        true,
-                        "writes to a module; several bytes go with their count before them",
-                        this::write));
+                                "i2cWrite",
+                                List.of(address, register, value),
+                                List.of(value),
+                                true,
+                                "writes to a module; several bytes go with their count before them",
+                                this::write)
+                        .asRaw());
     }
 
     private String read(List<Value> values) {

@@ -180,9 +180,9 @@ final class Behaviours {
     }
 
     private static Found script(Path path) {
-        String file = String.valueOf(path.getFileName());
-        ScriptAct act = new ScriptAct(file, ScriptFile.read(path));
-        return new Found(file.substring(0, file.length() - SCRIPT.length()), act.roles(), () -> act);
+        ScriptAct act = ScriptAct.read(path);
+        String name = act.title().substring(0, act.title().length() - SCRIPT.length());
+        return new Found(name, act.roles(), () -> act);
     }
 
     private Found file(String name) {

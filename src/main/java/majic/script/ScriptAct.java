@@ -1,5 +1,6 @@
 package majic.script;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -37,6 +38,26 @@ public final class ScriptAct extends MajicAct {
         this.title = title;
         this.text = text;
         Behaviour.of(title, text);
+    }
+
+    /**
+     * A behaviour from a file.
+     *
+     * @param file a script or a saved session
+     * @return the act, called like the file
+     * @throws BotException if it cannot be read, or is no behaviour
+     */
+    public static ScriptAct read(Path file) {
+        return new ScriptAct(String.valueOf(file.getFileName()), ScriptFile.read(file));
+    }
+
+    /**
+     * What its mistakes are told with.
+     *
+     * @return the name of the file it was made of
+     */
+    public String title() {
+        return title;
     }
 
     /**

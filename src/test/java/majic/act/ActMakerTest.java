@@ -157,7 +157,7 @@ class ActMakerTest {
                 "int x = 1 / (int) (0 * Math.random()); | Act failed in its constructor, where it has no robot yet:",
                 "{ bot.move(1); } | Act failed in its constructor, where it has no robot yet:",
                 "static int x = Integer.parseInt(`x`.trim()); | Act failed in its static initialiser:",
-                "java.io.PrintStream out = System.out; | its field 'out' holds a java.io.PrintStream, which cannot be saved",
+                "Object out = new Object(); | its field 'out' holds a java.lang.Object, which cannot be saved",
                 "Thread thread = new Thread(); | its field 'thread' holds a java.lang.Thread, which cannot be saved",
                 "java.net.InetSocketAddress to = new java.net.InetSocketAddress(80);"
                         + " | its field 'to' holds a java.net.InetSocketAddress, which no act may hold",

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import majic.act.ActDetails;
+import majic.act.ActMaker;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,7 +27,7 @@ class ActCommandTest {
     }
 
     private String file(String name, String... lines) throws IOException {
-        Path path = Files.write(folder.resolve(name), java.util.List.of(lines));
+        Path path = Files.write(folder.resolve(name), List.of(lines));
         return '"' + path.toString() + '"';
     }
 
@@ -117,5 +120,13 @@ class ActCommandTest {
                 .anyMatch(line -> line.startsWith("1 act") && line.contains("failed"));
         assertThat(desk.bot(1).sent()).contains("halt");
         assertThat(desk.team.member(2).owner()).isNull();
+    }
+
+    @Test
+    void savedInAFileItRunsWithoutAQuestion() throws Exception {
+        byte[] saved = ActMaker.save(new ScriptAct("there", "me move 100\nme move -100"), ActDetails.named("There"));
+        Path file = Files.write(folder.resolve("there.act"), saved);
+        assertThat(desk.runPipe("1 act \"" + file + '"')).anyMatch(line -> line.contains("there.act\": done"));
+        assertThat(desk.bot(1).sent()).startsWith("move 100", "move -100");
     }
 }
