@@ -4,7 +4,6 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
@@ -75,7 +74,7 @@ final class Lane {
 
     /** Says of orders that were dropped that they are not carried out. */
     void tellDropped(List<Pending> dropped, String because) {
-        dropped.forEach(pending -> end(pending, Answer.Outcome.NOT_RUN, "not run: " + because));
+        dropped.forEach(pending -> tell(pending, Ending.of(Answer.Outcome.NOT_RUN, pending, "not run: " + because)));
     }
 
     /** Begins no further order, and lets the thread go. */
@@ -92,7 +91,7 @@ final class Lane {
                 work.await(() -> isClosed() || (mayWork.getAsBoolean() && hasOrders()), Signal.FOR_EVER);
                 Pending next = next();
                 if (next != null) {
-                    finish(next, carryOut(next));
+                    settle(next, attempt(next));
                 }
             }
         } catch (InterruptedException e) {
@@ -113,38 +112,53 @@ final class Lane {
         return current;
     }
 
-    /** What failed takes along what was queued behind it. */
-    private void finish(Pending done, Answer.Outcome outcome) {
-        List<Pending> dropped;
+    /** Carries out an order that does not stand in the queue, so nothing stands behind it. */
+    void carryOut(Pending pending) {
+        tell(pending, attempt(pending));
+    }
+
+    /** What failed takes along what is queued behind it by then; what is ordered in answer to the failure runs. */
+    private void settle(Pending pending, Ending ending) {
+        List<Pending> dropped = List.of();
+        if (ending.outcome() == Answer.Outcome.FAILED) {
+            synchronized (this) {
+                dropped = drop();
+                pending.end(ending.outcome());
+            }
+        }
+        tell(pending, ending);
+        tellDropped(dropped, robot + " " + pending.order().text() + " failed");
         synchronized (this) {
             current = null;
-            dropped = outcome == Answer.Outcome.FAILED ? drop() : List.of();
         }
-        tellDropped(dropped, robot + " " + done.order().text() + " failed");
         team.changes().raise();
     }
 
-    Answer.Outcome carryOut(Pending pending) {
+    private Ending attempt(Pending pending) {
         try {
             BotControl control = new PermittedControl(bot, pending::permit);
             List<String> answers = pending.order().job().carryOut(control);
-            answers.forEach(line -> team.answer(new Answer(robot, Answer.Outcome.DONE, robot + " " + line)));
-            pending.end(Answer.Outcome.DONE);
-            team.changes().raise();
+            return new Ending(Answer.Outcome.DONE, answers);
         } catch (MotionStopped e) {
-            end(pending, Answer.Outcome.STOPPED, "stopped");
+            return Ending.of(Answer.Outcome.STOPPED, pending, "stopped");
         } catch (BotException e) {
-            end(pending, Answer.Outcome.FAILED, "failed: " + e.getMessage());
+            return Ending.of(Answer.Outcome.FAILED, pending, "failed: " + e.getMessage());
         } catch (RuntimeException | Error e) {
             Team.LOG.log(System.Logger.Level.ERROR, "an order to robot " + robot + " failed", e);
-            end(pending, Answer.Outcome.FAILED, "failed: an error in MAJIC, see its log (" + e + ")");
+            return Ending.of(Answer.Outcome.FAILED, pending, "failed: an error in MAJIC, see its log (" + e + ")");
         }
-        return Objects.requireNonNull(pending.outcome());
     }
 
-    private void end(Pending pending, Answer.Outcome outcome, String how) {
-        team.answer(new Answer(robot, outcome, robot + " " + pending.order().text() + ": " + how));
-        pending.end(outcome);
+    private void tell(Pending pending, Ending ending) {
+        ending.answers().forEach(line -> team.answer(new Answer(robot, ending.outcome(), robot + " " + line)));
+        pending.end(ending.outcome());
         team.changes().raise();
+    }
+
+    /** How an order ended, and what is to be said of it. */
+    private record Ending(Answer.Outcome outcome, List<String> answers) {
+        static Ending of(Answer.Outcome outcome, Pending pending, String how) {
+            return new Ending(outcome, List.of(pending.order().text() + ": " + how));
+        }
     }
 }

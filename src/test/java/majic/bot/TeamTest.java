@@ -110,6 +110,24 @@ class TeamTest {
     }
 
     @Test
+    void whatIsOrderedInAnswerToAFailureRuns() throws InterruptedException {
+        join().stallAfter(120);
+        listen();
+        team.addListener(new TeamListener() {
+            @Override
+            public void answered(Answer answer) {
+                if (answer.outcome() == Answer.Outcome.FAILED) {
+                    team.member(1).submit(new Order("get x", false, robot -> List.of("get x: 0")), null);
+                }
+            }
+        });
+        team.member(1).submit(move(300), null);
+        awaitIdle(1);
+
+        assertThat(said).containsExactly("1 move 300: failed: stalled after 120 mm", "1 get x: 0");
+    }
+
+    @Test
     void aStopEndsTheMotionAndEmptiesTheQueue() throws InterruptedException {
         FakeBot bot = join();
         listen();
