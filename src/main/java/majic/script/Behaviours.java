@@ -185,12 +185,15 @@ final class Behaviours {
         return new Found(name, act.roles(), () -> act);
     }
 
+    /** A mere object stream does not say which robots it wants; without code in it, it may be loaded to ask it. */
     private Found file(String name) {
         ActFile file = acts.find(name);
         if (!acts.trust().isTrusted(file)) {
             throw new BotException(name + ": it brings code of its own; \"trust " + SessionRecord.quoted(name)
                     + "\" shows whose and lets you agree");
         }
-        return new Found(file.details().name(), file.roles(), () -> file.load(acts.trust()));
+        Supplier<MajicAct> fresh = () -> file.load(acts.trust());
+        List<Role> roles = file.carriesCode() ? file.roles() : fresh.get().roles();
+        return new Found(file.details().name(), roles, fresh);
     }
 }
