@@ -74,6 +74,13 @@ final class Conversation {
         }
     }
 
+    /** Whether it may move though it has missed an answer since it began to. */
+    boolean isUnreached() {
+        synchronized (lock) {
+            return dialogue.stillness().isUnreached();
+        }
+    }
+
     /** How long no question has been answered, seconds; only of interest while some are asked. */
     double silentSeconds() {
         synchronized (lock) {

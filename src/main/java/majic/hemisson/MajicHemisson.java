@@ -303,9 +303,9 @@ public final class MajicHemisson extends MajicBot {
     /** Whether its wheels may turn though nobody can tell it anything: the link is lost, or it misses answers. */
     boolean isOutOfControl() {
         Session open = sessions.current();
-        boolean deaf =
-                isLost() || (overseer.motion().trouble() != null && quality().misses() > 0);
-        return open != null && deaf && open.conversation().mayMove();
+        return open != null
+                && (open.conversation().isUnreached()
+                        || (isLost() && open.conversation().mayMove()));
     }
 
     /** How long no question has been answered, seconds; 0 while none can be asked. */

@@ -11,6 +11,7 @@ import majic.hemisson.Question.Purpose;
 final class Stillness {
     private boolean mayMove;
     private boolean doubtful = true;
+    private boolean unreached;
     private boolean brief = true;
     private int disobeyed;
 
@@ -35,6 +36,11 @@ final class Stillness {
         return doubtful;
     }
 
+    /** Whether it may move though it has missed an answer since it began to, and has not confirmed since that it stands. */
+    boolean isUnreached() {
+        return unreached;
+    }
+
     /**
      * Whether the robot may be in a state in which it holds its motors at 0 and is deafened by more than two characters
      * (Hemisson sheet 7). It is asked for its speeds then instead of being told to stand.
@@ -53,6 +59,7 @@ final class Stillness {
 
     void missed() {
         doubtful = true;
+        unreached |= mayMove;
     }
 
     /** An older firmware cannot tell its speeds, and is believed (Hemisson sheet 4.3). */
@@ -64,6 +71,7 @@ final class Stillness {
     void wasReset() {
         doubtful = true;
         mayMove = false;
+        unreached = false;
         brief = true;
     }
 
@@ -87,6 +95,7 @@ final class Stillness {
     private void stands() {
         doubtful = false;
         mayMove = false;
+        unreached = false;
         disobeyed = 0;
     }
 
