@@ -26,6 +26,11 @@ final class FloorDrawing implements MapContent {
     private static final String MARK = "an estimate";
     private static final int INSET = 6;
 
+    /** What the scale takes at the foot of the map, and how narrow a map has no room beside it. */
+    private static final int SCALE_PX = 26;
+
+    private static final int NARROW_PX = 210;
+
     private final Trail trail = new Trail();
     private final WayDrawing way = WayDrawing.estimated(trail);
     private Pose pose = Pose.START;
@@ -75,10 +80,17 @@ final class FloorDrawing implements MapContent {
         WayDrawing.paintStart(pen, view, ink);
         way.paint(pen, view, ink);
         paintRobot(pen, view, ink);
+        paintMark(pen, view);
+    }
+
+    private static void paintMark(Graphics2D pen, MapView view) {
         FontMetrics metrics = pen.getFontMetrics();
+        int foot = view.width() < NARROW_PX ? SCALE_PX : 0;
         pen.setColor(Ink.ofTheLook().grey(0.8));
         pen.drawString(
-                MARK, view.width() - metrics.stringWidth(MARK) - INSET, view.height() - INSET - metrics.getDescent());
+                MARK,
+                view.width() - metrics.stringWidth(MARK) - INSET,
+                view.height() - foot - INSET - metrics.getDescent());
     }
 
     /** A disc to scale, or as small as can be found, with an arrow ahead. */

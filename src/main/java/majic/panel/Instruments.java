@@ -16,7 +16,7 @@ public final class Instruments implements LayoutManager {
     private static final int GOOD_MAP = 130;
     private static final int LEAST_ROWS = 3;
 
-    /** What the drawing may lose of its size for the lights to stand two by two. */
+    /** What the drawing may lose of its size for the lights to stand two by two, or for readings beside it. */
     private static final double LOSS = 0.8;
 
     /** The share of a tall panel that the drawing takes. */
@@ -77,9 +77,15 @@ public final class Instruments implements LayoutManager {
         placeMapAbove(new Rectangle(column.x, column.y + used, column.width, Math.max(0, column.height - used)));
     }
 
-    /** The side of a square drawing beside the lights. */
+    /** The side of a square drawing beside the lights; a little smaller if that makes room for readings below them. */
     private int side(Rectangle room, int columns) {
-        return Math.max(0, Math.min(room.height, room.width - lights.widthOf(columns) - gap()));
+        int side = sideBeside(room, lights.widthOf(columns));
+        int withReadings = sideBeside(room, Math.max(lights.widthOf(columns), numbers.getMinimumSize().width));
+        return withReadings >= LOSS * side ? withReadings : side;
+    }
+
+    private int sideBeside(Rectangle room, int width) {
+        return Math.max(0, Math.min(room.height, room.width - width - gap()));
     }
 
     private void placeLights(Rectangle column, int columns) {
@@ -101,7 +107,7 @@ public final class Instruments implements LayoutManager {
     private void layOutAbove(Rectangle room) {
         int height = Math.min(room.width, (int) (UPPER * room.height));
         drawing.setBounds(room.x, room.y, room.width, height);
-        int half = Math.max(lights.widthOf(1), (room.width - gap()) / 2);
+        int half = widthBelow(room.width - gap());
         int top = room.y + height + gap();
         Rectangle left = new Rectangle(room.x, top, half, room.y + room.height - top);
         placeLights(left, 1);
@@ -110,6 +116,13 @@ public final class Instruments implements LayoutManager {
         place(numbers, new Rectangle(left.x, top + used, half, left.height - used), fits);
         int rest = room.width - half - gap();
         place(map, new Rectangle(left.x + half + gap(), top, rest, left.height), rest >= LEAST_MAP);
+    }
+
+    /** Half of the room, but what lights and readings need as long as the map is still good. */
+    private int widthBelow(int width) {
+        int half = Math.max(lights.widthOf(1), width / 2);
+        int needed = numbers.getMinimumSize().width;
+        return width - needed >= GOOD_MAP ? Math.max(half, needed) : half;
     }
 
     private static void place(Component child, Rectangle bounds, boolean fits) {
