@@ -20,6 +20,7 @@ import majicsim.pioneer.Bystander;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Point;
 import majicsim.world.Pose;
+import majicsim.world.Room;
 import majicsim.world.Segment;
 import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
@@ -148,6 +149,15 @@ public final class Lab implements AutoCloseable {
      */
     public List<Segment> walls() {
         return world.room().walls();
+    }
+
+    /**
+     * The room with all that stays where it is.
+     *
+     * @return the same at every call
+     */
+    public Room room() {
+        return world.room();
     }
 
     /**

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import majic.bot.BotAddress;
 import majic.bot.LabAccess;
 import majic.bot.Pose;
@@ -14,6 +16,7 @@ import majic.bot.TimeSource;
 import majic.link.Links;
 import majicsim.Lab;
 import majicsim.LabOptions;
+import majicsim.world.Point;
 
 /** A simulated lab inside this program: its simulators, and the clock that their robots' drivers share with them. */
 final class SimulatedLab implements LabAccess, AutoCloseable {
@@ -103,6 +106,25 @@ final class SimulatedLab implements LabAccess, AutoCloseable {
         List<Wall> walls = new ArrayList<>();
         lab.walls().forEach(wall -> walls.add(new Wall(wall.x1(), wall.y1(), wall.x2(), wall.y2())));
         return walls;
+    }
+
+    @Override
+    public Furnishing furnishing() {
+        List<Tape> tapes =
+                lab.room().tapes().stream().flatMap(SimulatedLab::pieces).toList();
+        List<Lamp> lamps = lab.room().lamps().stream()
+                .map(lamp -> new Lamp(lamp.at().xMm(), lamp.at().yMm()))
+                .toList();
+        return new Furnishing(tapes, lamps);
+    }
+
+    private static Stream<Tape> pieces(majicsim.world.Tape stripe) {
+        List<Point> points = stripe.points();
+        return IntStream.range(1, points.size()).mapToObj(index -> {
+            Point from = points.get(index - 1);
+            Point to = points.get(index);
+            return new Tape(from.xMm(), from.yMm(), to.xMm(), to.yMm());
+        });
     }
 
     @Override

@@ -17,6 +17,41 @@ public interface LabAccess {
     record Wall(double x1, double y1, double x2, double y2) {}
 
     /**
+     * A straight piece of dark tape on the floor, in the room's frame.
+     *
+     * @param x1 one end, mm
+     * @param y1 one end, mm
+     * @param x2 the other end, mm
+     * @param y2 the other end, mm
+     */
+    record Tape(double x1, double y1, double x2, double y2) {}
+
+    /**
+     * A lamp above the floor, in the room's frame.
+     *
+     * @param x to the right, mm
+     * @param y up, mm
+     */
+    record Lamp(double x, double y) {}
+
+    /**
+     * What robots see but do not run into. Immutable.
+     *
+     * @param tapes all pieces of all stripes
+     * @param lamps all that shine
+     */
+    record Furnishing(List<Tape> tapes, List<Lamp> lamps) {
+        /** A bare room's. */
+        public static final Furnishing NONE = new Furnishing(List.of(), List.of());
+
+        /** Copies the lists. */
+        public Furnishing {
+            tapes = List.copyOf(tapes);
+            lamps = List.copyOf(lamps);
+        }
+    }
+
+    /**
      * The robots in the lab.
      *
      * @return the names of their types, in the order they are to be numbered
@@ -51,4 +86,13 @@ public interface LabAccess {
      * @return all walls and sides of boxes
      */
     List<Wall> walls();
+
+    /**
+     * What is in the room beside its walls.
+     *
+     * @return tape and lamps; none unless overridden
+     */
+    default Furnishing furnishing() {
+        return Furnishing.NONE;
+    }
 }

@@ -104,7 +104,12 @@ final class MapFeed implements TeamListener, AutoCloseable {
                 strangers.remove(member.bot().type().name());
             }
         }
-        return new MapScene(lab == null ? List.of() : lab.walls(), robots, bystanders(strangers), guessed);
+        return new MapScene(
+                lab == null ? List.of() : lab.walls(),
+                lab == null ? LabAccess.Furnishing.NONE : lab.furnishing(),
+                robots,
+                bystanders(strangers),
+                guessed);
     }
 
     private static List<MapScene.Bystander> bystanders(Map<String, Pose> strangers) {

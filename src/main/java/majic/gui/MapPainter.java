@@ -1,22 +1,29 @@
 package majic.gui;
 
 import java.awt.BasicStroke;
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.util.List;
+import majic.bot.LabAccess.Lamp;
+import majic.bot.LabAccess.Tape;
 import majic.bot.LabAccess.Wall;
 import majic.panel.Lengths;
 
-/** Draws a scene: grid, walls, robots, scale and key, in that order. */
+/** Draws a scene: grid, tape, walls, lamps, robots, scale and key, in that order. */
 final class MapPainter {
     /** What scale and key need below the room. */
     static final int FOOT_PX = 24;
 
     private static final Stroke THIN = new BasicStroke(1);
     private static final Stroke WALL = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    private static final double TAPE_MM = 19;
+    private static final double LEAST_TAPE_PX = 1.5;
+    private static final double LAMP_PX = 4;
+    private static final Color SHINE = new Color(0xFFC107);
     private static final int INSET = 12;
     private static final double BYSTANDER_MM = 120;
 
@@ -34,7 +41,9 @@ final class MapPainter {
 
     void paint(MapScene scene) {
         paintGrid();
+        scene.furnishing().tapes().forEach(this::paintTape);
         scene.walls().forEach(this::paintWall);
+        scene.furnishing().lamps().forEach(this::paintLamp);
         scene.bystanders().forEach(this::paintBystander);
         List<RobotGlyph> robots = scene.robots().stream()
                 .map(robot -> new RobotGlyph(robot, view))
@@ -63,6 +72,30 @@ final class MapPainter {
         g.setStroke(WALL);
         g.setColor(Palette.mixed(0.65));
         g.draw(new Line2D.Double(view.x(wall.x1()), view.y(wall.y1()), view.x(wall.x2()), view.y(wall.y2())));
+    }
+
+    private void paintTape(Tape tape) {
+        double width = Math.max(LEAST_TAPE_PX, TAPE_MM * view.pixelsPerMm());
+        g.setStroke(new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.setColor(Palette.mixed(0.4));
+        g.draw(new Line2D.Double(view.x(tape.x1()), view.y(tape.y1()), view.x(tape.x2()), view.y(tape.y2())));
+    }
+
+    /** As large in every scale, for nobody bumps into it. */
+    private void paintLamp(Lamp lamp) {
+        double x = view.x(lamp.x());
+        double y = view.y(lamp.y());
+        Ellipse2D bulb = new Ellipse2D.Double(x - LAMP_PX, y - LAMP_PX, 2 * LAMP_PX, 2 * LAMP_PX);
+        g.setColor(SHINE);
+        g.fill(bulb);
+        g.setStroke(THIN);
+        g.setColor(Palette.mixed(0.65));
+        g.draw(bulb);
+        for (int ray = 0; ray < 8; ray++) {
+            double right = LAMP_PX * Math.cos(ray * Math.PI / 4);
+            double down = LAMP_PX * Math.sin(ray * Math.PI / 4);
+            g.draw(new Line2D.Double(x + 1.5 * right, y + 1.5 * down, x + 2.1 * right, y + 2.1 * down));
+        }
     }
 
     private void paintBystander(MapScene.Bystander bystander) {

@@ -1,6 +1,7 @@
 package majic.gui;
 
 import java.util.List;
+import majic.bot.LabAccess.Furnishing;
 import majic.bot.LabAccess.Wall;
 import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
@@ -9,12 +10,18 @@ import org.jspecify.annotations.Nullable;
  * All that the team map shows at one moment, in the room's frame: x to the right, y up, mm. Immutable.
  *
  * @param walls the lab's walls and sides of boxes; empty without a lab
+ * @param furnishing the tape and the lamps of the lab
  * @param robots by number
  * @param bystanders robots that stand in the lab but are not in the team
  * @param startsAreGuessed whether some robot's start is unknown, so that it is drawn beside the others
  */
-record MapScene(List<Wall> walls, List<Robot> robots, List<Bystander> bystanders, boolean startsAreGuessed) {
-    static final MapScene EMPTY = new MapScene(List.of(), List.of(), List.of(), false);
+record MapScene(
+        List<Wall> walls,
+        Furnishing furnishing,
+        List<Robot> robots,
+        List<Bystander> bystanders,
+        boolean startsAreGuessed) {
+    static final MapScene EMPTY = new MapScene(List.of(), Furnishing.NONE, List.of(), List.of(), false);
 
     MapScene {
         walls = List.copyOf(walls);

@@ -6,6 +6,9 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import majic.bot.LabAccess.Furnishing;
+import majic.bot.LabAccess.Lamp;
+import majic.bot.LabAccess.Tape;
 import majic.bot.LabAccess.Wall;
 import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
@@ -41,6 +44,17 @@ class MapPaintTest {
     }
 
     @Test
+    void tapeAndLampsOfTheRoomAreDrawn() {
+        Furnishing furnishing = new Furnishing(List.of(new Tape(500, 500, 2500, 500)), List.of(new Lamp(1500, 2500)));
+        MapScene furnished = new MapScene(room(), furnishing, List.of(), List.of(), false);
+
+        BufferedImage image = paint(furnished);
+
+        assertThat(new Color(pixel(image, 1500, 2500))).isEqualTo(new Color(0xFFC107));
+        assertThat(pixel(image, 1700, 500)).isNotEqualTo(pixel(paint(scene()), 1700, 500));
+    }
+
+    @Test
     void anEmptyMapHasAScale() {
         BufferedImage image = paint(MapScene.EMPTY);
         int ink = 0;
@@ -50,8 +64,13 @@ class MapPaintTest {
         assertThat(ink).isGreaterThan(40);
     }
 
+    private int pixel(BufferedImage image, double xMm, double yMm) {
+        return image.getRGB(
+                (int) Math.floor(map.view().x(xMm)), (int) Math.floor(map.view().y(yMm)));
+    }
+
     private static MapScene scene(MapScene.Robot... robots) {
-        return new MapScene(room(), List.of(robots), List.of(), false);
+        return new MapScene(room(), Furnishing.NONE, List.of(robots), List.of(), false);
     }
 
     private static List<Wall> room() {

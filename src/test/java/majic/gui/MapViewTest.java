@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.geom.Point2D;
 import java.util.List;
+import majic.bot.LabAccess.Furnishing;
 import majic.bot.LabAccess.Wall;
 import majic.panel.Lengths;
 import org.junit.jupiter.api.Test;
@@ -41,7 +42,8 @@ class MapViewTest {
 
     @Test
     void theExtentOfARoomIsTheRoomAndAMargin() {
-        MapScene scene = new MapScene(List.of(new Wall(0, 0, 4000, 3000)), List.of(), List.of(), false);
+        MapScene scene =
+                new MapScene(List.of(new Wall(0, 0, 4000, 3000)), Furnishing.NONE, List.of(), List.of(), false);
         assertThat(Extent.of(scene)).isEqualTo(new Extent(-200, -200, 4200, 3200));
     }
 
