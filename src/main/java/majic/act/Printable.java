@@ -3,13 +3,18 @@ package majic.act;
 import java.util.regex.Pattern;
 
 /** Makes texts out of files safe to show: no line ends, no control characters, nothing that turns the writing round. */
-final class Printable {
+public final class Printable {
     private static final Pattern UNSEEN = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Zl}\\p{Zp}]");
 
     private Printable() {}
 
-    /** The text with a question mark for each character that cannot be seen. */
-    static String of(String text) {
+    /**
+     * A text of which everything can be seen.
+     *
+     * @param text anything
+     * @return it with a question mark for each character that cannot be seen
+     */
+    public static String of(String text) {
         return UNSEEN.matcher(text).replaceAll("?");
     }
 

@@ -19,7 +19,6 @@ import majic.bot.Order;
 
 /** Runs behaviours on the robots of a session: finds them, sees that robots and roles fit, ends them. Thread-safe. */
 final class Behaviours {
-    private static final String SCRIPT = ".majic";
     private static final int SHORTEST_HASH = 8;
 
     private final Session session;
@@ -100,7 +99,8 @@ final class Behaviours {
     List<String> list() {
         List<String> names = acts.names();
         return names.isEmpty()
-                ? List.of("acts: none; \"1 act FILE\" takes any file that ends in " + Acts.ENDING + " or " + SCRIPT)
+                ? List.of("acts: none; \"1 act FILE\" takes any file that ends in " + Acts.ENDING + " or "
+                        + ScriptAct.ENDING)
                 : names.stream().map(this::listed).toList();
     }
 
@@ -176,12 +176,12 @@ final class Behaviours {
 
     private Found find(Literal name) {
         String text = SessionCheck.text(name);
-        return text.endsWith(SCRIPT) ? script(SessionCheck.path(name)) : file(text);
+        return text.endsWith(ScriptAct.ENDING) ? script(SessionCheck.path(name)) : file(text);
     }
 
     private static Found script(Path path) {
         ScriptAct act = ScriptAct.read(path);
-        String name = act.title().substring(0, act.title().length() - SCRIPT.length());
+        String name = act.title().substring(0, act.title().length() - ScriptAct.ENDING.length());
         return new Found(name, act.roles(), () -> act);
     }
 

@@ -18,6 +18,9 @@ import org.jspecify.annotations.Nullable;
  * a role, {@code me} the robot it runs on; without a {@code me} that is the robot named first.
  */
 public final class ScriptAct extends MajicAct {
+    /** How files with scripts end. */
+    public static final String ENDING = ".majic";
+
     private static final long serialVersionUID = 1;
 
     private final String title;

@@ -37,6 +37,7 @@ public final class Session {
     private final Object saying = new Object();
     private final StopCount stops = new StopCount();
     private final Behaviours behaviours;
+    private final ActOffers offers;
     private final Comings comings;
     private final SessionRecord sessionRecord;
     private final ParameterLog parameterLog = new ParameterLog();
@@ -57,6 +58,7 @@ public final class Session {
         this.log = log;
         this.quit = quit;
         this.behaviours = new Behaviours(this, acts);
+        this.offers = new ActOffers(this, acts);
         this.comings = new Comings(this);
         this.sessionRecord = new SessionRecord(team);
         this.sampling = new Sampling(parameterLog, team.time(), notice -> say(Line.Kind.NOTICE, notice));
@@ -88,6 +90,15 @@ public final class Session {
      */
     public SessionLog log() {
         return log;
+    }
+
+    /**
+     * The behaviours a person can choose from.
+     *
+     * @return for windows; the script finds them by itself
+     */
+    public ActOffers offers() {
+        return offers;
     }
 
     /**

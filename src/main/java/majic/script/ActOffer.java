@@ -1,0 +1,39 @@
+package majic.script;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import majic.act.ActDetails;
+import majic.act.ActFile;
+import majic.act.Role;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A behaviour that could be given to a robot, and what can be told of it before any of its code is loaded. Immutable.
+ *
+ * @param called what a line calls it: its name, or the path of its file
+ * @param details what its author says of it
+ * @param roles the robots it asks for, the one it is loaded onto first
+ * @param file the act's file; null for a script
+ */
+public record ActOffer(
+        String called,
+        ActDetails details,
+        List<Role> roles,
+        @Nullable ActFile file) {
+    /** Keeps a copy of the roles. */
+    public ActOffer {
+        roles = List.copyOf(roles);
+    }
+
+    /**
+     * The line that gives it to a robot.
+     *
+     * @param me the number of the robot it is loaded onto
+     * @param others the numbers of the further robots, in the order of the roles
+     * @return for instance {@code 1 act Convoy with 2,3}
+     */
+    public String line(int me, List<Integer> others) {
+        String with = others.stream().map(String::valueOf).collect(Collectors.joining(","));
+        return me + " act " + SessionRecord.quoted(called) + (with.isEmpty() ? "" : " with " + with);
+    }
+}

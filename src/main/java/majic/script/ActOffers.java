@@ -1,0 +1,87 @@
+package majic.script;
+
+import java.nio.file.Path;
+import java.util.List;
+import majic.act.ActDetails;
+import majic.act.ActFile;
+import majic.act.Acts;
+import majic.bot.BotException;
+
+/**
+ * The behaviours a person can choose from, and the consent to their code. Everything here reads files and may wait;
+ * nothing here loads any of an act's code.
+ */
+public final class ActOffers {
+    private final Session session;
+    private final Acts acts;
+
+    ActOffers(Session session, Acts acts) {
+        this.session = session;
+        this.acts = acts;
+    }
+
+    /**
+     * The behaviours that need no path.
+     *
+     * @return their names, sorted
+     * @throws BotException if the user's folder cannot be read
+     */
+    public List<String> names() {
+        return acts.names();
+    }
+
+    /**
+     * Where the user's own behaviours lie.
+     *
+     * @return a folder that need not exist
+     */
+    public Path folder() {
+        return acts.folder();
+    }
+
+    /**
+     * Reads what a behaviour says of itself.
+     *
+     * @param called its name, or the path of an act's file or of a script
+     * @return what it is
+     * @throws BotException if there is none, or it cannot be a behaviour; a script's mistakes are a line each
+     */
+    public ActOffer find(String called) {
+        if (called.contains("\"")) {
+            throw new BotException(called + ": a file whose name has a quotation mark in it cannot be used here");
+        }
+        if (called.endsWith(ScriptAct.ENDING)) {
+            Path path = Path.of(called);
+            String name = String.valueOf(path.getFileName()).replace(ScriptAct.ENDING, "");
+            ActDetails details = new ActDetails(name, "", "", "A script.");
+            return new ActOffer(called, details, ScriptAct.read(path).roles(), null);
+        }
+        ActFile file = acts.find(called);
+        return new ActOffer(called, file.details(), file.roles(), file);
+    }
+
+    /**
+     * Whether the person has to agree to its code before it can be loaded.
+     *
+     * @param offer the behaviour
+     * @return false for scripts, for what came with MAJIC, and after {@link #agree}
+     */
+    public boolean needsConsent(ActOffer offer) {
+        ActFile file = offer.file();
+        return file != null && !acts.trust().isTrusted(file);
+    }
+
+    /**
+     * The person has seen what it brings and agrees to its code, now and later. The session log keeps that.
+     *
+     * @param offer the behaviour; a script needs no consent
+     * @throws BotException if that could not be written down; it then holds until the program ends
+     */
+    public void agree(ActOffer offer) {
+        ActFile file = offer.file();
+        if (file != null) {
+            session.say(Line.Kind.NOTICE, "trust " + offer.called() + ": agreed to its code, SHA-256 " + file.sha256());
+            acts.trust().agree(file);
+        }
+    }
+}
