@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
-import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -32,20 +31,20 @@ final class BotPanel extends JPanel {
      * A panel for a robot; it listens until {@link #close()}.
      *
      * @param changed told, at most ten times a second, that the robot has news
-     * @param complain takes sentences for the person, from any thread
+     * @param voice how robots and people are spoken to
      */
-    BotPanel(Team team, Member member, Runnable changed, Consumer<String> complain) {
+    BotPanel(Team team, Member member, Runnable changed, Voice voice) {
         super(new BorderLayout());
         this.member = member;
         setName("bot" + member.number());
-        strip = new StatusStrip(member, () -> team.stop(List.of(member), null), complain);
+        strip = new StatusStrip(member, () -> team.stop(List.of(member), null), voice);
         pacer = new Pacer(() -> {
             strip.update();
             changed.run();
         });
         add(strip, BorderLayout.NORTH);
         add(display(), BorderLayout.CENTER);
-        add(new DrivePad(member, complain), BorderLayout.SOUTH);
+        add(new DrivePad(member, voice::complain), BorderLayout.SOUTH);
         member.bot().addListener(news);
     }
 

@@ -33,6 +33,12 @@ final class BotStatus {
         };
     }
 
+    /** Whether a behaviour has it. */
+    static boolean isInAct(Member member) {
+        Owner owner = member.owner();
+        return owner != null && owner.kind() == Owner.Kind.ACT;
+    }
+
     /** Where it believes it is. */
     static String pose(Member member) {
         BotState state = member.bot().state();

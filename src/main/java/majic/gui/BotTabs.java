@@ -2,7 +2,6 @@ package majic.gui;
 
 import java.awt.CardLayout;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -19,18 +18,18 @@ final class BotTabs extends JPanel implements TeamListener {
     private static final String SOMEBODY = "somebody";
 
     private final transient Team team;
-    private final transient Consumer<String> complain;
+    private final transient Voice voice;
     private final CardLayout cards = new CardLayout();
     private final JTabbedPane tabs = new JTabbedPane();
 
     /**
      * Tabs for the robots that are there already; later ones come as news.
      *
-     * @param complain takes sentences for the person, from any thread
+     * @param voice how robots and people are spoken to
      */
-    BotTabs(Team team, Consumer<String> complain) {
+    BotTabs(Team team, Voice voice) {
         this.team = team;
-        this.complain = complain;
+        this.voice = voice;
         setLayout(cards);
         tabs.setName("bots");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
@@ -69,8 +68,8 @@ final class BotTabs extends JPanel implements TeamListener {
         int place = (int) IntStream.range(0, tabs.getTabCount())
                 .filter(index -> panel(index).member().number() < member.number())
                 .count();
-        BotPanel panel = new BotPanel(team, member, () -> showCondition(member), complain);
-        tabs.insertTab("" + member.number(), StateIcon.of(member.bot()), panel, tip(member), place);
+        BotPanel panel = new BotPanel(team, member, () -> showCondition(member), voice);
+        tabs.insertTab("" + member.number(), TabIcon.of(member), panel, tip(member), place);
         cards.show(this, SOMEBODY);
     }
 
@@ -97,12 +96,15 @@ final class BotTabs extends JPanel implements TeamListener {
     private void showCondition(Member member) {
         int index = panelAt(member);
         if (index >= 0) {
-            tabs.setIconAt(index, StateIcon.of(member.bot()));
+            tabs.setIconAt(index, TabIcon.of(member));
+            tabs.setToolTipTextAt(index, tip(member));
         }
     }
 
     private static String tip(Member member) {
-        return member.bot().type().label() + " (" + member.bot().type().make() + ")";
+        String make = member.bot().type().label() + " (" + member.bot().type().make() + ")";
+        String owner = BotStatus.owner(member);
+        return owner.isEmpty() ? make : make + ", " + owner;
     }
 
     private BotPanel panel(int index) {

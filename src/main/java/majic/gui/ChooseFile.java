@@ -6,10 +6,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
+import javax.swing.filechooser.FileFilter;
+import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** Asks for a file without holding up the window. */
 final class ChooseFile extends MajicDialog {
     private static final long serialVersionUID = 1L;
+
+    /** What Load Act takes. */
+    static final FileFilter ACTS = new FileNameExtensionFilter("Behaviours and scripts (.act, .majic)", "act", "majic");
+
+    private static final FileFilter SOURCES = new FileNameExtensionFilter(
+            "Classes, jars, sources and scripts (.class, .jar, .java, .majic)", "class", "jar", "java", "majic");
 
     private final JFileChooser chooser = new JFileChooser();
     private final transient Consumer<Path> chosen;
@@ -27,8 +35,18 @@ final class ChooseFile extends MajicDialog {
     }
 
     /** Asks which file to open; the title is on the button too. */
-    static void toOpen(Window owner, String title, Consumer<Path> chosen) {
-        new ChooseFile(owner, title, JFileChooser.OPEN_DIALOG, chosen).setVisible(true);
+    static void toOpen(Window owner, String title, FileFilter filter, Consumer<Path> chosen) {
+        ChooseFile dialog = new ChooseFile(owner, title, JFileChooser.OPEN_DIALOG, chosen);
+        dialog.chooser.setFileFilter(filter);
+        dialog.setVisible(true);
+    }
+
+    /** Asks what an act is to be made of; a folder will do. */
+    static void toMakeOf(Window owner, Consumer<Path> chosen) {
+        ChooseFile dialog = new ChooseFile(owner, "Choose", JFileChooser.OPEN_DIALOG, chosen);
+        dialog.chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
+        dialog.chooser.setFileFilter(SOURCES);
+        dialog.setVisible(true);
     }
 
     /** Asks where to save, and again before something is overwritten. */

@@ -8,6 +8,8 @@ final class FrameActions {
     final FrameAction addBot;
     final FrameAction killBot;
     final FrameAction loadAct;
+    final FrameAction endAct;
+    final FrameAction makeAct;
     final FrameAction help;
     final FrameAction saveSession;
     final FrameAction saveLog;
@@ -17,6 +19,10 @@ final class FrameActions {
         addBot = new FrameAction("Add Bot", "add", "Connect a robot", frame::addBot).withKey(KeyEvent.VK_N);
         killBot = new FrameAction("Kill Bot", "kill", "Stop a robot and let it go", frame::removeBot);
         loadAct = new FrameAction("Load Act", "act", "Give a robot a behaviour", frame::loadAct).withKey(KeyEvent.VK_L);
+        endAct = new FrameAction(
+                        "End Act", "kill", "End the behaviour of the robot whose tab is in front", frame::endAct)
+                .withKey(KeyEvent.VK_E);
+        makeAct = new FrameAction("Make Act…", "act", "Make a behaviour's file of Java or a script", dialogs::makeAct);
         help = new FrameAction("Help", "help", "Commands, parameters and keys", dialogs::help);
         saveSession = new FrameAction("Save Session", "session", "Save what was done as a script", dialogs::saveSession)
                 .withKey(KeyEvent.VK_S);

@@ -15,12 +15,14 @@ final class FrameDialogs {
     private final Session session;
     private final Surroundings surroundings;
     private final BotTabs tabs;
+    private final ActLoader loader;
 
-    FrameDialogs(MajicFrame frame, Session session, Surroundings surroundings, BotTabs tabs) {
+    FrameDialogs(MajicFrame frame, Session session, Surroundings surroundings, BotTabs tabs, Voice voice) {
         this.frame = frame;
         this.session = session;
         this.surroundings = surroundings;
         this.tabs = tabs;
+        this.loader = new ActLoader(frame, session, voice);
     }
 
     void addBot() {
@@ -33,8 +35,11 @@ final class FrameDialogs {
     }
 
     void loadAct() {
-        withRobots(
-                members -> open("Load Act", () -> new LoadActDialog(frame, members, tabs.selected(), this::chooseAct)));
+        withRobots(members -> open("Load Act", () -> new LoadActDialog(frame, members, tabs.selected(), loader::load)));
+    }
+
+    void makeAct() {
+        open("Make Act", () -> new MakeActDialog(frame, session.offers()));
     }
 
     void help() {
@@ -47,10 +52,6 @@ final class FrameDialogs {
 
     void saveLog() {
         ChooseFile.toSave(frame, "Save Log", "log.csv", file -> say("save log ", file));
-    }
-
-    private void chooseAct(Member member) {
-        ChooseFile.toOpen(frame, "Load Act", file -> say(member.number() + " act ", file));
     }
 
     /** The script language has no way to write a quotation mark inside a name. */

@@ -16,7 +16,8 @@ final class FrameMenu extends JMenuBar {
 
     FrameMenu(MajicFrame frame, FrameActions actions) {
         add(menu("File", 'F', actions.saveSession, actions.saveLog, null, actions.killMajic));
-        add(menu("Robot", 'R', actions.addBot, actions.killBot, actions.loadAct));
+        add(menu("Robot", 'R', actions.addBot, actions.killBot));
+        add(menu("Act", 'A', actions.loadAct, actions.endAct, null, actions.makeAct));
         add(lab(frame));
         add(view(frame));
         add(menu("Help", 'H', actions.help));

@@ -15,9 +15,9 @@ final class LoadActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private final MemberChoice choice;
-    private final transient Consumer<Member> load;
+    private final transient Consumer<LoadTarget> load;
 
-    LoadActDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<Member> load) {
+    LoadActDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<LoadTarget> load) {
         super(owner, "Load Act");
         this.load = load;
         choice = new MemberChoice(members, current);
@@ -29,17 +29,17 @@ final class LoadActDialog extends MajicDialog {
     }
 
     private void chosen() {
-        Member member = choice.chosen();
-        String owner = BotStatus.owner(member);
+        LoadTarget target = LoadTarget.of(choice.chosen());
         dispose();
-        if (owner.isEmpty()) {
-            load.accept(member);
+        if (target.ends() == null) {
+            load.accept(target);
         } else {
-            Confirm.ask(
-                    getOwner(),
-                    "Robot " + member.number() + " is " + owner + ". End that and load another act?",
-                    "Yes",
-                    () -> load.accept(member));
+            Confirm.ask(getOwner(), question(target.member()), "Yes", () -> load.accept(target));
         }
+    }
+
+    private static String question(Member member) {
+        return "<html>Robot " + member.number() + " is " + Html.escaped(BotStatus.owner(member))
+                + ". End that and load another behaviour?<br>It goes on until the new one starts.";
     }
 }

@@ -36,6 +36,7 @@ public final class MajicFrame extends JFrame {
     private final transient StopKeys stopKeys;
     private final transient MapFeed mapFeed;
     private final transient FrameDialogs dialogs;
+    private final transient Voice voice = new Spoken();
     private final TeamMap map = new TeamMap();
     private final BotTabs tabs;
     private final CommandPane commands;
@@ -54,8 +55,8 @@ public final class MajicFrame extends JFrame {
         this.parser = parser;
         this.surroundings = surroundings;
         commands = new CommandPane(parser);
-        tabs = new BotTabs(session.team(), this::complain);
-        dialogs = new FrameDialogs(this, session, surroundings, tabs);
+        tabs = new BotTabs(session.team(), voice);
+        dialogs = new FrameDialogs(this, session, surroundings, tabs, voice);
         mapFeed = new MapFeed(session.team(), session.factory(), map::show);
         stopKeys = new StopKeys(session.team()::stopAll);
         place();
@@ -192,6 +193,14 @@ public final class MajicFrame extends JFrame {
         Looks.change(dark, surroundings.settings());
     }
 
+    /** Ends the behaviour of the robot whose tab is in front; says so if there is none. */
+    void endAct() {
+        tabs.selected()
+                .ifPresentOrElse(
+                        member -> voice.say(member.number() + " act off"),
+                        () -> complain("There are no robots yet; Add Bot connects one."));
+    }
+
     /** Gives a line as if it had been typed; what becomes of it is shown among the messages. */
     void say(String line) {
         parser.parseText(line);
@@ -210,6 +219,19 @@ public final class MajicFrame extends JFrame {
     void complain(String sentence) {
         session.log().write("error", sentence);
         commands.messages().line(new Line(Line.Kind.ERROR, sentence));
+    }
+
+    /** What parts of the window say. */
+    private final class Spoken implements Voice {
+        @Override
+        public void say(String lines) {
+            Edt.background("giving a line", () -> MajicFrame.this.say(lines));
+        }
+
+        @Override
+        public void complain(String sentence) {
+            MajicFrame.this.complain(sentence);
+        }
     }
 
     /** The focus is on the command line from the start, and comes back there when its place is gone. */

@@ -1,7 +1,6 @@
 package majic.gui;
 
 import java.awt.Container;
-import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -10,20 +9,22 @@ import majic.bot.MajicBot;
 import majic.bot.Member;
 import net.miginfocom.swing.MigLayout;
 
-/** One robot's make, condition, owner and place in three lines, with the buttons that stop and reconnect it. */
+/** One robot's make, condition, owner and place in three lines, with the buttons that stop and reconnect it, and its act. */
 final class StatusStrip extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient Member member;
-    private final transient Consumer<String> complain;
+    private final transient Voice voice;
     private final JLabel condition = new JLabel();
     private final JLabel pose = new JLabel();
+    private final ActBar act;
     private final JButton reconnect = new JButton("Reconnect");
 
-    StatusStrip(Member member, Runnable stop, Consumer<String> complain) {
-        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][]", "[][][]"));
+    StatusStrip(Member member, Runnable stop, Voice voice) {
+        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][]", "[][][][]"));
         this.member = member;
-        this.complain = complain;
+        this.voice = voice;
+        act = new ActBar(member, () -> voice.say(member.number() + " act off"));
         condition.setName("condition" + member.number());
         pose.setName("pose" + member.number());
         JLabel title = new JLabel(member.number() + "  " + member.bot().type().make());
@@ -37,13 +38,15 @@ final class StatusStrip extends JPanel {
         add(reconnect);
         add(stopIt, "wrap");
         add(condition, "spanx 3, wmin 0, wrap");
-        add(pose, "spanx 3, wmin 0");
+        add(pose, "spanx 3, wmin 0, wrap");
+        add(act, "spanx 3, growx, wmin 0, gaptop 4");
         update();
     }
 
     /** Shows what the robot's published state says now. */
     void update() {
-        String owner = BotStatus.owner(member);
+        act.update();
+        String owner = act.isVisible() ? "" : BotStatus.owner(member);
         condition.setIcon(StateIcon.of(member.bot()));
         condition.setText(BotStatus.condition(member) + (owner.isEmpty() ? "" : ", " + owner));
         pose.setText(BotStatus.pose(member));
@@ -58,7 +61,7 @@ final class StatusStrip extends JPanel {
                 member.bot().connect();
             } catch (BotException e) {
                 String problem = String.valueOf(e.getMessage());
-                complain.accept(member.number() + ": " + member.bot().type().adviceAfter(problem));
+                voice.complain(member.number() + ": " + member.bot().type().adviceAfter(problem));
             } finally {
                 Edt.later(() -> reconnect.setEnabled(true));
             }

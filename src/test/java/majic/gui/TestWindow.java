@@ -11,8 +11,12 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
+import javax.swing.ListModel;
 import javax.swing.text.JTextComponent;
+import majic.act.Acts;
 import majic.act.NoActs;
 import majic.bot.BotFactory;
 import majic.bot.BotType;
@@ -38,13 +42,15 @@ final class TestWindow implements AutoCloseable {
     final BotFactory factory = new BotFactory(List.of(type), settings);
     final Team team = new Team(TimeSource.system());
     final AtomicInteger quits = new AtomicInteger();
-    final Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), quits::incrementAndGet);
-    final MajicParser parser = new MajicParser(session, true);
+    final Session session;
+    final MajicParser parser;
     final MajicFrame frame;
     private final Robot robot;
     private final EdtGuard guard = EdtGuard.install();
 
-    private TestWindow() {
+    private TestWindow(Acts acts) {
+        session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
+        parser = new MajicParser(session, true);
         robot = BasicRobot.robotWithNewAwtHierarchy();
         robot.settings().delayBetweenEvents(20);
         frame = GuiActionRunner.execute(this::makeFrame);
@@ -53,7 +59,12 @@ final class TestWindow implements AutoCloseable {
     }
 
     static TestWindow open() {
-        return new TestWindow();
+        return new TestWindow(NoActs.here());
+    }
+
+    /** With behaviours of the user's own. */
+    static TestWindow open(Acts acts) {
+        return new TestWindow(acts);
     }
 
     private MajicFrame makeFrame() {
@@ -141,6 +152,13 @@ final class TestWindow implements AutoCloseable {
         robot.waitForIdle();
     }
 
+    void pressWithCtrl(int keyCode) {
+        robot.pressKey(KeyEvent.VK_CONTROL);
+        press(keyCode);
+        robot.releaseKey(KeyEvent.VK_CONTROL);
+        robot.waitForIdle();
+    }
+
     void hold(int keyCode) {
         robot.pressKey(keyCode);
     }
@@ -166,6 +184,32 @@ final class TestWindow implements AutoCloseable {
     void run(Runnable action) {
         GuiActionRunner.execute(action::run);
         robot.waitForIdle();
+    }
+
+    /** Selects in a list what reads so, once it is there. */
+    void select(String list, String item) {
+        ListModel<?> model = awaitShowing(list, JList.class).getModel();
+        await(item + " in the list", () -> indexOf(model, item) >= 0);
+        run(() -> find(list, JList.class).setSelectedIndex(indexOf(model, item)));
+    }
+
+    private static int indexOf(ListModel<?> model, String item) {
+        return IntStream.range(0, model.getSize())
+                .filter(index -> model.getElementAt(index).toString().equals(item))
+                .findFirst()
+                .orElse(-1);
+    }
+
+    void write(String field, String text) {
+        JTextField component = awaitShowing(field, JTextField.class);
+        run(() -> {
+            component.setText(text);
+            component.postActionEvent();
+        });
+    }
+
+    boolean isEnabled(String name) {
+        return GuiActionRunner.execute(find(name, Component.class)::isEnabled);
     }
 
     void awaitMessage(String part) {

@@ -1,0 +1,108 @@
+package majic.gui;
+
+import java.awt.Color;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.Timer;
+import javax.swing.UIManager;
+import majic.bot.Member;
+import majic.bot.Owner;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+
+/** The behaviour that runs on a robot: its name, its time, what it said last, and the button that ends it. */
+final class ActBar extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int TICK_MS = 200;
+    private static final int ARC = 12;
+
+    private final transient Member member;
+    private final JLabel name;
+    private final JLabel time = new JLabel();
+    private final JLabel said;
+    private final Timer tick = new Timer(TICK_MS, event -> update());
+    private transient @Nullable Owner act;
+    private long beganNanos;
+
+    /**
+     * A bar that is not to be seen until an act runs.
+     *
+     * @param end ends the act
+     */
+    ActBar(Member member, Runnable end) {
+        super(new MigLayout("insets 6 10 6 8, gap 10 0", "[][grow, fill][]", "[][]"));
+        this.member = member;
+        setOpaque(false);
+        name = new PlainLabel("act" + member.number(), "");
+        name.putClientProperty("FlatLaf.style", "font: bold");
+        time.setName("actTime" + member.number());
+        time.setToolTipText("How long it has run, on the clock of the robot");
+        said = new PlainLabel("actSaid" + member.number(), "");
+        JButton off = new JButton("End act");
+        off.setName("endAct" + member.number());
+        off.setToolTipText("Ends the behaviour; its robots stand");
+        off.setFocusable(false);
+        off.addActionListener(event -> end.run());
+        add(name, "wmin 40");
+        add(time);
+        add(off, "spany 2, aligny center, wrap");
+        add(said, "spanx 2, growx, wmin 0");
+        setVisible(false);
+    }
+
+    /** Shows what runs now. */
+    void update() {
+        Owner owner = member.owner();
+        if (owner == null || !BotStatus.isInAct(member)) {
+            act = null;
+            tick.stop();
+            setVisible(false);
+            return;
+        }
+        if (owner != act) {
+            act = owner;
+            beganNanos = member.time().nanos();
+            tick.start();
+        }
+        show(owner);
+    }
+
+    private void show(Owner owner) {
+        name.setText(owner.name());
+        time.setText(clock(member.time().secondsSince(beganNanos)));
+        time.setForeground(Palette.faint());
+        said.setText(owner.said().isEmpty() ? " " : owner.said());
+        said.setToolTipText(owner.said().isEmpty() ? null : "<html>" + Html.escaped(owner.said()));
+        setVisible(true);
+    }
+
+    /** Minutes and seconds: {@code 02:05}. */
+    static String clock(double seconds) {
+        long whole = (long) seconds;
+        long minutes = TimeUnit.SECONDS.toMinutes(whole);
+        return String.format(Locale.ROOT, "%02d:%02d", minutes, whole - TimeUnit.MINUTES.toSeconds(minutes));
+    }
+
+    @Override
+    public void removeNotify() {
+        tick.stop();
+        super.removeNotify();
+    }
+
+    /** A tinted plate, so that one sees from afar that something runs. */
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        Color accent = UIManager.getColor("Component.accentColor");
+        g.setColor(new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), 40));
+        g.fillRoundRect(0, 0, getWidth(), getHeight(), ARC, ARC);
+        g.dispose();
+    }
+}

@@ -1,0 +1,85 @@
+package majic.gui;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import majic.act.ActDetails;
+import majic.act.Role;
+import majic.bot.BotException;
+import majic.bot.Member;
+import majic.script.ActOffer;
+import majic.script.ActOffers;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A behaviour in a list to choose from.
+ *
+ * @param name what the list calls it
+ * @param offer the behaviour; null if it cannot be one
+ * @param note whether there is code in it and who vouches for it, or what is wrong with the file
+ */
+record ActEntry(String name, @Nullable ActOffer offer, String note) {
+    /** Reads what is called so; may wait. */
+    static ActEntry read(ActOffers offers, String called) {
+        try {
+            ActOffer offer = offers.find(called);
+            return new ActEntry(offer.details().name(), offer, note(offers, offer));
+        } catch (BotException e) {
+            return new ActEntry(called, null, String.valueOf(e.getMessage()));
+        }
+    }
+
+    /** Reads all that need no path; may wait. */
+    static List<ActEntry> readAll(ActOffers offers) {
+        List<ActEntry> entries = new ArrayList<>();
+        offers.names().forEach(name -> entries.add(read(offers, name)));
+        return entries;
+    }
+
+    private static String note(ActOffers offers, ActOffer offer) {
+        if (offers.needsConsent(offer)) {
+            return "It brings code that nobody here has agreed to run yet; you will be asked.";
+        }
+        if (offer.file() == null || !offer.file().carriesCode()) {
+            return "It is data only and brings no code.";
+        }
+        return offer.file().isShipped() ? "It comes with MAJIC." : "You have agreed to its code.";
+    }
+
+    /** Why a robot cannot run it, as sentences; empty if it can. */
+    Optional<String> unfit(Member member) {
+        return offer == null ? Optional.of(note) : RoleFit.unfit(offer.roles().get(0), member);
+    }
+
+    /** Version and author, where they are said. */
+    String origin() {
+        if (offer == null) {
+            return "";
+        }
+        ActDetails details = offer.details();
+        String version = details.version().isEmpty() ? "" : "version " + details.version();
+        String author = details.author().isEmpty() ? "" : "by " + details.author();
+        return (version + " " + author).strip();
+    }
+
+    /** What it is for and which robots it takes. */
+    String description() {
+        if (offer == null) {
+            return "";
+        }
+        List<String> lines = new ArrayList<>();
+        if (!offer.details().description().isEmpty()) {
+            lines.add(offer.details().description() + "\n");
+        }
+        for (Role role : offer.roles()) {
+            lines.add((role.name().equals(Role.ME) ? "Runs on: " : "Further robot, " + role.name() + ": ")
+                    + RoleFit.wanted(role));
+        }
+        return String.join("\n", lines);
+    }
+
+    @Override
+    public String toString() {
+        return name;
+    }
+}

@@ -1,0 +1,66 @@
+package majic.gui;
+
+import java.awt.Window;
+import java.util.List;
+import majic.act.ActFile;
+import majic.bot.BotException;
+import majic.script.ActOffer;
+import majic.script.ActOffers;
+import majic.script.Session;
+
+/**
+ * Leads a behaviour onto a robot: which one, consent to its code, further robots, and at last the line that gives it. Until
+ * that line nothing is changed, and nothing of the behaviour's code is loaded.
+ */
+final class ActLoader {
+    private final Window owner;
+    private final Session session;
+    private final Voice voice;
+
+    ActLoader(Window owner, Session session, Voice voice) {
+        this.owner = owner;
+        this.session = session;
+        this.voice = voice;
+    }
+
+    /** Begins by choosing the behaviour. */
+    void load(LoadTarget target) {
+        new ChooseActDialog(owner, session.offers(), target, offer -> askConsent(target, offer)).setVisible(true);
+    }
+
+    private void askConsent(LoadTarget target, ActOffer offer) {
+        ActOffers offers = session.offers();
+        ActFile file = offer.file();
+        if (file == null || !offers.needsConsent(offer)) {
+            askRoles(target, offer);
+            return;
+        }
+        new TrustDialog(owner, file, () -> agree(target, offer)).setVisible(true);
+    }
+
+    /** Writing the consent down may wait; where it cannot be kept, it holds until the program ends. */
+    private void agree(LoadTarget target, ActOffer offer) {
+        Edt.background("agreeing to " + offer.called(), () -> {
+            try {
+                session.offers().agree(offer);
+            } catch (BotException e) {
+                voice.complain(String.valueOf(e.getMessage()));
+            }
+            Edt.later(() -> askRoles(target, offer));
+        });
+    }
+
+    private void askRoles(LoadTarget target, ActOffer offer) {
+        if (offer.roles().size() == 1) {
+            voice.say(target.lines(offer, List.of()));
+            return;
+        }
+        new RolesDialog(
+                        owner,
+                        offer,
+                        target,
+                        session.team().members(),
+                        others -> voice.say(target.lines(offer, others)))
+                .setVisible(true);
+    }
+}

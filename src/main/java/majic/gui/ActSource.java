@@ -1,0 +1,76 @@
+package majic.gui;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import majic.act.ActDetails;
+import majic.act.ActMaker;
+import majic.act.Acts;
+import majic.bot.BotException;
+import majic.script.ScriptAct;
+
+/** What an act's file can be made of: compiled classes, a jar, a source file, or a script. Its methods may wait. */
+final class ActSource {
+    /** Makes the file of one of its acts. */
+    private interface Making {
+        byte[] make(String act, ActDetails details);
+    }
+
+    private final List<String> acts;
+    private final Making making;
+
+    private ActSource(List<String> acts, Making making) {
+        this.acts = acts;
+        this.making = making;
+    }
+
+    /**
+     * Looks what is there; a source file is compiled.
+     *
+     * @throws BotException if there is no act in it, saying why
+     */
+    static ActSource read(Path path) {
+        if (path.toString().endsWith(ScriptAct.ENDING)) {
+            ScriptAct script = ScriptAct.read(path);
+            String name = String.valueOf(path.getFileName()).replace(ScriptAct.ENDING, "");
+            return new ActSource(List.of(name), (act, details) -> ActMaker.save(script, details));
+        }
+        ActMaker maker = ActMaker.from(path);
+        List<String> acts = maker.acts();
+        return new ActSource(acts.isEmpty() ? List.of(maker.onlyAct()) : acts, maker::make);
+    }
+
+    /** The classes of its acts, or the script's name; at least one. */
+    List<String> acts() {
+        return acts;
+    }
+
+    /**
+     * Makes the file, which for Java runs the constructor of the class once.
+     *
+     * @return what was done, in a sentence
+     * @throws BotException if the act is not suitable, or the file cannot be written
+     */
+    String make(String act, ActDetails details, Path target) {
+        if (!target.toString().endsWith(Acts.ENDING)) {
+            throw new BotException(target + ": a behaviour's file ends in " + Acts.ENDING);
+        }
+        byte[] file = making.make(act, details);
+        try {
+            Path folder = target.toAbsolutePath().getParent();
+            if (folder != null) {
+                Files.createDirectories(folder);
+            }
+            Files.write(target, file);
+        } catch (IOException e) {
+            throw new BotException(target + " cannot be written (" + e.getMessage() + ")", e);
+        }
+        return "Made " + target + ", " + file.length + " bytes. Load Act gives it to a robot.";
+    }
+
+    /** The last part of a class's name, which is what an act is called unless somebody says otherwise. */
+    static String simpleName(String act) {
+        return act.substring(Math.max(act.lastIndexOf('.'), act.lastIndexOf('$')) + 1);
+    }
+}

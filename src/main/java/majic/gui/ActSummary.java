@@ -1,0 +1,52 @@
+package majic.gui;
+
+import java.util.Optional;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+
+/** What a behaviour is, beside the list it is chosen from. */
+final class ActSummary extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final JLabel title = new PlainLabel("actTitle", "");
+    private final JLabel origin = new PlainLabel("actOrigin", "");
+    private final Paragraph description = new Paragraph("actDescription", 6, 34);
+    private final Paragraph note = new Paragraph("actNote", 3, 34);
+
+    ActSummary() {
+        super(new MigLayout("insets 0, gap 0 6, wrap 1, hidemode 3", "[grow, fill]", "[][][grow, fill][]"));
+        title.putClientProperty("FlatLaf.styleClass", "h3");
+        add(title, "wmin 0");
+        add(origin, "wmin 0");
+        add(description, "wmin 0");
+        add(note, "wmin 0");
+    }
+
+    void show(ActEntry entry, Optional<String> unfit) {
+        title.setText(entry.name());
+        origin.setText(entry.origin());
+        origin.setVisible(!entry.origin().isEmpty());
+        origin.setForeground(Palette.faint());
+        description.show(entry.description(), false);
+        note.show(unfit.orElse(entry.note()), unfit.isPresent());
+    }
+
+    /** Something about none of them. */
+    void say(String words) {
+        clear();
+        note.show(words, false);
+    }
+
+    /** What is wrong. */
+    void complain(String words) {
+        clear();
+        note.show(words, true);
+    }
+
+    private void clear() {
+        title.setText("");
+        origin.setText("");
+        description.setText("");
+    }
+}

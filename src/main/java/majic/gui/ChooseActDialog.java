@@ -1,0 +1,117 @@
+package majic.gui;
+
+import java.awt.Window;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ListSelectionModel;
+import majic.bot.BotException;
+import majic.script.ActOffer;
+import majic.script.ActOffers;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+
+/** Chooses the behaviour for a robot: one that needs no path, or a file; says of each what it is and whether it fits. */
+final class ChooseActDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    private final transient ActOffers offers;
+    private final transient LoadTarget target;
+    private final transient Consumer<ActOffer> chosen;
+    private final DefaultListModel<ActEntry> entries = new DefaultListModel<>();
+    private final JList<ActEntry> list = new JList<>(entries);
+    private final ActSummary summary = new ActSummary();
+    private final JButton load = button("Load Action", this::load);
+
+    ChooseActDialog(Window owner, ActOffers offers, LoadTarget target, Consumer<ActOffer> chosen) {
+        super(owner, "Choose Act");
+        this.offers = offers;
+        this.target = target;
+        this.chosen = chosen;
+        fill(content(), load, closing("Cancel"));
+        show(null);
+        readAll();
+    }
+
+    private JPanel content() {
+        list.setName("acts");
+        ((JComponent) list.getCellRenderer()).putClientProperty("html.disable", Boolean.TRUE);
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.addListSelectionListener(event -> show(list.getSelectedValue()));
+        list.addMouseListener(new DoubleClick(load::doClick));
+        JPanel panel = new JPanel(new MigLayout(
+                "insets 0, gap 14 8", "[180:200:, fill][320:360:, grow, fill]", "[][240::, grow, fill][]"));
+        panel.add(
+                new JLabel("A behaviour for robot " + target.member().number() + ", the "
+                        + target.member().bot().type().label()),
+                "spanx 2, wrap");
+        panel.add(new JScrollPane(list));
+        panel.add(summary, "wmin 0, wrap");
+        panel.add(
+                button("From a file…", () -> ChooseFile.toOpen(getOwner(), "Choose", ChooseFile.ACTS, this::readFile)));
+        return panel;
+    }
+
+    private void readAll() {
+        summary.say("Reading the behaviours there are …");
+        Edt.background("reading behaviours", () -> {
+            try {
+                List<ActEntry> all = ActEntry.readAll(offers);
+                Edt.later(() -> fillList(all));
+            } catch (BotException e) {
+                Edt.later(() -> summary.complain(String.valueOf(e.getMessage())));
+            }
+        });
+    }
+
+    private void fillList(List<ActEntry> all) {
+        entries.addAll(all);
+        if (list.isSelectionEmpty()) {
+            summary.say(
+                    all.isEmpty() ? "There are none by name; take one from a file." : "Choose one, or take a file.");
+        }
+    }
+
+    /** A file is looked at like those that have a name, before it is loaded. */
+    private void readFile(Path file) {
+        Edt.background("reading " + file, () -> {
+            ActEntry entry = ActEntry.read(offers, file.toAbsolutePath().toString());
+            Edt.later(() -> showFile(entry));
+        });
+    }
+
+    private void showFile(ActEntry entry) {
+        if (entry.offer() == null) {
+            list.clearSelection();
+            summary.complain(entry.note());
+            return;
+        }
+        entries.add(0, entry);
+        list.setSelectedIndex(0);
+        list.ensureIndexIsVisible(0);
+    }
+
+    private void show(@Nullable ActEntry entry) {
+        Optional<String> unfit = entry == null ? Optional.empty() : entry.unfit(target.member());
+        load.setEnabled(entry != null && unfit.isEmpty());
+        if (entry != null) {
+            summary.show(entry, unfit);
+        }
+    }
+
+    private void load() {
+        ActEntry entry = list.getSelectedValue();
+        if (entry != null && entry.offer() != null) {
+            dispose();
+            chosen.accept(entry.offer());
+        }
+    }
+}

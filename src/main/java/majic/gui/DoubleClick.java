@@ -1,0 +1,20 @@
+package majic.gui;
+
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+
+/** Does something when a place is clicked twice. */
+final class DoubleClick extends MouseAdapter {
+    private final Runnable action;
+
+    DoubleClick(Runnable action) {
+        this.action = action;
+    }
+
+    @Override
+    public void mouseClicked(MouseEvent event) {
+        if (event.getClickCount() == 2) {
+            action.run();
+        }
+    }
+}

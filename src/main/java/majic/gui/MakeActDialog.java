@@ -1,0 +1,171 @@
+package majic.gui;
+
+import java.awt.Window;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import majic.act.ActDetails;
+import majic.act.Acts;
+import majic.bot.BotException;
+import majic.script.ActOffers;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+
+/** Makes an act's file of classes, a jar, a source or a script. All work is done in the background. */
+final class MakeActDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    private final transient ActOffers offers;
+    private final SuggestedField from = new SuggestedField("makeFrom");
+    private final JComboBox<String> act = new JComboBox<>();
+    private final SuggestedField name = new SuggestedField("makeName");
+    private final JTextField version = new JTextField("1.0");
+    private final JTextField author = new JTextField(System.getProperty("user.name", ""));
+    private final JTextField description = new JTextField();
+    private final SuggestedField target = new SuggestedField("makeTarget");
+    private final Paragraph outcome = new Paragraph("makeOutcome", 4, 50);
+    private final JButton make = button("Make", this::make);
+    private transient @Nullable ActSource source;
+    private String looked = "";
+
+    MakeActDialog(Window owner, ActOffers offers) {
+        super(owner, "Make Act");
+        this.offers = offers;
+        act.setName("makeAct");
+        version.setName("makeVersion");
+        author.setName("makeAuthor");
+        description.setName("makeDescription");
+        from.addActionListener(event -> look());
+        from.addFocusListener(new FocusLeft(this::look));
+        act.addActionListener(event -> suggestNames());
+        name.addFocusListener(new FocusLeft(this::suggestTarget));
+        fill(content(), make, closing("Close"));
+        make.setEnabled(false);
+        outcome.show(
+                "Choose what to make it of: a class file, a folder of them, a jar, a single .java source,"
+                        + " a script or a saved session.",
+                false);
+    }
+
+    private JPanel content() {
+        JPanel panel = new JPanel(new MigLayout("insets 0, gap 10 8", "[right][360::, grow, fill][]", ""));
+        row(panel, "Made of", from, button("Choose…", () -> ChooseFile.toMakeOf(getOwner(), this::chosen)));
+        row(panel, "Act", act, null);
+        row(panel, "Name", name, null);
+        row(panel, "Version", version, null);
+        row(panel, "Author", author, null);
+        row(panel, "Description", description, null);
+        row(panel, "File", target, button("Save as…", this::chooseTarget));
+        panel.add(outcome, "skip 1, spanx 2, growx, wmin 0, hmin 72, gaptop 4");
+        return panel;
+    }
+
+    private static void row(JPanel panel, String label, JComponent field, @Nullable JButton choose) {
+        JLabel words = new JLabel(label);
+        words.setLabelFor(field);
+        panel.add(words);
+        panel.add(field, choose == null ? "spanx 2, growx, wmin 0, wrap" : "wmin 0");
+        if (choose != null) {
+            panel.add(choose, "sizegroup c, wrap");
+        }
+    }
+
+    private void chosen(Path file) {
+        from.setText(file.toString());
+        look();
+    }
+
+    private void chooseTarget() {
+        ChooseFile.toSave(getOwner(), "Save as", target.getText(), file -> target.setText(file.toString()));
+    }
+
+    /** Looks what acts there are, whenever another path was named. */
+    private void look() {
+        String path = from.getText().strip();
+        if (path.equals(looked)) {
+            return;
+        }
+        looked = path;
+        source = null;
+        act.removeAllItems();
+        if (path.isEmpty()) {
+            make.setEnabled(false);
+            return;
+        }
+        work("Looking for acts …", () -> {
+            ActSource found = ActSource.read(Path.of(path));
+            return () -> found(path, found);
+        });
+    }
+
+    private void found(String path, ActSource found) {
+        if (path.equals(looked)) {
+            source = found;
+            found.acts().forEach(act::addItem);
+            make.setEnabled(true);
+            outcome.show(found.acts().size() == 1 ? "" : "There are several acts; choose one.", false);
+        }
+    }
+
+    private void suggestNames() {
+        if (act.getSelectedItem() instanceof String chosen) {
+            name.suggest(ActSource.simpleName(chosen));
+            suggestTarget();
+        }
+    }
+
+    private void suggestTarget() {
+        target.suggest(
+                offers.folder().resolve(name.getText().strip() + Acts.ENDING).toString());
+    }
+
+    private void make() {
+        Path file = Path.of(target.getText().strip());
+        if (Files.exists(file)) {
+            Confirm.ask(getOwner(), file + " exists. Overwrite it?", "Overwrite", () -> make(file));
+        } else {
+            make(file);
+        }
+    }
+
+    private void make(Path file) {
+        ActSource known = source;
+        String chosen = (String) act.getSelectedItem();
+        ActDetails details = new ActDetails(name.getText(), version.getText(), author.getText(), description.getText());
+        if (known != null && chosen != null) {
+            work("Making …", () -> {
+                String done = known.make(chosen, details, file);
+                return () -> outcome.show(done, false);
+            });
+        }
+    }
+
+    /** Something that may wait and fail. */
+    private interface Work {
+        Runnable done();
+    }
+
+    private void work(String doing, Work work) {
+        make.setEnabled(false);
+        outcome.show(doing, false);
+        Edt.background("act maker", () -> {
+            try {
+                Runnable done = work.done();
+                Edt.later(() -> ended(done));
+            } catch (BotException | InvalidPathException e) {
+                Edt.later(() -> ended(() -> outcome.show(String.valueOf(e.getMessage()), true)));
+            }
+        });
+    }
+
+    private void ended(Runnable show) {
+        make.setEnabled(source != null);
+        show.run();
+    }
+}

@@ -1,0 +1,32 @@
+package majic.gui;
+
+import java.util.Optional;
+import majic.act.Role;
+import majic.bot.Member;
+
+/** Which robot can play which role, and why another cannot, in words. */
+final class RoleFit {
+    private RoleFit() {}
+
+    /** What a role asks for: {@code an aibo or pioneer with distanceFront}. */
+    static String wanted(Role role) {
+        String types = role.types().isEmpty() ? "any robot" : String.join(" or ", role.types());
+        return types + (role.parameters().isEmpty() ? "" : " with " + String.join(", ", role.parameters()));
+    }
+
+    /** Why a robot cannot be the one a behaviour is loaded onto, as a sentence; empty if it can. */
+    static Optional<String> unfit(Role role, Member member) {
+        return role.unfit(member.bot().type().name(), member.bot().parameters())
+                .map(why -> "Robot " + member.number() + " " + why + ".");
+    }
+
+    /** Why a robot cannot play a further role, as a sentence; empty if it can. */
+    static Optional<String> unfit(Role role, Member member, LoadTarget target) {
+        if (member == target.member()) {
+            return Optional.of("Robot " + member.number() + " is the one it is loaded onto.");
+        }
+        return unfit(role, member)
+                .or(() -> Optional.ofNullable(target.inTheWayAt(member))
+                        .map(owner -> "Robot " + member.number() + " is " + BotStatus.owner(member) + "."));
+    }
+}

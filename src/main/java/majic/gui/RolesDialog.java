@@ -1,0 +1,69 @@
+package majic.gui;
+
+import java.awt.Window;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import majic.act.Role;
+import majic.bot.Member;
+import majic.script.ActOffer;
+import net.miginfocom.swing.MigLayout;
+
+/** Assigns a robot to each further role of a behaviour. Only robots that fit are offered, and why not the others is said. */
+final class RolesDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    private final List<RoleChoice> choices = new ArrayList<>();
+    private final Paragraph outcome = new Paragraph("rolesOutcome", 1, 40);
+    private final transient Consumer<List<Integer>> assigned;
+
+    /**
+     * The question, not yet shown.
+     *
+     * @param assigned takes the robots' numbers, in the order of the roles
+     */
+    RolesDialog(
+            Window owner, ActOffer offer, LoadTarget target, List<Member> members, Consumer<List<Integer>> assigned) {
+        super(owner, "Assign Roles");
+        this.assigned = assigned;
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 12 6", "[right][360::, grow, fill]", ""));
+        content.add(
+                new PlainLabel("rolesOf", offer.details().name() + " needs further robots."),
+                "spanx 2, growx, gapbottom 4, wrap");
+        row(content, "me", new JLabel(new MemberChoice.Entry(target.member()).toString()));
+        LinkedHashSet<Member> taken = new LinkedHashSet<>();
+        for (Role role : offer.roles().subList(1, offer.roles().size())) {
+            RoleChoice choice = new RoleChoice(role, target, members, taken);
+            choice.chosen().ifPresent(taken::add);
+            choices.add(choice);
+            row(content, role.name(), choice);
+        }
+        content.add(outcome, "spanx 2, growx, wmin 0");
+        JButton load = button("Load Action", this::load);
+        load.setEnabled(choices.stream().allMatch(choice -> choice.chosen().isPresent()));
+        fill(content, load, closing("Cancel"));
+    }
+
+    private static void row(JPanel content, String role, JComponent value) {
+        JLabel name = new JLabel(role);
+        name.putClientProperty("FlatLaf.style", "font: bold");
+        content.add(name, "aligny top, gaptop 4");
+        content.add(value, "wmin 0, wrap");
+    }
+
+    private void load() {
+        List<Member> robots =
+                choices.stream().flatMap(choice -> choice.chosen().stream()).toList();
+        if (new LinkedHashSet<>(robots).size() < robots.size()) {
+            outcome.show("One robot cannot play two parts; choose another one.", true);
+            return;
+        }
+        dispose();
+        assigned.accept(robots.stream().map(Member::number).toList());
+    }
+}

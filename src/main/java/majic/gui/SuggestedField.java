@@ -1,0 +1,22 @@
+package majic.gui;
+
+import javax.swing.JTextField;
+
+/** A text field that follows a suggestion until the person writes something else. */
+final class SuggestedField extends JTextField {
+    private static final long serialVersionUID = 1L;
+
+    private String suggestion = "";
+
+    SuggestedField(String name) {
+        setName(name);
+    }
+
+    /** Shows a text, unless the person has written another one. */
+    void suggest(String text) {
+        if (getText().equals(suggestion)) {
+            setText(text);
+        }
+        suggestion = text;
+    }
+}

@@ -1,0 +1,114 @@
+package majic.gui;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+import majic.act.ActFile;
+import majic.act.Printable;
+import majic.act.Signer;
+import net.miginfocom.swing.MigLayout;
+
+/** Shows what code a behaviour brings, before any of it is loaded, and asks whether it may run. Enter says no. */
+final class TrustDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+    private static final String CONSEQUENCE =
+            "Once you agree this is trusted code: it can do whatever you can do on this"
+                    + " computer, not only move robots. MAJIC guards against accidents, not against malice. Agree only if you know"
+                    + " where the file comes from. Your answer is remembered for exactly this file.";
+
+    /**
+     * The question, not yet shown.
+     *
+     * @param agreed done when the person agrees; otherwise nothing is done
+     */
+    TrustDialog(Window owner, ActFile file, Runnable agreed) {
+        super(owner, "Trust this code?");
+        JPanel facts = new JPanel(new MigLayout("insets 0, gap 12 6", "[right][520::, grow, fill]", ""));
+        facts.add(title(file), "spanx 2, growx, gapbottom 4, wrap");
+        row(facts, "File", file.label(), "trustFile");
+        row(facts, "Author", author(file), "trustAuthor");
+        lines(facts, "Signature", signature(file.signers()), "trustSignature");
+        mono(row(facts, "SHA-256", file.sha256(), "trustHash"));
+        lines(facts, "Classes", file.classes(), "trustClasses");
+        lines(facts, "They use", file.packages(), "trustPackages");
+        facts.add(consequence(), "spanx 2, growx, wmin 0, gaptop 6");
+        JButton no = closing("Do not run");
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                no.requestFocusInWindow();
+            }
+        });
+        fill(facts, no, button("Agree and run", () -> {
+            dispose();
+            agreed.run();
+        }));
+    }
+
+    private static JLabel title(ActFile file) {
+        JLabel title = new JLabel("<html>" + Html.escaped(file.details().name())
+                + " brings code of its own, which nobody here has agreed to run.");
+        title.putClientProperty("FlatLaf.styleClass", "h4");
+        return title;
+    }
+
+    private static String author(ActFile file) {
+        return file.details().author().isEmpty() ? "not said" : file.details().author() + " (as the file says)";
+    }
+
+    /** A name in a certificate proves nothing; its fingerprint can be compared with what the signer says. */
+    private static List<String> signature(List<Signer> signers) {
+        return signers.isEmpty()
+                ? List.of("none")
+                : signers.stream()
+                        .flatMap(signer -> Stream.of(signer.name(), "certificate " + signer.fingerprint()))
+                        .toList();
+    }
+
+    private static void mono(JLabel hash) {
+        Font font = UIManager.getFont("monospaced.font");
+        hash.setFont(font == null ? new Font(Font.MONOSPACED, Font.PLAIN, 12) : font);
+    }
+
+    private static Paragraph consequence() {
+        Paragraph words = new Paragraph("trustConsequence", 3, 60);
+        words.show(CONSEQUENCE, false);
+        Color line = Palette.mixed(0.3);
+        words.setBorder(BorderFactory.createCompoundBorder(
+                BorderFactory.createMatteBorder(1, 0, 0, 0, line), BorderFactory.createEmptyBorder(10, 0, 0, 0)));
+        return words;
+    }
+
+    private static JLabel row(JPanel facts, String name, String text, String as) {
+        JLabel value = new PlainLabel(as, text);
+        facts.add(new JLabel(name));
+        facts.add(value, "wmin 0, wrap");
+        return value;
+    }
+
+    private static void lines(JPanel facts, String name, List<String> lines, String as) {
+        List<String> seen = lines.stream().map(Printable::of).toList();
+        if (seen.size() == 1) {
+            row(facts, name, seen.get(0), as);
+            return;
+        }
+        JTextArea area = new JTextArea(String.join("\n", seen));
+        area.setName(as);
+        area.setEditable(false);
+        area.setRows(Math.min(5, Math.max(2, lines.size())));
+        area.setCaretPosition(0);
+        facts.add(new JLabel(name), "aligny top");
+        facts.add(new JScrollPane(area), "wmin 0, wrap");
+    }
+}

@@ -1,0 +1,179 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import majic.bot.Owner;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A behaviour gets onto a robot by clicks, nothing happens before the last of them, and one click ends it. */
+@Timeout(60)
+class LoadActWindowTest {
+    @TempDir
+    private Path folder;
+
+    private TestWindow window;
+    private OwnActs own;
+
+    @BeforeEach
+    void open() throws IOException {
+        own = new OwnActs(folder).endless("Ahead", 100).endless("Other", 200);
+        window = TestWindow.open(own.acts());
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    private void choose(String act) {
+        window.click("Load Act");
+        window.awaitDialog("Load Act");
+        window.click("OK");
+        window.select("acts", act);
+    }
+
+    private void load(String act) {
+        choose(act);
+        window.click("Load Action");
+    }
+
+    private void awaitRunning(int robot, String act) {
+        window.await(act + " to run", () -> {
+            Owner owner = window.team.member(robot).owner();
+            return owner != null && owner.name().equals(act);
+        });
+    }
+
+    private void awaitFree(int robot) {
+        window.await(
+                "robot " + robot + " to be free",
+                () -> window.team.member(robot).owner() == null);
+    }
+
+    private void askToReplace() {
+        load("Ahead");
+        awaitRunning(1, "Ahead");
+        window.click("Load Act");
+        window.awaitDialog("Load Act");
+        window.click("OK");
+        window.awaitDialog("MAJIC asks");
+    }
+
+    @Test
+    void itIsGivenAsIfTyped() {
+        ToyBot bot = window.add("one");
+        load("Ahead");
+        awaitRunning(1, "Ahead");
+        window.awaitMessage("1 act Ahead");
+        window.await("its motion", () -> bot.told.contains("move 100"));
+        assertThat(window.parser.commands()).containsExactly("1 act Ahead");
+    }
+
+    @Test
+    void cancelBeforeItIsLoadedChangesNothing() {
+        ToyBot bot = window.add("one");
+        choose("Ahead");
+        window.click("Cancel");
+        assertThat(window.team.member(1).owner()).isNull();
+        assertThat(window.parser.commands()).isEmpty();
+        assertThat(bot.told).isEmpty();
+    }
+
+    @Test
+    void noToTheQuestionLeavesTheOldOneRunning() {
+        window.add("one");
+        askToReplace();
+        Owner before = window.team.member(1).owner();
+        window.click("No");
+        assertThat(window.isShowing("Choose Act dialog")).isFalse();
+        assertThat(window.team.member(1).owner()).isSameAs(before);
+        assertThat(window.parser.commands()).containsExactly("1 act Ahead");
+    }
+
+    @Test
+    void yesAndThenCancelLeavesTheOldOneRunning() {
+        window.add("one");
+        askToReplace();
+        Owner before = window.team.member(1).owner();
+        window.click("Yes");
+        window.awaitDialog("Choose Act");
+        window.click("Cancel");
+        assertThat(window.team.member(1).owner()).isSameAs(before);
+    }
+
+    @Test
+    void yesEndsTheOldOneAndThenStartsTheNewOne() {
+        ToyBot bot = window.add("one");
+        askToReplace();
+        window.click("Yes");
+        window.select("acts", "Other");
+        window.click("Load Action");
+        awaitRunning(1, "Other");
+        window.await("its motion", () -> bot.told.contains("move 200"));
+        assertThat(bot.told).containsSubsequence("move 100", "halt", "move 200");
+        assertThat(bot.told.lastIndexOf("move 100")).isLessThan(bot.told.indexOf("move 200"));
+    }
+
+    @Test
+    void theTabShowsWhatRunsAndOneClickEndsIt() {
+        ToyBot bot = window.add("one");
+        load("Ahead");
+        window.await(
+                "its name",
+                () -> window.isShowing("act1") && window.text("act1").equals("Ahead"));
+        assertThat(window.text("actTime1")).matches("00:\\d\\d");
+        window.click("endAct1");
+        awaitFree(1);
+        window.await("the bar to go", () -> !window.isShowing("act1"));
+        assertThat(bot.told).endsWith("halt");
+        window.awaitMessage("1 act off: done");
+    }
+
+    @Test
+    void theKeyEndsTheActOfTheTabInFront() {
+        window.add("one");
+        load("Ahead");
+        awaitRunning(1, "Ahead");
+        window.focus("commandLine");
+        window.pressWithCtrl(KeyEvent.VK_E);
+        awaitFree(1);
+    }
+
+    @Test
+    void whatItSaysStandsBesideItsName() throws IOException {
+        own.spy();
+        window.add("one");
+        load("Spy");
+        window.click("Agree and run");
+        window.await(
+                "its words",
+                () -> window.isShowing("actSaid1") && window.text("actSaid1").equals("here I am"));
+        window.awaitMessage("1: Spy: here I am");
+    }
+
+    @Test
+    void aDamagedFileIsToldInASentenceAndCannotBeLoaded() throws IOException {
+        Files.writeString(folder.resolve("Broken.act"), "PK but not a jar");
+        window.add("one");
+        choose("Broken");
+        assertThat(window.text("actNote")).startsWith("Broken.act").doesNotContain("Exception");
+        assertThat(window.isEnabled("Load Action")).isFalse();
+    }
+
+    @Test
+    void aRobotItIsNotMadeForIsToldWhy() throws IOException {
+        own.script("Dogs", "add sim:aibo as 1", "1 move 100");
+        window.add("one");
+        choose("Dogs");
+        assertThat(window.text("actNote")).isEqualTo("Robot 1 is of type toy, not aibo.");
+        assertThat(window.isEnabled("Load Action")).isFalse();
+    }
+}

@@ -1,0 +1,90 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import majic.act.ActDetails;
+import majic.act.ActFile;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The window makes what the act maker makes, and says in words why it cannot. */
+@Timeout(60)
+class MakeActWindowTest {
+    @TempDir
+    private Path folder;
+
+    private TestWindow window;
+    private OwnActs own;
+
+    @BeforeEach
+    void open() {
+        own = new OwnActs(folder);
+        window = TestWindow.open(own.acts());
+        window.run(() -> window.frame.getJMenuBar().getMenu(2).getItem(3).doClick());
+        window.awaitDialog("Make Act");
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+        System.clearProperty(OwnActs.FLAG);
+    }
+
+    private void make() {
+        window.await("something to make", () -> window.isEnabled("Make"));
+        window.click("Make");
+        window.await("the end", () -> window.text("makeOutcome").startsWith("Made "));
+    }
+
+    @Test
+    void aSourceBecomesAnActOfTheUsersOwn() throws IOException {
+        window.write("makeFrom", own.source("Spy", OwnActs.SPY).toString());
+        window.await("its name", () -> window.text("makeName").equals("Spy"));
+        window.write("makeAuthor", "Mata Hari");
+        make();
+        ActFile made = own.acts().find("Spy");
+        assertThat(made.details()).isEqualTo(new ActDetails("Spy", "1.0", "Mata Hari", ""));
+        assertThat(made.actClass()).isEqualTo("Spy");
+    }
+
+    @Test
+    void aScriptBecomesAnActWithoutCode() throws IOException {
+        Path script = Files.writeString(folder.resolve("square.majic"), "repeat 4\nme move 100\nme turn 90\nend\n");
+        window.write("makeFrom", script.toString());
+        make();
+        assertThat(own.acts().find("square").carriesCode()).isFalse();
+    }
+
+    @Test
+    void whatIsNoActIsToldWhy() throws IOException {
+        window.write("makeFrom", own.source("Unfit", OwnActs.UNFIT).toString());
+        window.await("why not", () -> window.text("makeOutcome").contains("has no act"));
+        assertThat(window.text("makeOutcome")).doesNotContain("Exception");
+        assertThat(window.isEnabled("Make")).isFalse();
+    }
+
+    @Test
+    void aScriptsMistakesAreToldWithTheirPlaces() throws IOException {
+        Path script = Files.writeString(folder.resolve("bad.majic"), "me move 100\nme jump\nquit\n");
+        window.write("makeFrom", script.toString());
+        window.await("the mistakes", () -> window.text("makeOutcome").contains("bad.majic:3:1"));
+    }
+
+    @Test
+    void aFileIsOverwrittenOnlyOnceThatWasAgreedTo() throws IOException {
+        Path there = Files.writeString(folder.resolve("Spy.act"), "precious");
+        window.write("makeFrom", own.source("Spy", OwnActs.SPY).toString());
+        window.await("its name", () -> window.text("makeName").equals("Spy"));
+        window.await("something to make", () -> window.isEnabled("Make"));
+        window.click("Make");
+        window.awaitDialog("MAJIC asks");
+        window.click("No");
+        assertThat(there).hasContent("precious");
+    }
+}

@@ -1,0 +1,73 @@
+package majic.gui;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import majic.act.ActDetails;
+import majic.act.ActMaker;
+import majic.act.ActTrust;
+import majic.act.Acts;
+import majic.bot.Settings;
+import majic.script.ScriptAct;
+
+/** The user's own behaviours of the window's tests. */
+final class OwnActs {
+    /** Set as soon as anything of the class {@code Spy} runs. */
+    static final String FLAG = "majic.test.spy";
+
+    /** Nothing an act can be made of. */
+    static final String UNFIT = "public class Unfit { }";
+
+    static final String SPY = """
+            import majic.act.MajicAct;
+
+            public class Spy extends MajicAct {
+                static {
+                    System.setProperty("majic.test.spy", "loaded");
+                }
+
+                @Override
+                protected void behave() {
+                    say("here I am");
+                    while (true) {
+                        bot.move(70);
+                        pause(0.1);
+                    }
+                }
+            }
+            """;
+
+    private final Path folder;
+
+    OwnActs(Path folder) {
+        this.folder = folder;
+    }
+
+    Acts acts() {
+        return new Acts(folder, new ActTrust(Settings.inMemory()));
+    }
+
+    /** A script as an act, known by its name. */
+    OwnActs script(String name, String... lines) throws IOException {
+        ScriptAct act = new ScriptAct(name, String.join("\n", lines));
+        Files.write(folder.resolve(name + ".act"), ActMaker.save(act, ActDetails.named(name)));
+        return this;
+    }
+
+    /** Moves on and on. */
+    OwnActs endless(String name, int mm) throws IOException {
+        return script(name, "repeat", "me move " + mm, "wait 100ms", "end");
+    }
+
+    /** An act with code; making it has loaded another copy of its class, which is forgotten. */
+    OwnActs spy() throws IOException {
+        ActDetails details = new ActDetails("Spy", "1.0", "Mata Hari", "Looks around.");
+        Files.write(folder.resolve("Spy.act"), ActMaker.from(source("Spy", SPY)).make("Spy", details));
+        System.clearProperty(FLAG);
+        return this;
+    }
+
+    Path source(String name, String text) throws IOException {
+        return Files.writeString(folder.resolve(name + ".java"), text);
+    }
+}

@@ -1,0 +1,86 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.swing.JTabbedPane;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A behaviour that asks for further robots gets them from those that fit and are free. */
+@Timeout(60)
+class RolesWindowTest {
+    @TempDir
+    private Path folder;
+
+    private TestWindow window;
+
+    @BeforeEach
+    void open() throws IOException {
+        window = TestWindow.open(new OwnActs(folder)
+                .script("Relay", "repeat", "1 move 100", "2 move 200", "wait", "end")
+                .script("Trio", "1 move 100", "2 move 100", "3 move 100")
+                .script("WithDog", "add sim:toy as 1", "add sim:aibo as 2", "1 move 100", "2 move 100")
+                .acts());
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    private void choose(String act) {
+        window.click("Load Act");
+        window.awaitDialog("Load Act");
+        window.click("OK");
+        window.select("acts", act);
+        window.click("Load Action");
+        window.awaitDialog("Assign Roles");
+    }
+
+    @Test
+    void theRobotsAssignedPlayTheirParts() {
+        ToyBot one = window.add("one");
+        ToyBot two = window.add("two");
+        choose("Relay");
+        window.click("Load Action");
+        window.await("both to move", () -> one.told.contains("move 100") && two.told.contains("move 200"));
+        assertThat(window.parser.commands()).containsExactly("1 act Relay with 2");
+    }
+
+    @Test
+    void whoCannotPlayAPartIsNotOfferedAndItIsSaidWhy() {
+        window.add("one");
+        window.add("two");
+        choose("WithDog");
+        assertThat(window.text("why robot2")).contains("Wanted: aibo.", "Robot 2 is of type toy, not aibo.");
+        assertThat(window.isEnabled("Load Action")).isFalse();
+    }
+
+    @Test
+    void oneRobotCannotPlayTwoParts() {
+        window.add("one");
+        window.add("two");
+        choose("Trio");
+        window.click("Load Action");
+        window.await("the words", () -> window.text("rolesOutcome").startsWith("One robot cannot play two parts"));
+        assertThat(window.parser.commands()).isEmpty();
+    }
+
+    @Test
+    void whoRunsSomethingElseIsNotOffered() {
+        window.add("one");
+        window.add("two");
+        window.parser.parseText("2 act Relay with 1");
+        window.await("it to run", () -> window.team.member(1).owner() != null);
+        window.add("three");
+        window.run(() -> window.find("bots", JTabbedPane.class).setSelectedIndex(2));
+        choose("Relay");
+        assertThat(window.text("why robot2")).contains("Robot 1 is running Relay.", "Robot 2 is running Relay.");
+        assertThat(window.isEnabled("Load Action")).isFalse();
+    }
+}

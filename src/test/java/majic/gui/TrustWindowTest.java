@@ -1,0 +1,80 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Path;
+import majic.act.ActFile;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Nothing of an act's code is loaded before the person has seen what it brings and has agreed. */
+@Timeout(60)
+class TrustWindowTest {
+    @TempDir
+    private Path folder;
+
+    private TestWindow window;
+
+    @BeforeEach
+    void open() throws IOException {
+        window = TestWindow.open(new OwnActs(folder).spy().acts());
+        window.add("one");
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+        System.clearProperty(OwnActs.FLAG);
+    }
+
+    private void load() {
+        window.click("Load Act");
+        window.awaitDialog("Load Act");
+        window.click("OK");
+        window.select("acts", "Spy");
+        window.click("Load Action");
+    }
+
+    @Test
+    void enterDoesNotRunIt() {
+        load();
+        window.awaitDialog("Trust this code?");
+        window.press(KeyEvent.VK_ENTER);
+        window.await("the question to go", () -> !window.isShowing("Trust this code? dialog"));
+        assertThat(System.getProperty(OwnActs.FLAG)).isNull();
+        assertThat(window.team.member(1).owner()).isNull();
+        assertThat(window.parser.commands()).isEmpty();
+    }
+
+    @Test
+    void itShowsWhoseCodeItIsAndWhatItUses() {
+        load();
+        window.awaitDialog("Trust this code?");
+        assertThat(window.text("trustAuthor")).startsWith("Mata Hari");
+        assertThat(window.text("trustSignature")).isEqualTo("none");
+        assertThat(window.text("trustHash"))
+                .isEqualTo(ActFile.read(folder.resolve("Spy.act")).sha256());
+        assertThat(window.text("trustClasses")).isEqualTo("Spy");
+        assertThat(window.text("trustPackages")).contains("java.lang", "majic.act");
+        assertThat(window.text("trustConsequence")).contains("trusted code");
+        assertThat(System.getProperty(OwnActs.FLAG)).isNull();
+    }
+
+    @Test
+    void onceAgreedToItRunsAndIsNotAskedForAgain() {
+        load();
+        window.click("Agree and run");
+        window.await("its code to run", () -> "loaded".equals(System.getProperty(OwnActs.FLAG)));
+        window.awaitMessage("agreed to its code, SHA-256");
+        window.click("endAct1");
+        window.await("its end", () -> window.team.member(1).isIdle());
+        load();
+        window.await("it to run again", () -> window.team.member(1).owner() != null);
+        assertThat(window.isShowing("Trust this code? dialog")).isFalse();
+    }
+}
