@@ -1,29 +1,24 @@
 package majic;
 
+import static majic.PictureWindow.awaitDialog;
+import static majic.PictureWindow.awaitWindow;
+import static majic.PictureWindow.click;
+import static majic.PictureWindow.find;
+
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Window;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Objects;
-import java.util.function.BooleanSupplier;
-import javax.swing.AbstractButton;
-import javax.swing.JDialog;
-import javax.swing.JFrame;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
+import majic.PictureWindow.Settled;
 import majic.bot.Member;
 import majic.gui.MajicFrame;
-import majic.gui.Patience;
-import majic.gui.Surroundings;
-import majic.gui.Surroundings.SerialPortChoice;
 import majic.script.MajicParser;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,14 +29,13 @@ class Screenshots {
     private static final LabOptions OPTIONS =
             LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7);
     private static final int PIONEERS_TAB = 1;
-    private static final int PATIENCE_S = 60;
 
     @Test
     @Timeout(300)
     void paintsThePicturesOfTheDocuments(@TempDir Path home) throws Exception {
         try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2))) {
             MajicParser parser = new MajicParser(program.session(), true);
-            MajicFrame frame = open(program, parser);
+            MajicFrame frame = PictureWindow.open(program, parser);
             drive(program, parser);
             JTabbedPane tabs = (JTabbedPane) find(frame, "bots");
             SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(PIONEERS_TAB));
@@ -59,29 +53,8 @@ class Screenshots {
         }
     }
 
-    private static MajicFrame open(Program program, MajicParser parser) throws Exception {
-        JFrame.setDefaultLookAndFeelDecorated(true);
-        JDialog.setDefaultLookAndFeelDecorated(true);
-        MajicFrame[] frame = new MajicFrame[1];
-        SwingUtilities.invokeAndWait(() -> {
-            MajicFrame.installLook(program.settings());
-            Surroundings surroundings = new Surroundings(
-                    () -> List.of(new SerialPortChoice("/dev/ttyUSB0", "USB serial port")),
-                    null,
-                    program::quit,
-                    program.settings());
-            frame[0] = new MajicFrame(program.session(), parser, surroundings);
-            frame[0].setVisible(true);
-        });
-        return frame[0];
-    }
-
     private static void drive(Program program, MajicParser parser) {
-        for (String type : List.of("aibo", "pioneer", "hemisson")) {
-            int wanted = program.team().members().size() + 1;
-            parser.parseText("add sim:" + type);
-            awaitWindow(() -> program.team().members().size() == wanted);
-        }
+        PictureWindow.add(program, parser, List.of("aibo", "pioneer", "hemisson"));
         List.of("1 move 500", "2 move 1200", "3 move 300", "1 turn 90", "2 turn 60", "3 turn -90", "all move 400")
                 .forEach(parser::parseText);
         awaitIdle(program);
@@ -95,22 +68,12 @@ class Screenshots {
         awaitWindow(new Settled());
     }
 
-    /** Becomes true when what was said has had the time to be shown. */
-    private static final class Settled implements BooleanSupplier {
-        private final long startNanos = System.nanoTime();
-
-        @Override
-        public boolean getAsBoolean() {
-            return System.nanoTime() - startNanos > 1_500_000_000L;
-        }
-    }
-
     private static void withDialog(MajicFrame frame, String button, String picture) throws Exception {
-        SwingUtilities.invokeAndWait(() -> ((AbstractButton) find(frame, button)).doClick());
-        awaitWindow(() -> dialog(frame) != null);
+        click(frame, button);
+        Window dialog = (Window) awaitDialog(frame, button);
         awaitWindow(new Settled());
         WindowPicture.save(frame, IMAGES.resolve(picture));
-        SwingUtilities.invokeAndWait(() -> Objects.requireNonNull(dialog(frame)).dispose());
+        SwingUtilities.invokeAndWait(dialog::dispose);
     }
 
     private static void wrongLine(MajicFrame frame) throws Exception {
@@ -131,35 +94,5 @@ class Screenshots {
         });
         awaitWindow(new Settled());
         WindowPicture.save(frame, IMAGES.resolve("dark.png"));
-    }
-
-    private static void awaitWindow(BooleanSupplier condition) {
-        Patience.await("the next picture", condition, PATIENCE_S);
-    }
-
-    private static @Nullable Window dialog(MajicFrame frame) {
-        for (Window window : frame.getOwnedWindows()) {
-            if (window instanceof JDialog && window.isShowing()) {
-                return window;
-            }
-        }
-        return null;
-    }
-
-    private static Component find(Container parent, String name) {
-        Component found = search(parent, name);
-        return Objects.requireNonNull(found, name);
-    }
-
-    private static @Nullable Component search(Container parent, String name) {
-        for (Component child : parent.getComponents()) {
-            Component found = name.equals(child.getName())
-                    ? child
-                    : child instanceof Container inner ? search(inner, name) : null;
-            if (found != null) {
-                return found;
-            }
-        }
-        return null;
     }
 }

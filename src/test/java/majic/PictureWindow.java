@@ -1,0 +1,102 @@
+package majic;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Window;
+import java.util.List;
+import java.util.Objects;
+import java.util.function.BooleanSupplier;
+import javax.swing.AbstractButton;
+import javax.swing.JDialog;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import majic.gui.MajicFrame;
+import majic.gui.Patience;
+import majic.gui.Surroundings;
+import majic.gui.Surroundings.SerialPortChoice;
+import majic.script.MajicParser;
+import org.jspecify.annotations.Nullable;
+
+/** The window that pictures are taken of, and what is needed to get it where it shall be. Used off the event thread. */
+final class PictureWindow {
+    private static final int PATIENCE_S = 60;
+
+    private PictureWindow() {}
+
+    static MajicFrame open(Program program, MajicParser parser) throws Exception {
+        JFrame.setDefaultLookAndFeelDecorated(true);
+        JDialog.setDefaultLookAndFeelDecorated(true);
+        MajicFrame[] frame = new MajicFrame[1];
+        SwingUtilities.invokeAndWait(() -> {
+            MajicFrame.installLook(program.settings());
+            Surroundings surroundings = new Surroundings(
+                    () -> List.of(new SerialPortChoice("/dev/ttyUSB0", "USB serial port")),
+                    null,
+                    program::quit,
+                    program.settings());
+            frame[0] = new MajicFrame(program.session(), parser, surroundings);
+            frame[0].setVisible(true);
+        });
+        return frame[0];
+    }
+
+    static void add(Program program, MajicParser parser, List<String> types) {
+        for (String type : types) {
+            int wanted = program.team().members().size() + 1;
+            parser.parseText("add sim:" + type);
+            awaitWindow(() -> program.team().members().size() == wanted);
+        }
+    }
+
+    /** Becomes true when what was said has had the time to be shown. */
+    static final class Settled implements BooleanSupplier {
+        private final long startNanos = System.nanoTime();
+
+        @Override
+        public boolean getAsBoolean() {
+            return System.nanoTime() - startNanos > 1_500_000_000L;
+        }
+    }
+
+    static void awaitWindow(BooleanSupplier condition) {
+        Patience.await("the next picture", condition, PATIENCE_S);
+    }
+
+    static void click(Container parent, String button) throws Exception {
+        SwingUtilities.invokeAndWait(() -> ((AbstractButton) find(parent, button)).doClick());
+    }
+
+    /** Waits for a dialog of the window. */
+    static Container awaitDialog(MajicFrame frame, String title) {
+        awaitWindow(() -> dialog(frame, title) != null);
+        return Objects.requireNonNull((Container) dialog(frame, title));
+    }
+
+    static @Nullable Window dialog(MajicFrame frame, String title) {
+        for (Window window : frame.getOwnedWindows()) {
+            if (window instanceof JDialog dialog
+                    && dialog.isShowing()
+                    && dialog.getTitle().equals(title)) {
+                return window;
+            }
+        }
+        return null;
+    }
+
+    static Component find(Container parent, String name) {
+        Component found = search(parent, name);
+        return Objects.requireNonNull(found, name);
+    }
+
+    private static @Nullable Component search(Container parent, String name) {
+        for (Component child : parent.getComponents()) {
+            Component found = name.equals(child.getName())
+                    ? child
+                    : child instanceof Container inner ? search(inner, name) : null;
+            if (found != null) {
+                return found;
+            }
+        }
+        return null;
+    }
+}
