@@ -19,6 +19,9 @@ final class FigureDrawing {
     private static final double PAD_STEP_MM = 40;
     private static final int TAIL_PIECES = 6;
 
+    /** A paw is seen whole: no leg hides the one it stands on. */
+    private static final double BEHIND_PAW_MM = 20;
+
     private final Dog dog;
     private final Skeleton skeleton;
     private final View view;
@@ -55,8 +58,8 @@ final class FigureDrawing {
     /** The paw shows the accent while it feels the ground. */
     private void addLeg(PartsDrawing parts, Limb limb) {
         Limb.Bones bones = skeleton.leg(limb);
-        parts.bone(bones.top(), bones.middle(), 46, 0.26);
-        parts.bone(bones.middle(), bones.foot(), 32, 0.2);
+        parts.boneBehind(BEHIND_PAW_MM, bones.top(), bones.middle(), 46, 0.26);
+        parts.boneBehind(BEHIND_PAW_MM, bones.middle(), bones.foot(), 32, 0.2);
         boolean down = dog.senses().isPressed(limb.paw());
         Spot toe = bones.foot().plus(new Spot(12, 0, -1));
         parts.part(bones.foot().plus(new Spot(-3, 0, -1)), toe, 27, down ? ink.accent() : ink.paper());

@@ -49,7 +49,7 @@ class DogDrawingTest {
     void everyPawOnTheGroundIsShown(Sensor sensor) {
         put(sensor, 1);
 
-        assertThat(differing()).isBetween(10L, 3000L);
+        assertThat(differing()).isBetween(30L, 3000L);
     }
 
     static Stream<String> lamps() {
