@@ -1,6 +1,5 @@
 package majic.aibo;
 
-import java.awt.event.HierarchyEvent;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import majic.panel.Cockpit;
@@ -34,11 +33,6 @@ final class AiboPanel extends NewsPanel {
         add(controls);
         add(numbers);
         setLayout(new Cockpit(drawing, camera.view(), controls, numbers));
-        addHierarchyListener(change -> {
-            if ((change.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
-                spectator.look(isShowing());
-            }
-        });
     }
 
     private JPanel controls() {
@@ -58,9 +52,8 @@ final class AiboPanel extends NewsPanel {
     }
 
     @Override
-    public void removeNotify() {
-        spectator.look(false);
-        super.removeNotify();
+    protected void inSight(boolean seen) {
+        spectator.look(seen);
     }
 
     @Override

@@ -1,6 +1,5 @@
 package majic.panel;
 
-import java.awt.event.HierarchyEvent;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JPanel;
 import javax.swing.Timer;
@@ -10,8 +9,8 @@ import majic.bot.MajicBot;
 
 /**
  * A panel that shows one robot. News of the robot only leave a mark, on whatever thread they come; a timer of the event
- * dispatch thread looks for the mark ten times a second while the panel is on the screen, and only then. For the event
- * dispatch thread, except {@link #heard}.
+ * dispatch thread looks for the mark ten times a second while the panel is in sight, and only then: not on a hidden tab,
+ * not in an iconified window. For the event dispatch thread, except {@link #heard}.
  */
 public abstract class NewsPanel extends JPanel {
     private static final long serialVersionUID = 1;
@@ -24,6 +23,7 @@ public abstract class NewsPanel extends JPanel {
     private final transient AtomicBoolean news = new AtomicBoolean(true);
     private final transient BotListener listener = new News();
     private final Timer timer = new Timer(REFRESH_MS, tick -> tick());
+    private final transient Sight sight;
     private int quietTicks;
 
     /**
@@ -34,11 +34,12 @@ public abstract class NewsPanel extends JPanel {
     protected NewsPanel(MajicBot bot) {
         super(null);
         this.bot = bot;
-        addHierarchyListener(change -> {
-            if ((change.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
-                runTimer(isShowing());
-            }
-        });
+        this.sight = new Sight(this, this::look);
+    }
+
+    private void look(boolean seen) {
+        runTimer(seen);
+        inSight(seen);
     }
 
     /** Shows what the robot said last. Called on the event dispatch thread, at most ten times a second; must not wait. */
@@ -51,6 +52,13 @@ public abstract class NewsPanel extends JPanel {
      * @param state what the robot shares with all robots
      */
     protected void heard(BotState state) {}
+
+    /**
+     * Begins or ends what is only worth doing while somebody looks. Called on the event dispatch thread; must not wait.
+     *
+     * @param seen whether the panel has come into sight, or is gone from it
+     */
+    protected void inSight(boolean seen) {}
 
     /** Shows what the robot said last if it said something since; for a panel that has just been made. */
     public final void refreshOnNews() {
@@ -77,7 +85,7 @@ public abstract class NewsPanel extends JPanel {
 
     @Override
     public void removeNotify() {
-        runTimer(false);
+        sight.end();
         bot.removeListener(listener);
         super.removeNotify();
     }

@@ -1,0 +1,84 @@
+package majic.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Frame;
+import java.awt.event.WindowEvent;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(30)
+class SightWindowTest {
+    private final List<Boolean> told = new ArrayList<>();
+    private final JPanel panel = new JPanel();
+    private final Sight sight = new Sight(panel, told::add);
+    private JTabbedPane tabs;
+    private JFrame frame;
+
+    @BeforeEach
+    void open() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            tabs = new JTabbedPane();
+            tabs.addTab("1", panel);
+            tabs.addTab("2", new JPanel());
+            frame = new JFrame();
+            frame.add(tabs);
+            frame.pack();
+            frame.setVisible(true);
+        });
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        SwingUtilities.invokeAndWait(frame::dispose);
+    }
+
+    @Test
+    void aHiddenTabIsOutOfSight() throws Exception {
+        SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(1));
+        SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(0));
+
+        assertThat(told).containsExactly(true, false, true);
+    }
+
+    @Test
+    void anIconIsOutOfSight() throws Exception {
+        state(Frame.NORMAL, Frame.ICONIFIED);
+        assertThat(told).containsExactly(true, false);
+        state(Frame.ICONIFIED, Frame.NORMAL);
+
+        assertThat(told).containsExactly(true, false, true);
+    }
+
+    @Test
+    void aHiddenTabStaysOutOfSightWhenItsIconIsOpened() throws Exception {
+        SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(1));
+        state(Frame.NORMAL, Frame.ICONIFIED);
+        state(Frame.ICONIFIED, Frame.NORMAL);
+
+        assertThat(told).containsExactly(true, false);
+    }
+
+    @Test
+    void whatLeftItsWindowIsOutOfSight() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            sight.end();
+            tabs.remove(panel);
+        });
+
+        assertThat(told).containsExactly(true, false);
+    }
+
+    private void state(int before, int now) throws Exception {
+        SwingUtilities.invokeAndWait(
+                () -> frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_STATE_CHANGED, before, now)));
+    }
+}
