@@ -1,0 +1,70 @@
+package majic.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import org.junit.jupiter.api.Test;
+
+class PictureViewTest {
+    private static final Color WALL = new Color(0xC04020);
+
+    private final PictureView view = new PictureView(208, 160);
+
+    @Test
+    void aPictureFillsTheRoomAndKeepsItsShape() {
+        view.show(picture(100, 100), "5.0 frames/s");
+        BufferedImage painted = painted(300, 200);
+
+        assertThat(painted.getRGB(60, 20)).isEqualTo(WALL.getRGB());
+        assertThat(painted.getRGB(240, 20)).isEqualTo(WALL.getRGB());
+        assertThat(painted.getRGB(40, 20)).isNotEqualTo(WALL.getRGB());
+        assertThat(painted.getRGB(260, 20)).isNotEqualTo(WALL.getRGB());
+    }
+
+    @Test
+    void wordsStandOverTheFadedLastPicture() {
+        view.show(picture(208, 160), "5.0 frames/s");
+        view.miss("not connected");
+        BufferedImage painted = painted(208, 160);
+
+        assertThat(view.words()).isEqualTo("not connected");
+        assertThat(view.caption()).isEmpty();
+        assertThat(painted.getRGB(20, 20)).isNotEqualTo(WALL.getRGB());
+    }
+
+    @Test
+    void theNextPictureTakesTheWordsAway() {
+        view.miss("not connected");
+        view.show(picture(208, 160), "5.0 frames/s");
+
+        assertThat(view.words()).isEmpty();
+        assertThat(view.caption()).isEqualTo("5.0 frames/s");
+        assertThat(painted(208, 160).getRGB(20, 20)).isEqualTo(WALL.getRGB());
+    }
+
+    @Test
+    void longWordsAreBrokenIntoLinesInsideTheFrame() {
+        view.miss("the picture is damaged and says so at length");
+        BufferedImage painted = painted(120, 160);
+        for (int y = 2; y < 158; y++) {
+            assertThat(painted.getRGB(117, y)).isEqualTo(painted.getRGB(2, y));
+        }
+        assertThat(view.words()).endsWith("at length");
+    }
+
+    private static BufferedImage picture(int width, int height) {
+        BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        for (int pixel = 0; pixel < width * height; pixel++) {
+            picture.setRGB(pixel % width, pixel / width, WALL.getRGB());
+        }
+        return picture;
+    }
+
+    private BufferedImage painted(int width, int height) {
+        view.setSize(width, height);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        view.paint(image.getGraphics());
+        return image;
+    }
+}
