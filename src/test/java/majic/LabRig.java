@@ -10,7 +10,10 @@ import java.util.OptionalInt;
 import java.util.function.BooleanSupplier;
 import majic.act.NoActs;
 import majic.bot.BotFactory;
+import majic.bot.BotListener;
+import majic.bot.BotState;
 import majic.bot.MajicBot;
+import majic.bot.Member;
 import majic.bot.Pose;
 import majic.bot.Settings;
 import majic.bot.Team;
@@ -34,6 +37,7 @@ public final class LabRig implements AutoCloseable {
     private final Team team;
     private final Session session;
     private final MajicParser parser;
+    private final BotListener news = new News();
     private final List<String> said = Collections.synchronizedList(new ArrayList<>());
 
     private LabRig(LabOptions options) {
@@ -114,9 +118,15 @@ public final class LabRig implements AutoCloseable {
         }
     }
 
-    /** Waits on the lab's clock. */
+    /** Waits on the lab's clock; looks anew whenever something happens in the team or a robot's readings come. */
     public boolean await(BooleanSupplier condition) throws InterruptedException {
-        return team.changes().await(condition, LONGEST_WAIT_S);
+        List<MajicBot> bots = team.members().stream().map(Member::bot).toList();
+        bots.forEach(bot -> bot.addListener(news));
+        try {
+            return team.changes().await(condition, LONGEST_WAIT_S);
+        } finally {
+            bots.forEach(bot -> bot.removeListener(news));
+        }
     }
 
     public Pose truePose(String type) {
@@ -144,5 +154,13 @@ public final class LabRig implements AutoCloseable {
         team.close();
         membership.close();
         lab.close();
+    }
+
+    /** Wakes who waits for what robots measure. */
+    private final class News implements BotListener {
+        @Override
+        public void stateChanged(MajicBot bot, BotState state) {
+            team.changes().raise();
+        }
     }
 }
