@@ -1,7 +1,5 @@
 package majic.bot;
 
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -24,13 +22,11 @@ import org.jspecify.annotations.Nullable;
  * {@code drive} that is not renewed, listeners and the shared parameters are done here, once.
  */
 public abstract class MajicBot implements BotControl, AutoCloseable {
-    private static final Logger LOG = System.getLogger(MajicBot.class.getName());
-
     private final BotType type;
     private final BotEnvironment environment;
     private final ParameterTable parameters = new ParameterTable();
     private final List<BotCommand> commands = new CopyOnWriteArrayList<>();
-    private final List<BotListener> listeners = new CopyOnWriteArrayList<>();
+    private final Listeners listeners = new Listeners(this);
     private final Signal changes;
     private final Keeper keeper;
     private final Helm helm;
@@ -368,7 +364,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     /**
-     * Begins to tell somebody of this robot.
+     * Begins to tell somebody of this robot. The first hears what it has said before anybody listened.
      *
      * @param listener called on the driver's threads
      */
@@ -575,7 +571,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @param message one sentence or half of one
      */
     protected final void notice(String message) {
-        tell(listener -> listener.notice(this, message));
+        listeners.notice(message);
     }
 
     /**
@@ -690,12 +686,6 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     private void tell(Consumer<BotListener> news) {
-        for (BotListener listener : listeners) {
-            try {
-                news.accept(listener);
-            } catch (RuntimeException | Error e) {
-                LOG.log(Level.WARNING, "a listener of " + name + " failed", e);
-            }
-        }
+        listeners.tell(news);
     }
 }

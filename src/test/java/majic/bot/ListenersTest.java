@@ -1,0 +1,57 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Who hears what a robot says, and when. */
+class ListenersTest {
+    private final Listeners listeners = new Listeners(new FakeBot(new FakeType(), BotEnvironment.plain()));
+    private final List<String> first = new ArrayList<>();
+    private final List<String> second = new ArrayList<>();
+
+    @Test
+    void aWarningBeforeAnybodyListensIsHeardByTheFirstWhoDoes() {
+        listeners.notice("the switches are wrong");
+        listeners.add(into(first));
+        listeners.add(into(second));
+
+        assertThat(first).containsExactly("the switches are wrong");
+        assertThat(second).isEmpty();
+    }
+
+    @Test
+    void whatIsSaidLaterIsHeardByAll() {
+        listeners.add(into(first));
+        listeners.add(into(second));
+        listeners.notice("it stands");
+
+        assertThat(first).containsExactly("it stands");
+        assertThat(second).containsExactly("it stands");
+    }
+
+    @Test
+    void oneThatFailsDoesNotKeepTheOthersFromHearing() {
+        listeners.add(new BotListener() {
+            @Override
+            public void notice(MajicBot bot, String message) {
+                throw new IllegalStateException("a bad listener");
+            }
+        });
+        listeners.add(into(first));
+        listeners.notice("it stands");
+
+        assertThat(first).containsExactly("it stands");
+    }
+
+    private static BotListener into(List<String> heard) {
+        return new BotListener() {
+            @Override
+            public void notice(MajicBot bot, String message) {
+                heard.add(message);
+            }
+        };
+    }
+}
