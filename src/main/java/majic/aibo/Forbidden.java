@@ -11,7 +11,6 @@ final class Forbidden {
     /** The longest command; a server drops what is longer than its queue of 32 KiB (URBI sheet 2). */
     static final int LONGEST_BYTES = 32_000;
 
-    private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|//[^\\n]*", Pattern.DOTALL);
     private static final Pattern RUNS_TEXT = Pattern.compile("\\bexec\\b");
     private static final Pattern HARMFUL =
             Pattern.compile("(?<![\\w.])(?:undefall|stopall|reset|reboot|shutdown|stop\\s[\\w\\s.,]*\\bnotag)(?![\\w.])"
@@ -32,28 +31,11 @@ final class Forbidden {
             throw new UrbiRefusal("a command of " + commands.length() + " bytes is too long for the dog, which takes "
                     + LONGEST_BYTES + " at most");
         }
-        String bare = COMMENT.matcher(commands).replaceAll(" ");
-        String program = RUNS_TEXT.matcher(bare).find() ? bare : withoutStrings(bare);
-        refuse(HARMFUL.matcher(program), "it would harm the dog or other programs on it");
+        String bare = Program.of(commands).bare();
+        refuse(
+                HARMFUL.matcher(RUNS_TEXT.matcher(bare).find() ? commands : bare),
+                "it would harm the dog or other programs on it");
         refuse(TEXT_TO_A_DEVICE.matcher(bare), "text would take the device from its hardware; give a number");
-    }
-
-    /** By hand: a pattern for long strings would need a deep stack. */
-    private static String withoutStrings(String commands) {
-        StringBuilder program = new StringBuilder();
-        boolean quoted = false;
-        for (int at = 0; at < commands.length(); at++) {
-            char next = commands.charAt(at);
-            if (next == '"') {
-                quoted = !quoted;
-            } else if (quoted && next == '\\') {
-                at++;
-            }
-            if (!quoted) {
-                program.append(next);
-            }
-        }
-        return program.toString();
     }
 
     private static void refuse(Matcher found, String why) {

@@ -13,7 +13,6 @@ final class RawText {
     private static final Pattern CLOSES = Pattern.compile("(?<![\\w.])(?:quit|disconnect|killall)(?![\\w.])");
     private static final Pattern BLEND_OF_LEGS = Pattern.compile("leg\\w*(?:\\.val)?\\s*->\\s*blend\\s*=");
     private static final Pattern BINARY = Pattern.compile("(?<![\\w.])(?:BIN|bin)\\s+\\d");
-    private static final Pattern STRING = Pattern.compile("\"(?:\\\\.|[^\"\\\\])*\"");
     private static final String OPENING = "([{";
     private static final String CLOSING = ")]}";
 
@@ -27,12 +26,13 @@ final class RawText {
      */
     static String checked(String text) {
         Forbidden.check(text);
-        String bare = STRING.matcher(text).replaceAll("\"\"").replace("\"\"", "");
-        if (bare.indexOf('"') >= 0) {
-            throw new UrbiRefusal("a quote is not closed: the dog would wait for its end");
-        }
-        if (bare.contains("#") || bare.contains("//") || bare.contains("/*") || bare.contains("$$")) {
+        Program program = Program.of(text);
+        String bare = program.bare();
+        if (program.hasComments() || bare.contains("$$")) {
             throw new UrbiRefusal("comments and $$ would swallow what follows; leave them out");
+        }
+        if (program.isOpen()) {
+            throw new UrbiRefusal("a quote is not closed: the dog would wait for its end");
         }
         if (!isBalanced(bare)) {
             throw new UrbiRefusal("the brackets do not match: the dog would wait for the rest");

@@ -23,6 +23,9 @@ class ForbiddenTest {
                 "headPan = \"30\"",
                 "legLF1.val = \"30\" time:100",
                 "exec(\"reset;\")",
+                "echo \"http://aibo\"; stopall",
+                "a = \"/*\"; reset; b = \"*/\"",
+                "# it is 5\" long\nstopall; echo \"done\"",
             })
     void whatHarmsADogIsRefused(String commands) {
         assertThatThrownBy(() -> Forbidden.check(commands))

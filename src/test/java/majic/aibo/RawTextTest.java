@@ -14,6 +14,13 @@ class RawTextTest {
         assertThat(RawText.checked("echo \"a } \\\" ;\";")).isEqualTo("echo \"a } \\\" ;\"");
     }
 
+    @Test
+    void aLongTextIsNoTrouble() {
+        String text = "echo \"" + "\\n\\\"".repeat(7_000) + "\"";
+
+        assertThat(RawText.checked(text)).isEqualTo(text);
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"a = [1", "f(1))", "echo \"open", "1 # no", "1 // no", "$$", "{ ) }"})
     void whatWouldSwallowTheNextCommandIsRefused(String text) {
