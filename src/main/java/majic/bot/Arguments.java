@@ -50,9 +50,17 @@ final class Arguments {
     static List<Value> forCommand(BotCommand command, List<Value> given) {
         if (!command.takes(given.size())) {
             String names = command.argumentNames();
-            throw new BotException(command.name() + ": takes " + (names.isEmpty() ? "nothing behind it" : names));
+            throw new BotException(command.name() + ": takes " + (names.isEmpty() ? "nothing behind it" : names)
+                    + hint(command, given));
         }
         return fit(command::argument, given);
+    }
+
+    /** A text of several words looks like several values. */
+    private static String hint(BotCommand command, List<Value> given) {
+        boolean tooMany = !given.isEmpty() && command.argument(given.size() - 1) == null;
+        boolean takesText = command.arguments().stream().anyMatch(argument -> argument.kind() == Parameter.Kind.TEXT);
+        return tooMany && takesText ? "; what has blanks in it goes in quotes" : "";
     }
 
     private static List<Value> fit(IntFunction<@Nullable Parameter> wanted, List<Value> given) {
