@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
+import majic.bot.LabAccess;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
 
@@ -32,6 +33,18 @@ final class ActLabs {
         return rig;
     }
 
+    /** Lifts a robot and puts it down elsewhere. */
+    static void place(LabRig rig, String robot, Pose where) {
+        rig.lab().simulators().place(robot, new majicsim.world.Pose(where.xMm(), where.yMm(), where.headingDeg()));
+    }
+
+    /** Waits until something is said, a minute at most. */
+    static void awaitSaid(LabRig rig, String words) throws InterruptedException {
+        for (int tenth = 0; tenth < 600 && !rig.said().contains(words); tenth++) {
+            rig.lab().time().sleep(0.1);
+        }
+    }
+
     /** Lets time pass; where the robots were after each second. */
     static Map<String, List<Pose>> watch(LabRig rig, int seconds) throws InterruptedException {
         Map<String, List<Pose>> ways = new LinkedHashMap<>();
@@ -51,6 +64,22 @@ final class ActLabs {
                 .map(pose -> List.of(Math.floor(pose.xMm() / METRE_MM), Math.floor(pose.yMm() / METRE_MM)))
                 .distinct()
                 .count();
+    }
+
+    /** From the middle of a robot to the nearest wall or box, mm. */
+    static double toTheWalls(LabRig rig, Pose pose) {
+        return rig.lab().walls().stream()
+                .mapToDouble(wall -> toTheWall(wall, pose))
+                .min()
+                .orElseThrow();
+    }
+
+    private static double toTheWall(LabAccess.Wall wall, Pose pose) {
+        double dx = wall.x2() - wall.x1();
+        double dy = wall.y2() - wall.y1();
+        double along = ((pose.xMm() - wall.x1()) * dx + (pose.yMm() - wall.y1()) * dy) / (dx * dx + dy * dy);
+        double share = Math.max(0, Math.min(along, 1));
+        return Math.hypot(pose.xMm() - wall.x1() - share * dx, pose.yMm() - wall.y1() - share * dy);
     }
 
     /** How often each robot drove into something. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import majic.bot.MajicBot;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
@@ -39,6 +40,35 @@ class AiboActsInLabTest {
                     .asString()
                     .startsWith("1 act AiboSquare: done");
             return start.distanceMm(rig.truePose("aibo"));
+        }
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labs")
+    void theHeadFindsWhatIsNearestAndStaysOnIt(Supplier<LabRig> lab) throws InterruptedException {
+        try (LabRig rig = lab.get()) {
+            ActLabs.place(rig, "aibo", new Pose(0, 1500, 0));
+            ActLabs.place(rig, "pioneer", new Pose(700, 2200, 45));
+            MajicBot dog = rig.add("aibo");
+            assertThat(rig.run("1 act HeadScan"))
+                    .anyMatch(line -> line.startsWith("1: HeadScan: the nearest thing is"));
+
+            assertThat(dog.get("headPan").number()).isBetween(30.0, 60.0);
+            assertThat(rig.truePose("aibo")).isEqualTo(new Pose(0, 1500, 0));
+        }
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labs")
+    void theDancerStandsInTheEndAsItStoodBefore(Supplier<LabRig> lab) throws InterruptedException {
+        try (LabRig rig = ActLabs.with(lab, "aibo")) {
+            Pose before = rig.truePose("aibo");
+            assertThat(rig.run("1 act Dance")).last().asString().startsWith("1 act Dance: done");
+
+            assertThat(rig.truePose("aibo").distanceMm(before)).isLessThan(20);
+            assertThat(rig.truePose("aibo").headingDeg()).isBetween(-20.0, 20.0);
+            assertThat(rig.run("1 get posture,headPan,tailPan"))
+                    .containsExactly("1 posture = stand", "1 headPan = 0 deg", "1 tailPan = 0 deg");
         }
     }
 }

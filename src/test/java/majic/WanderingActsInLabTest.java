@@ -16,6 +16,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 @Timeout(120)
 class WanderingActsInLabTest {
     private static final int TEN_MINUTES_S = 600;
+    private static final int TO_THE_WALL_S = 20;
+    private static final int ONE_ROUND_S = 330;
 
     static Stream<Named<Supplier<LabRig>>> labs() {
         return ActLabs.labs();
@@ -42,6 +44,27 @@ class WanderingActsInLabTest {
             assertThat(rig.said()).noneMatch(line -> line.contains("failed"));
             assertThat(ActLabs.bumps(rig)).containsEntry(robot, 0);
             assertThat(ActLabs.metresVisited(ways.get(robot))).isGreaterThanOrEqualTo(squareMetres);
+        }
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labs")
+    void theWallFollowerGoesRoundTheRoom(Supplier<LabRig> lab) throws InterruptedException {
+        try (LabRig rig = lab.get()) {
+            ActLabs.place(rig, "aibo", new Pose(0, 700, 0));
+            ActLabs.place(rig, "hemisson", new Pose(0, -700, 0));
+            rig.add("pioneer");
+            rig.say("1 act WallFollow");
+            rig.lab().time().sleep(TO_THE_WALL_S);
+            Rounds rounds = new Rounds(new Pose(0, 0, 0));
+            List<Pose> way = ActLabs.watch(rig, ONE_ROUND_S).get("pioneer");
+            way.forEach(rounds::add);
+
+            assertThat(rounds.done()).isGreaterThan(1);
+            assertThat(way).allMatch(pose -> ActLabs.toTheWalls(rig, pose) < 1300);
+            assertThat(way.stream().filter(pose -> ActLabs.toTheWalls(rig, pose) < 800))
+                    .hasSizeGreaterThan(ONE_ROUND_S * 3 / 4);
+            assertThat(ActLabs.bumps(rig)).containsEntry("pioneer", 0);
         }
     }
 }

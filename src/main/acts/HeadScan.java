@@ -1,0 +1,41 @@
+import java.util.List;
+import majic.act.MajicAct;
+import majic.act.Role;
+import majic.bot.Value;
+
+/** An Aibo looks around without a step, says where the nearest thing is, and keeps its eyes on it. */
+public final class HeadScan extends MajicAct {
+    private static final long serialVersionUID = 1;
+    private static final int WIDEST_DEG = 90;
+    private static final int STEP_DEG = 10;
+
+    @Override
+    public List<Role> roles() {
+        return List.of(Role.any(Role.ME).types("aibo"));
+    }
+
+    @Override
+    protected void behave() {
+        double nearest = Double.POSITIVE_INFINITY;
+        int where = 0;
+        for (int degrees = WIDEST_DEG; degrees >= -WIDEST_DEG; degrees -= STEP_DEG) {
+            double distance = distanceAt(degrees);
+            if (distance < nearest) {
+                nearest = distance;
+                where = degrees;
+            }
+        }
+        bot.set("headPan", where);
+        if (Double.isInfinite(nearest)) {
+            say("nothing is in sight");
+        } else {
+            say("the nearest thing is " + Math.round(nearest / 10) + " cm away, at " + where + " degrees");
+        }
+    }
+
+    private double distanceAt(int degrees) {
+        bot.set("headPan", degrees);
+        pause(0.3);
+        return bot.get("distance") instanceof Value.Number seen ? seen.amount() : Double.POSITIVE_INFINITY;
+    }
+}

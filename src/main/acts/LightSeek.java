@@ -1,0 +1,77 @@
+import java.util.List;
+import majic.act.MajicAct;
+import majic.act.Role;
+
+/** A Hemisson goes to a lamp: every sensor that sees light pulls it to where it looks. Without light it wanders. */
+public final class LightSeek extends MajicAct {
+    private static final long serialVersionUID = 1;
+
+    /** Where the sensors light0 to light5 look. */
+    private static final double[] LOOKS_DEG = {0, -45, 45, -90, 90, 180};
+
+    private static final double BRIGHT = 40;
+    private static final double PULL_OF_A_LAMP = 12;
+    private static final double STRIDE_MM = 120;
+    private static final int LOOKS = 4;
+
+    @Override
+    public List<Role> roles() {
+        return List.of(Role.any(Role.ME).types("hemisson"));
+    }
+
+    @Override
+    protected void behave() {
+        double[] light = look();
+        while (brightest(light) > BRIGHT) {
+            double pull = pull(light);
+            if (!Double.isNaN(pull)) {
+                bot.turn(pull);
+            }
+            bot.move(STRIDE_MM, this::isSomethingNear);
+            if (isSomethingNear()) {
+                bot.turn(100);
+            }
+            light = look();
+        }
+        say("here is the light");
+    }
+
+    /** What the sensors see, 0 bright to 255 dark; the mean of a few looks, for one alone is noisy. */
+    private double[] look() {
+        double[] light = new double[LOOKS_DEG.length];
+        for (int look = 0; look < LOOKS; look++) {
+            for (int sensor = 0; sensor < light.length; sensor++) {
+                light[sensor] += bot.get("light" + sensor).number() / LOOKS;
+            }
+            pause(0.05);
+        }
+        return light;
+    }
+
+    /** The direction that the light comes from, degrees; not a number if there is none. */
+    private static double pull(double[] light) {
+        double dark = 0;
+        for (double one : light) {
+            dark = Math.max(dark, one);
+        }
+        double ahead = 0;
+        double left = 0;
+        for (int sensor = 0; sensor < light.length; sensor++) {
+            ahead += (dark - light[sensor]) * Math.cos(Math.toRadians(LOOKS_DEG[sensor]));
+            left += (dark - light[sensor]) * Math.sin(Math.toRadians(LOOKS_DEG[sensor]));
+        }
+        return Math.hypot(ahead, left) < PULL_OF_A_LAMP ? Double.NaN : Math.toDegrees(Math.atan2(left, ahead));
+    }
+
+    private static double brightest(double[] light) {
+        double brightest = light[0];
+        for (double one : light) {
+            brightest = Math.min(brightest, one);
+        }
+        return brightest;
+    }
+
+    private boolean isSomethingNear() {
+        return bot.get("distanceFront").number() < bot.get("near").number();
+    }
+}

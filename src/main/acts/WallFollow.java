@@ -1,0 +1,53 @@
+import java.util.List;
+import majic.act.MajicAct;
+import majic.act.Role;
+
+/** A Pioneer drives along the wall on its right, into corners and around them, half a metre away. */
+public final class WallFollow extends MajicAct {
+    private static final long serialVersionUID = 1;
+    private static final double AWAY_MM = 500;
+    private static final double STEP_S = 0.4;
+
+    /** How far ahead it means to be at the right distance. */
+    private static final double AIM_MM = 800;
+
+    private static final double SHARPEST_DEG_PER_SEC = 25;
+
+    @Override
+    public List<Role> roles() {
+        return List.of(Role.any(Role.ME).types("pioneer"));
+    }
+
+    @Override
+    protected void behave() {
+        bot.move(5000, this::isBlocked);
+        double before = toTheWall();
+        while (true) {
+            while (isBlocked()) {
+                bot.turn(30);
+                before = toTheWall();
+            }
+            double now = toTheWall();
+            double speed = number("cruise") / 2;
+            double drift = Math.atan2(now - before, speed * STEP_S);
+            double aim = Math.atan2(AWAY_MM - now, AIM_MM);
+            double bend = Math.toDegrees(aim - drift) / STEP_S / 2;
+            bot.drive(speed, Math.max(-SHARPEST_DEG_PER_SEC, Math.min(bend, SHARPEST_DEG_PER_SEC)));
+            before = now;
+            pause(STEP_S);
+        }
+    }
+
+    private boolean isBlocked() {
+        return number("distanceFront") < AWAY_MM;
+    }
+
+    /** What is farther than twice the wanted distance, or not there at all, is as good as that far. */
+    private double toTheWall() {
+        return Math.min(number("distanceRight"), 2 * AWAY_MM);
+    }
+
+    private double number(String parameter) {
+        return bot.get(parameter).number();
+    }
+}

@@ -1,0 +1,101 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import majic.bot.Pose;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The shipped behaviours that are about more than one robot. */
+@Timeout(120)
+class TeamActsInLabTest {
+    static Stream<Named<Supplier<LabRig>>> labs() {
+        return ActLabs.labs();
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labs")
+    void theGuardStopsEverybodyWhenSomethingComesNear(Supplier<LabRig> lab) throws InterruptedException {
+        try (LabRig rig = lab.get().withAllRobots()) {
+            rig.lab().time().sleep(3);
+            rig.say("2 act Guard");
+            rig.say("1,3 move 1m");
+            rig.lab().time().sleep(5);
+            assertThat(rig.team().isLatched()).isFalse();
+
+            ActLabs.place(rig, "hemisson", new Pose(700, 0, 0));
+            rig.lab().time().sleep(1);
+            assertThat(rig.team().isLatched()).isTrue();
+            assertThat(rig.said()).contains("1 move 1m: stopped", "3 move 1m: stopped", "2 act Guard: stopped");
+            Map<String, Pose> then = rig.lab().truePoses();
+            rig.lab().time().sleep(2);
+            assertThat(rig.lab().truePoses()).isEqualTo(then);
+        }
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labs")
+    void theRaceEndsInTheOrderOfSpeed(Supplier<LabRig> lab) throws InterruptedException {
+        try (LabRig rig = lab.get()) {
+            ActLabs.place(rig, "aibo", new Pose(-1000, 700, 0));
+            ActLabs.place(rig, "pioneer", new Pose(-1000, 0, 0));
+            ActLabs.place(rig, "hemisson", new Pose(-1000, -700, 0));
+            rig.withAllRobots();
+            assertThat(rig.run("1 act MajicRace with 2,3"))
+                    .containsSubsequence(
+                            "1: MajicRace: number 1 is the pioneer",
+                            "1: MajicRace: number 2 is the aibo",
+                            "1: MajicRace: number 3 is the hemisson");
+            assertThat(rig.lab().truePoses().values()).allMatch(pose -> pose.xMm() > -200 && pose.xMm() < 200);
+        }
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labs")
+    void whoFollowsInAConvoyKeepsItsDistance(Supplier<LabRig> lab) throws InterruptedException {
+        try (LabRig rig = convoy(lab)) {
+            Pose start = rig.truePose("aibo");
+            rig.lab().time().sleep(12);
+            Map<String, List<Pose>> ways = ActLabs.watch(rig, 25);
+
+            List<Pose> behind = ways.get("pioneer");
+            assertThat(ways.get("aibo").stream()
+                            .mapToDouble(leader -> leader.distanceMm(
+                                    behind.get(ways.get("aibo").indexOf(leader)))))
+                    .allMatch(apart -> apart > 830 && apart < 1030);
+            assertThat(rig.truePose("aibo").distanceMm(start)).isGreaterThan(2000);
+        }
+    }
+
+    /** A dog ahead of a Pioneer whose middles are 900 mm apart, which leaves some 450 mm between them. */
+    private static LabRig convoy(Supplier<LabRig> lab) {
+        LabRig rig = lab.get();
+        ActLabs.place(rig, "aibo", new Pose(-1000, 0, 0));
+        ActLabs.place(rig, "pioneer", new Pose(-1900, 0, 0));
+        rig.add("aibo");
+        rig.add("pioneer");
+        rig.say("1 act Convoy with 2");
+        return rig;
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labs")
+    void aConvoyWaitsForWhoLostSight(Supplier<LabRig> lab) throws InterruptedException {
+        try (LabRig rig = convoy(lab)) {
+            rig.lab().time().sleep(12);
+            ActLabs.place(rig, "aibo", new Pose(0, 2500, 0));
+            ActLabs.awaitSaid(rig, "1: Convoy: the follower sees nobody ahead");
+            rig.lab().time().sleep(1);
+            Map<String, Pose> then = rig.lab().truePoses();
+            rig.lab().time().sleep(3);
+            assertThat(rig.lab().truePoses()).isEqualTo(then);
+            assertThat(rig.run("2 stop")).contains("1 act Convoy with 2: stopped");
+        }
+    }
+}
