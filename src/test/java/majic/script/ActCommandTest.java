@@ -99,11 +99,6 @@ class ActCommandTest {
     }
 
     @Test
-    void actOffWhereNothingRunsSaysSo() throws Exception {
-        assertThat(desk.runPipe("1 act off")).contains("1 act off: no behaviour runs on it");
-    }
-
-    @Test
     void anUnknownNameIsRefusedWithWhatWouldBeRight() {
         assertThat(desk.prompt.parseText("1 act Wandr"))
                 .get()

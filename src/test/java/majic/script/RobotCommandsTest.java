@@ -140,6 +140,6 @@ class RobotCommandsTest {
 
     @Test
     void robotsMayHaveNoBehaviourToEnd() throws InterruptedException {
-        assertThat(desk.runPipe("1 act off")).containsExactly("1 act off: done");
+        assertThat(desk.runPipe("1 act off")).containsExactly("1 act off: no behaviour runs on it");
     }
 }
