@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** The shipped behaviours of the Aibo do what they are for. */
 @Timeout(120)
+@Tag("long")
 class AiboActsInLabTest {
     static Stream<Named<Supplier<LabRig>>> labs() {
         return ActLabs.labs();

@@ -8,12 +8,14 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The shipped behaviours that are about more than one robot. */
 @Timeout(120)
+@Tag("long")
 class TeamActsInLabTest {
     static Stream<Named<Supplier<LabRig>>> labs() {
         return ActLabs.labs();

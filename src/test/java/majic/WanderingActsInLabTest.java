@@ -8,12 +8,14 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The shipped wanderers drive into nothing in ten minutes among walls, boxes and robots that stand, and get around. */
 @Timeout(120)
+@Tag("long")
 class WanderingActsInLabTest {
     private static final int TEN_MINUTES_S = 600;
     private static final int TO_THE_WALL_S = 20;

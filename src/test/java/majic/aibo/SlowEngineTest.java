@@ -11,12 +11,14 @@ import majic.bot.Settings;
 import majic.bot.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A dog whose engine takes two seconds from a question to its answer. */
 @Timeout(60)
+@Tag("long")
 class SlowEngineTest {
     private ScriptedDog dog;
     private MajicAibo aibo;
