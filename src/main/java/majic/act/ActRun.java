@@ -77,11 +77,12 @@ public final class ActRun {
         } finally {
             giveBack(lent);
         }
-        if (cutShort.get() && !calledOff) {
+        Throwable failure = act.failure();
+        boolean stopped = cutShort.get() || failure instanceof MotionStopped;
+        if (stopped && !calledOff) {
             throw new MotionStopped("the act was ended");
         }
-        Throwable failure = act.failure();
-        if (failure != null) {
+        if (failure != null && !stopped) {
             throw new BotException(Blame.of(act, failure), failure);
         }
     }

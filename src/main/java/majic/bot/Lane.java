@@ -123,7 +123,7 @@ final class Lane {
         if (ending.outcome() == Answer.Outcome.FAILED) {
             synchronized (this) {
                 dropped = drop();
-                pending.end(ending.outcome());
+                pending.settle(ending.outcome());
             }
         }
         tell(pending, ending);

@@ -7,6 +7,7 @@ public final class Pending {
     private final Order order;
     private final Permit permit;
     private volatile Answer.@Nullable Outcome outcome;
+    private volatile boolean ended;
 
     Pending(Order order, Permit permit) {
         this.order = order;
@@ -23,7 +24,7 @@ public final class Pending {
     }
 
     /**
-     * How it ended.
+     * How it ended, from before anybody is told.
      *
      * @return null while it has not
      */
@@ -32,19 +33,24 @@ public final class Pending {
     }
 
     /**
-     * Whether it has ended, well or not.
+     * Whether it has ended, well or not, and its answer was given.
      *
-     * @return true once {@link #outcome()} tells how
+     * @return true from then on; {@link #outcome()} tells how
      */
     public boolean hasEnded() {
-        return outcome != null;
+        return ended;
     }
 
     Permit permit() {
         return permit;
     }
 
+    void settle(Answer.Outcome how) {
+        outcome = how;
+    }
+
     void end(Answer.Outcome how) {
         outcome = how;
+        ended = true;
     }
 }

@@ -66,12 +66,18 @@ final class Tally {
             if (outcome == null) {
                 continue;
             }
-            all.remove();
-            if (!forgiven.remove(entry.getKey()) && outcome != Answer.Outcome.DONE && trouble.isEmpty()) {
-                String text =
-                        entry.getValue().number() + " " + entry.getKey().order().text();
-                trouble = Optional.of(new Trouble(outcome, text, entry.getValue()));
+            note(entry.getKey(), outcome, entry.getValue());
+            if (entry.getKey().hasEnded()) {
+                all.remove();
+                forgiven.remove(entry.getKey());
             }
+        }
+    }
+
+    private void note(Pending pending, Answer.Outcome outcome, Member robot) {
+        if (outcome != Answer.Outcome.DONE && !forgiven.contains(pending) && trouble.isEmpty()) {
+            trouble = Optional.of(
+                    new Trouble(outcome, robot.number() + " " + pending.order().text(), robot));
         }
     }
 }

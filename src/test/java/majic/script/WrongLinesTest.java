@@ -50,7 +50,7 @@ class WrongLinesTest {
                 "1 bark gladly | bark: takes MOOD TIME [TIME]...",
                 "1 bark wildly 100ms | mood wildly: it is one of gladly, sadly",
                 "1 bark sadly 100ms 300ms 2s | time 2 s: outside 0 … 1000 ms",
-                "1 act WandrDog | there is no behaviour WandrDog; did you mean WanderDog?",
+                "1 act WandrDog | there is no behaviour WandrDog; did you mean WanderDog?; \"acts\" lists those there are, and a file's name ends in .act",
                 "1 log x | behind \"x\" \"every\" and a time is missing",
                 "1 log x every 1ms | 1ms: the log takes from 10 ms to one day between readings",
                 "1.move 500 | 500: \"(\" is expected here",
