@@ -11,8 +11,12 @@ final class Farewell {
 
     private Farewell() {}
 
-    /** Says it on the thread that closes; the robot's keeper may be gone, so overdue answers are looked for here. */
-    static void say(Session session, Signal changes) {
+    /**
+     * Says it on the thread that closes; the robot's keeper may be gone, so overdue answers are looked for here.
+     *
+     * @return whether the robot has confirmed that it stands
+     */
+    static boolean say(Session session, Signal changes) {
         Conversation conversation = session.conversation();
         conversation.stop();
         try {
@@ -23,6 +27,7 @@ final class Farewell {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        return conversation.isStanding();
     }
 
     private static boolean isOver(Session session) {

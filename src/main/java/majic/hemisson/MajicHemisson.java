@@ -128,8 +128,8 @@ public final class MajicHemisson extends MajicBot {
     @Override
     protected void shut() {
         Session open = sessions.current();
-        if (open != null) {
-            Farewell.say(open, changes());
+        if (open != null && !Farewell.say(open, changes())) {
+            say("it has not confirmed that it stands; " + HELP);
         }
         sessions.end();
     }
