@@ -65,6 +65,9 @@ final class UrbiConnection {
             }
         } catch (IOException e) {
             why = String.valueOf(e.getMessage());
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "a message of the dog could not be handled", e);
+            why = "an error in MAJIC, see its log (" + e + ")";
         }
         ended = true;
         watch.changes().raise();

@@ -221,6 +221,9 @@ public sealed interface Value {
     }
 
     private static String plain(double number, int mostDigits) {
+        if (!Double.isFinite(number)) {
+            return String.valueOf(number);
+        }
         int digits = Math.abs(number) >= 100 ? 0 : Math.abs(number) >= 10 ? 1 : 3;
         BigDecimal rounded = BigDecimal.valueOf(number)
                 .setScale(Math.min(digits, mostDigits), RoundingMode.HALF_UP)

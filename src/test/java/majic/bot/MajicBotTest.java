@@ -247,4 +247,11 @@ class MajicBotTest {
     private static void describe(ParameterTable table, String name) {
         table.add(Parameter.text(name, "a limb"), () -> Value.text("bent"));
     }
+
+    @Test
+    void aSpeedThatIsNoNumberIsRefusedInWords() {
+        assertThatThrownBy(() -> bot.drive(Double.NaN, 0))
+                .isInstanceOf(ParameterException.class)
+                .hasMessageContaining("drive NaN: outside");
+    }
 }
