@@ -32,6 +32,7 @@ public final class ActRun {
     private final Owner owner;
     private final AtomicBoolean cutShort = new AtomicBoolean();
     private volatile boolean calledOff;
+    private volatile boolean halted;
     private volatile boolean over;
 
     /**
@@ -69,7 +70,7 @@ public final class ActRun {
             }
             if (!cutShort.get()) {
                 act.start(cast, new Hall());
-                changes.await(() -> over, Signal.FOR_EVER);
+                changes.await(() -> over && (halted || !cutShort.get()), Signal.FOR_EVER);
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -119,7 +120,12 @@ public final class ActRun {
     }
 
     private void halt() {
-        act.end();
+        try {
+            act.end();
+        } finally {
+            halted = true;
+            changes.raise();
+        }
         Thread patience = new Thread(this::awaitEnding, "awaiting the end of " + name);
         patience.setDaemon(true);
         patience.start();
