@@ -248,7 +248,7 @@ class MajicAiboTest {
         dog.answersPolls = false;
 
         assertThatThrownBy(walk::join).hasMessageContaining("no word from the dog");
-        assertThat(dog.received("stop walk")).isNotEmpty();
+        awaitSent("stop walk");
     }
 
     @Test

@@ -2,7 +2,9 @@ package majic.gui;
 
 import java.awt.Component;
 import java.awt.Dialog;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.OptionalInt;
@@ -118,6 +120,12 @@ final class TestWindow implements AutoCloseable {
         return !robot.finder()
                 .findAll(found -> name.equals(found.getName()) && found.isShowing())
                 .isEmpty();
+    }
+
+    /** Whether the keys go to a window. */
+    boolean hasKeys(String name) {
+        Window focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
+        return focused != null && name.equals(focused.getName());
     }
 
     String text(String name) {

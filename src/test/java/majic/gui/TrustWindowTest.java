@@ -44,6 +44,7 @@ class TrustWindowTest {
     void enterDoesNotRunIt() {
         load();
         window.awaitDialog("Trust this code?");
+        window.await("the question to have the keys", () -> window.hasKeys("Trust this code? dialog"));
         window.press(KeyEvent.VK_ENTER);
         window.await("the question to go", () -> !window.isShowing("Trust this code? dialog"));
         assertThat(System.getProperty(OwnActs.FLAG)).isNull();
