@@ -68,7 +68,7 @@ final class Runner {
 
     /** Starts it, if it still may be started once everybody can see that it is about to be; there is nothing else. */
     boolean start(Running running, BooleanSupplier mayStill) {
-        if (!current.compareAndSet(null, running)) {
+        if (!take(running)) {
             throw new BotException("the dog has not yet ended what it did before");
         }
         if (!mayStill.getAsBoolean()) {
@@ -83,12 +83,24 @@ final class Runner {
         return true;
     }
 
+    /** Who waited for an end may come with the next thing before that end was cleared away. */
+    private synchronized boolean take(Running running) {
+        dropEnded();
+        return current.compareAndSet(null, running);
+    }
+
+    private synchronized boolean dropEnded() {
+        Running ended = current.get();
+        if (ended == null || !ended.isOver()) {
+            return false;
+        }
+        dog.reckoning().end();
+        return current.compareAndSet(ended, null);
+    }
+
     /** Called when something has ended, by whoever noticed. */
     private void clear() {
-        Running ended = current.get();
-        if (ended != null && ended.isOver()) {
-            dog.reckoning().end();
-            current.compareAndSet(ended, null);
+        if (dropEnded()) {
             whenOver.run();
         }
         watch.changes().raise();
