@@ -18,7 +18,7 @@ import net.miginfocom.swing.MigLayout;
 final class RolesDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
-    private final List<RoleChoice> choices = new ArrayList<>();
+    private final transient List<RoleChoice> choices = new ArrayList<>();
     private final Paragraph outcome = new Paragraph("rolesOutcome", 1, 40);
     private final transient Consumer<List<Integer>> assigned;
 
