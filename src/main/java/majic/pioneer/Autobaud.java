@@ -23,6 +23,9 @@ final class Autobaud {
     private static final double PULSE_S = 0.1;
     private static final int PULSES = 5;
 
+    /** The first SIP after the change may have been on its way before it, at the other speed. */
+    private static final int PROOFS = 2;
+
     /** The robot's own 500 ms, and then a SIP (ARCOS sheet 6.1, HOSTBAUD). */
     private static final double FALL_BACK_S = 1;
 
@@ -88,14 +91,15 @@ final class Autobaud {
 
     /** Any valid packet of ours tells the robot that the change has worked. */
     private boolean isHeard() {
-        long seen = session.state().atNanos();
-        for (int pulse = 0; pulse < PULSES; pulse++) {
+        int proofs = 0;
+        for (int pulse = 0; pulse < PULSES && proofs < PROOFS; pulse++) {
+            long seen = session.state().atNanos();
             line.send(Command.PULSE.packet());
             if (session.awaitState(state -> state.atNanos() != seen, PULSE_S)) {
-                return true;
+                proofs++;
             }
         }
-        return false;
+        return proofs == PROOFS;
     }
 
     private void fallBack() {
