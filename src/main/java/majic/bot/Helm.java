@@ -2,7 +2,9 @@ package majic.bot;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -56,24 +58,38 @@ final class Helm {
     MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
         bot.requireConnected();
         begin(permit);
-        BotListener relay = bot.readingsRelay();
-        until.alsoWatches().forEach(other -> other.addListener(relay));
         try {
             endDrive();
-            Motion motion = new Motion(bot, until, permit);
-            motion.check();
-            Value amount = maneuver.run(motion);
-            return new MotionReport(amount, motion.seconds());
+            return watching(until, () -> {
+                Motion motion = new Motion(bot, until, permit);
+                motion.check();
+                Value amount = maneuver.run(motion);
+                return new MotionReport(amount, motion.seconds());
+            });
         } catch (LinkLost e) {
-            bot.lost(e);
+            // A permit may have been revoked because another robot's link was lost.
+            if (!permit.isRevoked()) {
+                bot.lost(e);
+            }
             throw e;
         } catch (RuntimeException | Error e) {
             haltAfter(permit);
             throw e;
         } finally {
-            until.alsoWatches().forEach(other -> other.removeListener(relay));
             motionUnderWay.set(false);
             bot.changes().raise();
+        }
+    }
+
+    /** Lets the news of all robots that the guard asks wake the motion. */
+    private MotionReport watching(Guard until, Supplier<MotionReport> motion) {
+        List<MajicBot> others = until.alsoWatches();
+        BotListener relay = bot.readingsRelay();
+        others.forEach(other -> other.addListener(relay));
+        try {
+            return motion.get();
+        } finally {
+            others.forEach(other -> other.removeListener(relay));
         }
     }
 
@@ -173,6 +189,13 @@ final class Helm {
             bot.halt();
         }
         bot.confirmHalt();
+    }
+
+    /** Waits until what is being sent has been sent: nothing follows any more when all permits are revoked. */
+    void settle() {
+        synchronized (commandLock) {
+            driving = false;
+        }
     }
 
     private void haltAhead() {

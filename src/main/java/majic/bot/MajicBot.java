@@ -163,12 +163,16 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * move the robot: for whoever revoked the leave that matters himself.
      *
      * @throws LinkLost if the connection was lost: nobody can tell it, so nobody may say it stands
+     * @throws BotException if it is being connected again, or could not be; nobody can tell it then either
      */
     public final void sendStop() {
         changes.raise();
         LinkLost cause = lostBecause;
         if (cause != null) {
             throw new LinkLost(cause.getMessage(), cause);
+        }
+        if (connection == Connection.CONNECTING || connection == Connection.LOST) {
+            throw new BotException(name + " is not connected; nobody can tell it to stand");
         }
         if (isConnected()) {
             helm.sendStop();
@@ -271,6 +275,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         }
         keeper.close();
         changes.raise();
+        helm.settle();
         if (before != Connection.NEW) {
             shut();
         }

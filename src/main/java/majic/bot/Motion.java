@@ -117,9 +117,11 @@ public final class Motion {
             readingsSeen = readings;
             try {
                 guardReached = first ? guard.reached() : Patience.without(guard::reached);
-            } catch (MotionStopped | LinkLost e) {
+            } catch (MotionStopped e) {
                 throw e;
             } catch (BotException e) {
+                // A guard may ask other robots: a link that is lost there is no trouble of this robot's own.
+                check();
                 throw new MotionFailed(e.getMessage());
             }
         }

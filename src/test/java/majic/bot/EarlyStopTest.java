@@ -57,6 +57,26 @@ class EarlyStopTest {
         assertThat(bot.sent()).containsExactly("halt");
     }
 
+    @Test
+    void nothingIsSentBehindTheFarewell() {
+        CompletableFuture<Void> drive = aside(() -> bot.drive(100, 0));
+        await(sending);
+        CountDownLatch closed = new CountDownLatch(1);
+        bot.addListener(new BotListener() {
+            @Override
+            public void connectionChanged(MajicBot closing, MajicBot.Connection now) {
+                closed.countDown();
+            }
+        });
+
+        CompletableFuture<Void> close = aside(bot::close);
+        await(closed);
+        stuck.countDown();
+
+        CompletableFuture.allOf(drive, close).join();
+        assertThat(bot.sent()).containsExactly("drive 100 0", "close");
+    }
+
     /** On a thread of its own: the common pool may have just one. */
     private static CompletableFuture<Void> aside(Runnable work) {
         return CompletableFuture.runAsync(work, task -> new Thread(task).start());

@@ -1,0 +1,61 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import majic.TestClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A guard of a motion may ask anything; whatever that throws is no trouble of the robot that moves. */
+@Timeout(20)
+class GuardTest {
+    private final TestClock clock = new TestClock();
+    private final FakeBot bot = FakeBot.on(clock.time());
+
+    @BeforeEach
+    void connect() {
+        bot.connect();
+    }
+
+    @AfterEach
+    void close() {
+        bot.close();
+        clock.close();
+    }
+
+    @Test
+    void anotherRobotsLostLinkIsNotItsOwn() {
+        Guard asksAnother = () -> {
+            throw new LinkLost("the other one is gone");
+        };
+
+        assertThatThrownBy(() -> bot.move(500, asksAnother))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessage("the other one is gone");
+        assertThat(bot.isConnected()).isTrue();
+        assertThat(bot.sent()).endsWith("halt");
+    }
+
+    @Test
+    void oneThatCannotSayWhatItWatchesHoldsUpNoLaterMotion() {
+        Guard broken = new Guard() {
+            @Override
+            public boolean reached() {
+                return false;
+            }
+
+            @Override
+            public List<MajicBot> alsoWatches() {
+                throw new IllegalStateException("a mistake");
+            }
+        };
+
+        assertThatThrownBy(() -> bot.move(500, broken)).hasMessage("a mistake");
+        assertThat(bot.isBusy()).isFalse();
+        assertThat(bot.move(300).toString()).startsWith("300 mm");
+    }
+}
