@@ -31,7 +31,7 @@ record ActLoading(String label, ActContents contents) {
             throw refused("is damaged: " + e.getMessage(), e);
         } catch (ActException e) {
             throw e;
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             throw refused("failed in its own code when it was loaded: " + e, e);
         }
     }

@@ -6,13 +6,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
+import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Member;
 import majic.bot.MotionStopped;
 import majic.bot.Owner;
+import majic.bot.Permit;
 import majic.bot.Signal;
+import majic.bot.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,6 +24,12 @@ import org.jspecify.annotations.Nullable;
  * without a robot. Used once.
  */
 public final class ActRun {
+    private enum Phase {
+        RUNNING,
+        CUT_SHORT,
+        OVER
+    }
+
     /** How long an act has for its ending, by the system's clock: an act that does not wait holds up a lab's. */
     static final double GRACE_S = 2;
 
@@ -30,7 +39,8 @@ public final class ActRun {
     private final Cast cast;
     private final Signal changes;
     private final Owner owner;
-    private final AtomicBoolean cutShort = new AtomicBoolean();
+    private final Permit leave;
+    private final AtomicReference<Phase> phase = new AtomicReference<>(Phase.RUNNING);
     private volatile boolean calledOff;
     private volatile boolean halted;
     private volatile boolean over;
@@ -41,10 +51,13 @@ public final class ActRun {
      * @param act fresh
      * @param name what messages call it
      * @param members a robot for each of its roles, {@value Role#ME} the first
+     * @param leave of all these robots, from when the act was ordered: it may take its time to be loaded, and whoever
+     *     stops one of them meanwhile has stopped the act
      */
-    public ActRun(MajicAct act, String name, Map<String, Member> members) {
+    public ActRun(MajicAct act, String name, Map<String, Member> members, Permit leave) {
         this.act = act;
         this.name = name;
+        this.leave = leave;
         this.members = new LinkedHashMap<>(members);
         Map<String, MajicBot> robots = new LinkedHashMap<>();
         members.forEach((role, member) -> robots.put(role, member.bot()));
@@ -65,12 +78,13 @@ public final class ActRun {
         List<Member> lent = new ArrayList<>();
         try {
             for (Member member : members.values()) {
-                member.lend(owner, by);
+                member.lend(owner, cast.lease(), by);
                 lent.add(member);
             }
-            if (!cutShort.get()) {
+            leave.check();
+            if (!isCutShort()) {
                 act.start(cast, new Hall());
-                changes.await(() -> over && (halted || !cutShort.get()), Signal.FOR_EVER);
+                awaitEnd();
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -78,14 +92,31 @@ public final class ActRun {
         } finally {
             giveBack(lent);
         }
+        report();
+    }
+
+    /** Whoever comes to end it from now on comes too late: the robots may be somebody else's already. */
+    private void awaitEnd() throws InterruptedException {
+        changes.await(() -> over && (halted || !isCutShort()), Signal.FOR_EVER);
+        if (!phase.compareAndSet(Phase.RUNNING, Phase.OVER)) {
+            changes.await(() -> halted && over, Signal.FOR_EVER);
+        }
+    }
+
+    private void report() {
         Throwable failure = act.failure();
-        boolean stopped = cutShort.get() || failure instanceof MotionStopped;
+        boolean lost = failure instanceof LinkLost;
+        boolean stopped = !lost && (isCutShort() || failure instanceof MotionStopped);
         if (stopped && !calledOff) {
             throw new MotionStopped("the act was ended");
         }
         if (failure != null && !stopped) {
             throw new BotException(Blame.of(act, failure), failure);
         }
+    }
+
+    private boolean isCutShort() {
+        return phase.get() == Phase.CUT_SHORT;
     }
 
     private void giveBack(Collection<Member> lent) {
@@ -112,11 +143,10 @@ public final class ActRun {
 
     /** Ends it; returns at once. */
     private void end() {
-        if (!cutShort.compareAndSet(false, true)) {
-            return;
+        if (phase.compareAndSet(Phase.RUNNING, Phase.CUT_SHORT)) {
+            cast.revoke();
+            cast.clock().aside("ending " + name, this::halt);
         }
-        cast.revoke();
-        cast.clock().thread("ending " + name, this::halt).start();
     }
 
     private void halt() {
@@ -125,10 +155,8 @@ public final class ActRun {
         } finally {
             halted = true;
             changes.raise();
+            TimeSource.system().aside("awaiting the end of " + name, this::awaitEnding);
         }
-        Thread patience = new Thread(this::awaitEnding, "awaiting the end of " + name);
-        patience.setDaemon(true);
-        patience.start();
     }
 
     private void awaitEnding() {
@@ -156,7 +184,7 @@ public final class ActRun {
     private final class Hall implements Audience {
         @Override
         public void said(String words) {
-            if (!cutShort.get()) {
+            if (!isCutShort()) {
                 tell(words);
             }
         }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotControl;
 import majic.bot.BotException;
@@ -14,12 +15,14 @@ import majic.bot.MotionStopped;
 import majic.bot.Permit;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
+import org.jspecify.annotations.Nullable;
 
 /** The robots that an act commands, by role. They are taken back together, for good. Thread-safe. */
 final class Cast {
     private static final Logger LOG = System.getLogger(Cast.class.getName());
 
-    private final Permit permit = new Permit();
+    private final Permit lease = new Permit();
+    private final AtomicBoolean takenBack = new AtomicBoolean();
     private final Map<String, MajicBot> robots;
     private final Map<String, BotControl> leases = new LinkedHashMap<>();
 
@@ -30,7 +33,7 @@ final class Cast {
      */
     Cast(Map<String, MajicBot> robots) {
         this.robots = new LinkedHashMap<>(robots);
-        robots.forEach((role, robot) -> leases.put(role, new Lease(robot, permit)));
+        robots.forEach((role, robot) -> leases.put(role, new Lease(robot, lease)));
     }
 
     /** What the act's own robot goes by. */
@@ -48,13 +51,30 @@ final class Cast {
         return lease;
     }
 
-    /** Takes the leave to move back; returns at once. The robots still do what they were told last. */
-    void revoke() {
-        permit.revoke(() -> new MotionStopped("the act has ended"));
+    /**
+     * Takes the leave to move back; returns at once. The robots still do what they were told last.
+     *
+     * @return whether this was the first time, so that nobody has halted them since
+     */
+    boolean revoke() {
+        lease.revoke(() -> new MotionStopped("the act has ended"));
+        return takenBack.compareAndSet(false, true);
     }
 
-    boolean isRevoked() {
-        return permit.isRevoked();
+    /** What all is done by that the act orders. A stop of one of the robots revokes it, and so does a link that is lost. */
+    Permit lease() {
+        return lease;
+    }
+
+    /** Why the leave to move was taken back; null as long as it was not. */
+    @Nullable
+    BotException revocation() {
+        try {
+            lease.check();
+            return null;
+        } catch (BotException e) {
+            return e;
+        }
     }
 
     /** Halts all robots side by side, and blocks as long as the slowest link takes. */
@@ -63,13 +83,11 @@ final class Cast {
         AtomicInteger moving = new AtomicInteger(all.size() - 1);
         Signal halted = clock().signal();
         for (MajicBot robot : all.subList(1, all.size())) {
-            robot.time()
-                    .thread("halting the " + robot.type().label(), () -> {
-                        halt(robot);
-                        moving.decrementAndGet();
-                        halted.raise();
-                    })
-                    .start();
+            robot.time().aside("halting the " + robot.type().label(), () -> {
+                halt(robot);
+                moving.decrementAndGet();
+                halted.raise();
+            });
         }
         halt(all.get(0));
         try {
@@ -88,6 +106,8 @@ final class Cast {
                     "the {0} could not be halted: {1}",
                     robot.type().label(),
                     e.getMessage());
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.ERROR, "the " + robot.type().label() + " could not be halted", e);
         }
     }
 }

@@ -36,6 +36,7 @@ public abstract class MajicAct extends Thread implements Serializable {
     private transient volatile @Nullable Audience audience;
     private transient volatile @Nullable Throwable failure;
     private transient volatile @Nullable CountDownLatch joined;
+    private transient volatile boolean calledOff;
 
     /** A behaviour that has no robot yet. Reading a saved act does not come by here. */
     protected MajicAct() {
@@ -81,7 +82,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         } catch (InterruptedException e) {
             interrupt();
         }
-        if (isInterrupted()) {
+        if (isInterrupted() || (bot != null && robots != null && robots.revocation() != null)) {
             throw new MotionStopped("the act was ended");
         }
     }
@@ -138,7 +139,7 @@ public abstract class MajicAct extends Thread implements Serializable {
             @Override
             public void ended() {
                 Throwable reason = failure;
-                if (reason != null) {
+                if (reason != null && !(reason instanceof MotionStopped)) {
                     LOG.log(Level.WARNING, getName() + " failed", reason);
                 }
             }
@@ -155,6 +156,9 @@ public abstract class MajicAct extends Thread implements Serializable {
         cast = robots;
         audience = listening;
         bot = robots.robot(Role.ME);
+        if (calledOff) {
+            robots.revoke();
+        }
         setDaemon(true);
         setName("act " + getClass().getSimpleName());
         setContextClassLoader(getClass().getClassLoader());
@@ -173,9 +177,10 @@ public abstract class MajicAct extends Thread implements Serializable {
     /**
      * Ends the act from outside: takes its robots away, halts them, then interrupts the thread. From the first moment on
      * nothing the act says reaches a robot. Blocks as long as the slowest robot's stop does; may be called again, and
-     * from any thread.
+     * from any thread. An act that was ended before it is started does nothing when it is.
      */
     public final void end() {
+        calledOff = true;
         Cast robots = cast;
         if (robots != null) {
             robots.revoke();
@@ -184,7 +189,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         interrupt();
     }
 
-    /** Why it failed; null if it did not, or has not ended. */
+    /** Why it failed or was cut short; null if it came to its end, or is still on its way. */
     final @Nullable Throwable failure() {
         return failure;
     }
@@ -212,17 +217,19 @@ public abstract class MajicAct extends Thread implements Serializable {
 
     private boolean behaveToTheEnd(Cast robots) {
         try {
-            behave();
-            return !robots.isRevoked();
+            if (robots.revocation() == null) {
+                behave();
+            }
+            failure = robots.revocation();
         } catch (RuntimeException | Error e) {
-            failure = robots.isRevoked() ? null : e;
-            return false;
+            BotException taken = robots.revocation();
+            failure = taken == null ? e : taken;
         } finally {
-            if (!robots.isRevoked()) {
-                robots.revoke();
+            if (robots.revoke()) {
                 robots.halt();
             }
         }
+        return failure == null;
     }
 
     private void tidyUp(boolean cutShort) {

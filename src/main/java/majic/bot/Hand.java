@@ -126,17 +126,18 @@ public final class Hand implements AutoCloseable {
             }
         } finally {
             release();
-            stand(robot);
-            member.free(owner);
-            off = true;
+            letGo(robot);
         }
     }
 
-    private void stand(BotControl robot) {
+    private void letGo(BotControl robot) {
         try {
             robot.drive(0, 0);
         } catch (BotException e) {
             Team.LOG.log(System.Logger.Level.DEBUG, "a hand could not let robot " + member.number() + " stand", e);
+        } finally {
+            member.free(owner);
+            off = true;
         }
     }
 

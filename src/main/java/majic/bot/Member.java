@@ -20,9 +20,10 @@ public final class Member {
     private @Nullable Owner owner;
     private @Nullable Loan loan;
     private int stopsUnderWay;
+    private boolean gone;
 
-    /** Somebody the owner gave the robot to for a while, and the orders he gives. */
-    private record Loan(Owner to, Lane lane) {}
+    /** Somebody the owner gave the robot to for a while, by which leave, and the orders he gives. */
+    private record Loan(Owner to, Permit lease, Lane lane) {}
 
     Member(Team team, int number, MajicBot bot) {
         this.team = team;
@@ -119,6 +120,19 @@ public final class Member {
     }
 
     /**
+     * The leave that orders are given by now, for whoever begins something later that belongs to this moment.
+     *
+     * @return revoked by the next stop, or when the link is lost
+     */
+    public Permit leave() {
+        return bot.permit().and(new Permit());
+    }
+
+    private Permit leaveOf(@Nullable Owner by) {
+        return loan != null && loan.to == by ? bot.permit().and(loan.lease) : bot.permit();
+    }
+
+    /**
      * Checks what {@link #submit} checks, and orders nothing.
      *
      * @param moves whether the order would move the robot
@@ -126,15 +140,27 @@ public final class Member {
      * @throws BotException what {@link #submit} would throw now
      */
     public synchronized void check(boolean moves, @Nullable Owner by) {
+        if (gone) {
+            throw new BotException(number + ": robot " + number + " was removed");
+        }
         if (moves) {
             team.checkLatch();
             inTheWayOf(by).ifPresent(other -> {
                 throw other.inTheWay(number);
             });
+            checkStillIts(by);
         }
         if (!hasRoom(by)) {
             throw new BotException(number + ": its queue is full (" + QUEUE_DEPTH + " commands); wait, or \"" + number
                     + " stop\" empties it");
+        }
+    }
+
+    /** Whoever was ended, or has given the robot back, may hear of it later than others do. */
+    private void checkStillIts(@Nullable Owner by) {
+        boolean has = by == null || owner == by || (loan != null && loan.to == by);
+        if (!has || (by != null && by.isDismissed())) {
+            throw new MotionStopped("stopped");
         }
     }
 
@@ -157,13 +183,14 @@ public final class Member {
      * @return the order under way
      * @throws BotException if the queue is full, or the order moves and the robot has another owner or STOP is latched;
      *     nothing was queued then
+     * @throws MotionStopped if the order moves and who gives it was ended, or has the robot no more; nothing was queued
      */
     public Pending submit(Order order, @Nullable Owner by) {
         Pending pending;
         Lane used;
         synchronized (this) {
             check(order.moves(), by);
-            pending = new Pending(order, bot.permit());
+            pending = new Pending(order, leaveOf(by));
             used = laneOf(by);
             used.add(pending);
         }
@@ -221,15 +248,16 @@ public final class Member {
      * Lends the robot: until {@link #takeBack} only his orders are carried out, and those of its owner wait.
      *
      * @param to who gets it
+     * @param lease the leave that his orders are carried out by, for as long as it holds; a stop revokes it
      * @param by the owner, who stays that; null if it has none
      * @throws BotException if it is somebody else's, or lent already, or still carries out an order, other than the one
      *     that lends it
      */
-    public void lend(Owner to, @Nullable Owner by) {
-        Loan begun = new Loan(to, new Lane(team, number, bot, () -> mayWork(to)));
+    public void lend(Owner to, Permit lease, @Nullable Owner by) {
+        Loan begun = new Loan(to, lease, new Lane(team, number, bot, () -> mayWork(to)));
         synchronized (this) {
             Owner other = owner();
-            if (other != null && other != by) {
+            if (other != null && (other != by || loan != null)) {
                 throw other.inTheWay(number);
             }
             if (!lane.isAtRest()) {
@@ -242,7 +270,8 @@ public final class Member {
     }
 
     /**
-     * Ends a loan. What was still ordered under it is not carried out, and nothing is said of it.
+     * Ends a loan. What was still ordered under it is not carried out, and nothing is said of it. What is being carried
+     * out ends with the lease: revoke that, and halt the robot, before.
      *
      * @param from who has it; nothing happens if he has not
      */
@@ -282,6 +311,19 @@ public final class Member {
         team.tell(listener -> listener.noticed(number, number + ": " + problem.getMessage()));
     }
 
+    /** After a lost link nothing resumes by itself, not even when somebody has connected the robot again. */
+    void linkLost(String reason) {
+        Owner ended;
+        synchronized (this) {
+            if (loan == null) {
+                return;
+            }
+            ended = loan.to;
+            loan.lease.revoke(() -> new LinkLost(reason));
+        }
+        end(ended);
+    }
+
     void start() {
         lane.start("robot " + number + " worker");
     }
@@ -298,12 +340,16 @@ public final class Member {
             } else {
                 bot.revokeMotions();
             }
+            if (loan != null && loan.to != by) {
+                loan.lease.revoke(() -> new MotionStopped("stopped"));
+            }
             lanes = lanes();
             dropped = lanes.stream().map(Lane::drop).toList();
             ended = Stream.of(Optional.ofNullable(loan).map(Loan::to), Optional.ofNullable(owner))
                     .flatMap(Optional::stream)
                     .filter(holder -> holder != by)
                     .toList();
+            ended.forEach(Owner::dismiss);
         }
         for (int index = 0; index < lanes.size(); index++) {
             lanes.get(index).tellDropped(dropped.get(index), "stopped");
@@ -321,7 +367,7 @@ public final class Member {
     private void end(Owner ended) {
         try {
             ended.end();
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             Team.LOG.log(System.Logger.Level.ERROR, ended.name() + " did not end well", e);
         }
     }
@@ -348,6 +394,12 @@ public final class Member {
     }
 
     void close() {
+        List<Pending> left;
+        synchronized (this) {
+            gone = true;
+            left = lane.drop();
+        }
+        lane.tellDropped(left, "robot " + number + " was removed");
         lanes().forEach(Lane::close);
         bot.close();
     }

@@ -18,6 +18,7 @@ public final class Owner {
     private final String name;
     private final Runnable end;
     private volatile String said = "";
+    private volatile boolean dismissed;
 
     /**
      * Describes an owner.
@@ -68,6 +69,15 @@ public final class Owner {
      */
     public void end() {
         end.run();
+    }
+
+    /** Takes no further order of his that moves a robot, however late he hears of his end. */
+    void dismiss() {
+        dismissed = true;
+    }
+
+    boolean isDismissed() {
+        return dismissed;
     }
 
     BotException inTheWay(int robot) {

@@ -131,12 +131,15 @@ public final class Team implements AutoCloseable {
     public void remove(int number) {
         Member member = member(number);
         member.stopBegins(null);
+        boolean ours;
         synchronized (members) {
-            members.remove(number);
+            ours = members.remove(number, member);
         }
         member.close();
         member.stopEnded();
-        tell(listener -> listener.removed(member));
+        if (ours) {
+            tell(listener -> listener.removed(member));
+        }
     }
 
     /**
@@ -199,6 +202,9 @@ public final class Team implements AutoCloseable {
      * @param by the script that says so, which is not ended by it; null for a person
      */
     public void stop(Collection<Member> chosen, @Nullable Owner by) {
+        if (by == null) {
+            tell(listener -> listener.stopped(chosen));
+        }
         chosen.forEach(member -> member.stopBegins(by));
         chosen.forEach(member -> sendStop(member, member::stopEnded));
     }
@@ -311,26 +317,26 @@ public final class Team implements AutoCloseable {
         for (TeamListener listener : listeners) {
             try {
                 news.accept(listener);
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | Error e) {
                 LOG.log(Level.WARNING, "a listener of the team failed", e);
             }
         }
     }
 
-    /** One thread a link, so that a stuck one holds up nobody. */
+    /** On a thread of its own for each link, so that a stuck one holds up nobody. */
     private void sendStop(Member member, Runnable whenSent) {
         Runnable send = () -> {
             String stop = member.number() + " stop: ";
             try {
                 member.bot().sendStop();
                 answer(new Answer(member.number(), Answer.Outcome.DONE, stop + "done"));
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | Error e) {
                 answer(new Answer(member.number(), Answer.Outcome.FAILED, stop + "failed: " + e.getMessage()));
             } finally {
                 whenSent.run();
             }
         };
-        member.bot().time().thread("stopping robot " + member.number(), send).start();
+        member.bot().time().aside("stopping robot " + member.number(), send);
     }
 
     /** Hands a robot's own words on, with its number in front. */
@@ -349,11 +355,16 @@ public final class Team implements AutoCloseable {
         @Override
         public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
             if (connection == MajicBot.Connection.LOST) {
-                bot.lostReason().ifPresent(reason -> tell(listener -> listener.lost(member, reason)));
+                bot.lostReason().ifPresent(this::lost);
             } else if (connection == MajicBot.Connection.CONNECTED) {
                 tell(listener -> listener.regained(member));
             }
             changes.raise();
+        }
+
+        private void lost(String reason) {
+            member.linkLost(reason);
+            tell(listener -> listener.lost(member, reason));
         }
     }
 }

@@ -1,5 +1,7 @@
 package majic.bot;
 
+import java.util.Collection;
+
 /** Hears of a team. Called on worker threads: be quick, and cross over to another thread for anything slow. */
 public interface TeamListener {
     /**
@@ -52,6 +54,13 @@ public interface TeamListener {
      * @param member which robot; ask it who
      */
     default void ownerChanged(Member member) {}
+
+    /**
+     * A person stops some robots, but not all by STOP; told before they are.
+     *
+     * @param members which
+     */
+    default void stopped(Collection<Member> members) {}
 
     /**
      * STOP was pressed or released.

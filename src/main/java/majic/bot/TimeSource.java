@@ -43,6 +43,22 @@ public interface TimeSource {
     Thread thread(String name, Runnable body);
 
     /**
+     * Does something on a daemon thread of its own that lives by this clock. When the system has no thread left, the
+     * caller does it, since a robot that is to be stopped cannot wait until there is one.
+     *
+     * @param name what a thread dump shows
+     * @param body what to do
+     */
+    default void aside(String name, Runnable body) {
+        Thread thread = thread(name, body);
+        try {
+            thread.start();
+        } catch (OutOfMemoryError e) {
+            body.run();
+        }
+    }
+
+    /**
      * Takes the calling thread into this clock as {@link #thread} does, for a thread that exists already.
      *
      * @return closing it, on the same thread, leaves the clock

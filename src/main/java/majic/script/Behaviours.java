@@ -16,6 +16,7 @@ import majic.act.Role;
 import majic.bot.BotException;
 import majic.bot.Member;
 import majic.bot.Order;
+import majic.bot.Permit;
 
 /** Runs behaviours on the robots of a session: finds them, sees that robots and roles fit, ends them. Thread-safe. */
 final class Behaviours {
@@ -61,19 +62,28 @@ final class Behaviours {
     Order order(Command.Act act, Member me, Execution execution) {
         String text = Wording.of(act);
         List<Member> others = others(act, execution.selection());
+        Permit leave = leave(me, others);
         return new Order(text, true, robot -> {
             Found found = find(act.name());
             Map<String, Member> cast = cast(act.name().text(), found.roles(), me, others);
             long began = me.time().nanos();
-            run(found, cast, execution);
+            run(found, cast, leave, execution);
             return List.of(text
                     + String.format(Locale.ROOT, ": done (%.1f s)", me.time().secondsSince(began)));
         });
     }
 
-    private void run(Found found, Map<String, Member> cast, Execution execution) {
+    private static Permit leave(Member me, List<Member> others) {
+        Permit all = me.leave();
+        for (Member other : others) {
+            all = all.and(other.leave());
+        }
+        return all;
+    }
+
+    private void run(Found found, Map<String, Member> cast, Permit leave, Execution execution) {
         MajicAct act = found.fresh().get();
-        ActRun run = new ActRun(act, found.name(), cast);
+        ActRun run = new ActRun(act, found.name(), cast, leave);
         if (act instanceof ScriptAct script) {
             script.enter(session, run.owner(), cast);
         }

@@ -10,6 +10,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import majic.bot.Answer;
+import majic.bot.BotException;
 import majic.bot.FakeBot;
 import majic.bot.Member;
 import majic.bot.Order;
@@ -89,14 +90,18 @@ class ActRunTest implements TeamListener {
     }
 
     private ActRun pair() {
+        return both(new Pair());
+    }
+
+    private ActRun both(MajicAct act) {
         Map<String, Member> cast = new LinkedHashMap<>();
         cast.put(Role.ME, first);
         cast.put("second", second);
-        return new ActRun(new Pair(), "Pair", cast);
+        return new ActRun(act, "Pair", cast, first.leave().and(second.leave()));
     }
 
     private ActRun alone(MajicAct act) {
-        return new ActRun(act, "Alone", Map.of(Role.ME, first));
+        return new ActRun(act, "Alone", Map.of(Role.ME, first), first.leave());
     }
 
     private void awaitIdle() throws InterruptedException {
@@ -193,7 +198,7 @@ class ActRunTest implements TeamListener {
             Deaf deaf = new Deaf();
             member.submit(
                     new Order("act", true, control -> {
-                        new ActRun(deaf, "Deaf", Map.of(Role.ME, member)).run(null);
+                        new ActRun(deaf, "Deaf", Map.of(Role.ME, member), member.leave()).run(null);
                         return List.of();
                     }),
                     null);
@@ -212,5 +217,65 @@ class ActRunTest implements TeamListener {
         follower.cut();
         awaitIdle();
         assertThat(said).anyMatch(line -> line.startsWith("1 act: failed: connection lost"));
+    }
+
+    /** Goes on whatever happens, a hundred times. */
+    private static final class Stubborn extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public List<Role> roles() {
+            return List.of(Role.any(Role.ME), Role.any("second"));
+        }
+
+        @Override
+        protected void behave() {
+            for (int tries = 0; tries < 100; tries++) {
+                try {
+                    bot.move(100);
+                    robot("second").move(100);
+                } catch (BotException e) {
+                    say("and yet");
+                }
+            }
+        }
+    }
+
+    @Test
+    void afterALostLinkItResumesNothing() throws InterruptedException {
+        order(both(new Stubborn()));
+        time.sleep(0.1);
+        follower.cut();
+        follower.connect();
+        awaitIdle();
+        assertThat(said).anyMatch(line -> line.startsWith("1 act: failed: connection lost"));
+        assertThat(leader.sent()).startsWith("move 100", "halt").containsOnlyOnce("move 100");
+        assertThat(leader.isConnected()).isTrue();
+        assertThat(follower.sent()).doesNotContain("move 100");
+    }
+
+    @Test
+    void whatWasStoppedBeforeItBeganDoesNotBegin() throws InterruptedException {
+        ActRun run = pair();
+        first.submit(
+                new Order("act", true, robot -> {
+                    team.stop(List.of(second), null);
+                    run.run(null);
+                    return List.of("act: done");
+                }),
+                null);
+        awaitIdle();
+        assertThat(said).contains("1 act: stopped").doesNotContain("1: Pair: off we go");
+        assertThat(leader.sent()).isEmpty();
+    }
+
+    @Test
+    void aDriverThatBreaksDownHoldsUpNoEnd() throws InterruptedException {
+        follower.breakDownWhenHalted();
+        order(pair());
+        time.sleep(5);
+        team.stop(List.of(first), null);
+        awaitIdle();
+        assertThat(said).contains("1 act: stopped");
     }
 }

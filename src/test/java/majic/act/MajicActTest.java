@@ -10,6 +10,7 @@ import java.io.ObjectOutputStream;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import majic.bot.BotControl;
 import majic.bot.FakeBot;
 import majic.bot.Member;
@@ -150,5 +151,44 @@ class MajicActTest {
         time.sleep(5);
         again.join();
         assertThat(robot.sent()).startsWith("move 300", "turn 90");
+    }
+
+    @Test
+    void endedBeforeItIsStartedItDoesNothing() throws InterruptedException {
+        MajicAct square = new Square(4);
+        square.end();
+        square.start(robot);
+        square.join();
+        assertThat(robot.sent()).doesNotContain("move 300");
+        assertThat(SAID).containsExactly("cut short: true, robot: null");
+    }
+
+    /** Swallows an interrupt, as many a library does. */
+    private static final class Swallowing extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        private final transient CountDownLatch begun = new CountDownLatch(1);
+
+        @Override
+        protected void behave() {
+            try {
+                begun.countDown();
+                new CountDownLatch(1).await();
+            } catch (InterruptedException e) {
+                SAID.add("woken");
+            }
+            pause(0);
+            SAID.add("went on");
+        }
+    }
+
+    @Test
+    void itsNextPauseEndsOneThatSwallowedTheInterrupt() throws InterruptedException {
+        Swallowing act = new Swallowing();
+        act.start(robot);
+        act.begun.await();
+        act.end();
+        act.join();
+        assertThat(SAID).containsExactly("woken");
     }
 }

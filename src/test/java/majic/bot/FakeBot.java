@@ -22,6 +22,7 @@ public final class FakeBot extends MajicBot {
     private volatile @Nullable RuntimeException refusal;
     private volatile double connectSeconds;
     private volatile boolean stuck;
+    private volatile boolean haltsBadly;
     private volatile Pose pose = Pose.START;
     private volatile Runnable lineIsSlow = () -> {};
     private volatile Runnable toldAhead = () -> {};
@@ -136,6 +137,11 @@ public final class FakeBot extends MajicBot {
         toldAhead = told;
     }
 
+    /** Makes stopping fail as no driver should. */
+    public void breakDownWhenHalted() {
+        haltsBadly = true;
+    }
+
     /** Cuts the robot's line. */
     public void cut() {
         lost(new LinkLost("connection lost"));
@@ -198,6 +204,9 @@ public final class FakeBot extends MajicBot {
     @Override
     protected void halt() {
         sent.add("halt");
+        if (haltsBadly) {
+            throw new IllegalStateException("a mistake in the driver");
+        }
     }
 
     @Override

@@ -297,4 +297,70 @@ class TeamTest {
 
         assertThat(said).hasSize(2).last().isEqualTo("1 move 300: done (300 mm, 1.0 s)");
     }
+
+    @Test
+    void aListenerThatBreaksDownHoldsUpNoStop() throws InterruptedException {
+        FakeBot first = join();
+        FakeBot second = join();
+        team.member(1).submit(move(3000), null);
+        team.member(1).submit(move(100), null);
+        team.member(2).submit(move(3000), null);
+        clock.time().sleep(1);
+        team.addListener(new TeamListener() {
+            @Override
+            public void answered(Answer answer) {
+                throw new AssertionError("a mistake");
+            }
+        });
+
+        team.stopAll();
+        assertThat(awaitIdle(1) && awaitIdle(2)).isTrue();
+
+        assertThat(first.sent()).containsExactly("move 3000", "halt");
+        assertThat(second.sent()).containsExactly("move 3000", "halt");
+    }
+
+    @Test
+    void whoWasEndedByAStopOrdersNothingMore() {
+        join();
+        Owner script = new Owner(Owner.Kind.SCRIPT, "square", () -> {});
+        team.member(1).claim(script);
+        team.stop(team.members(), null);
+
+        assertThatThrownBy(() -> team.member(1).submit(move(100), script)).isInstanceOf(MotionStopped.class);
+    }
+
+    @Test
+    void whoHasGivenARobotBackOrdersNothingMore() {
+        join();
+        Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
+        team.member(1).lend(act, new Permit(), null);
+        team.member(1).takeBack(act);
+
+        assertThatThrownBy(() -> team.member(1).submit(move(100), act)).isInstanceOf(MotionStopped.class);
+    }
+
+    @Test
+    void aRemovedRobotTakesNoOrders() {
+        join();
+        Member member = team.member(1);
+        team.remove(1);
+
+        assertThatThrownBy(() -> member.submit(move(100), null)).hasMessage("1: robot 1 was removed");
+    }
+
+    @Test
+    void aRobotThatCannotBeToldToStandIsNotSaidTo() throws InterruptedException {
+        FakeBot bot = join();
+        listen();
+        bot.cut();
+        bot.refuse(new BotException("nobody is there"));
+        assertThatThrownBy(bot::connect).hasMessage("nobody is there");
+
+        team.stop(team.members(), null);
+        awaitIdle(1);
+
+        assertThat(said)
+                .containsExactly("1 stop: failed: robot 1 (Fake) is not connected; nobody can tell it to stand");
+    }
 }

@@ -1,0 +1,73 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import majic.bot.FakeBot;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** When a behaviour in MAJIC Script ends, all it has ordered ends with it, on each of its robots. */
+@Timeout(30)
+class ActEndTest {
+    /** Robot 1 is told again and again to drive, for half a minute. */
+    private static final String LONG_DRIVE = "1 drive 100 0 for 30s";
+
+    @TempDir
+    private Path folder;
+
+    private final Desk desk = Desk.withTwo();
+    private FakeBot driver;
+
+    @BeforeEach
+    void name() {
+        driver = desk.bot(1);
+    }
+
+    @AfterEach
+    void close() {
+        desk.close();
+    }
+
+    private String file(String... lines) throws IOException {
+        Path path = Files.write(folder.resolve("both.majic"), List.of(lines));
+        return '"' + path.toString() + '"';
+    }
+
+    private void assertThatItStands() throws InterruptedException {
+        int sent = driver.sent().size();
+        desk.pause(5);
+        assertThat(driver.sent()).hasSize(sent).endsWith("halt");
+    }
+
+    @Test
+    void byAFailureOfOneTheOthersStand() throws Exception {
+        desk.bot(2).stallAfter(200);
+        desk.runPipe("1 act " + file(LONG_DRIVE, "2 move 400", "wait") + " with 2");
+        assertThatItStands();
+    }
+
+    @Test
+    void byAStopOfOneTheOthersStand() throws Exception {
+        desk.prompt.parseText("1 act " + file(LONG_DRIVE, "2 move 5000", "wait") + " with 2");
+        desk.pause(1);
+        desk.prompt.parseText("2 stop");
+        desk.prompt.awaitAll();
+        assertThatItStands();
+    }
+
+    @Test
+    void calledOffItsRobotsStand() throws Exception {
+        desk.prompt.parseText("1 act " + file(LONG_DRIVE, "2 move 5000", "wait") + " with 2");
+        desk.pause(1);
+        desk.prompt.parseText("2 act off");
+        desk.prompt.awaitAll();
+        assertThatItStands();
+    }
+}
