@@ -200,13 +200,13 @@ final class Execution {
         }
     }
 
-    /** When something of a script failed, what was queued elsewhere must not begin before the stop gets there. */
+    /** When a script was ended or something of it failed, what was queued elsewhere must not begin before the stop gets there. */
     private Order whileAlive(Order order) {
         if (owner == null) {
             return order;
         }
         return new Order(order.text(), order.moves(), robot -> {
-            if (own.trouble().isPresent()) {
+            if (ended || own.trouble().isPresent()) {
                 throw new MotionStopped("stopped");
             }
             return order.job().carryOut(robot);
@@ -216,9 +216,6 @@ final class Execution {
     void stop(List<Member> members) {
         own.forget(members);
         lines.forget(members);
-        if (owner == null) {
-            session.stops().stopped(members);
-        }
         team.stop(members, owner);
     }
 
@@ -279,6 +276,7 @@ final class Execution {
      * one whose order failed: it stands, and its queue goes with the reason.
      */
     void stopAllUsed() {
+        ended = true;
         Member failed = own.trouble().map(Tally.Trouble::robot).orElse(null);
         List<Member> busy = used.stream()
                 .filter(member -> member != failed && !member.isIdle(owner) && !member.isStopping())
@@ -309,7 +307,7 @@ final class Execution {
 
     /** Whether a STOP came since this began; its order may be refused before the script hears of it. */
     boolean wasStopped() {
-        return session.stops().all() != stopsBefore || (team.isLatched() && !latchedBefore);
+        return ended || session.stops().all() != stopsBefore || (team.isLatched() && !latchedBefore);
     }
 
     private boolean isOver() {

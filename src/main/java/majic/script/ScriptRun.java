@@ -1,5 +1,7 @@
 package majic.script;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -15,6 +17,7 @@ import majic.bot.TimeSource;
  * it fails it ends and stops every robot that it used.
  */
 final class ScriptRun {
+    private static final Logger LOG = System.getLogger(ScriptRun.class.getName());
     private static final Pattern LINES = Pattern.compile("\\R");
 
     private final Execution execution;
@@ -93,19 +96,28 @@ final class ScriptRun {
                 say(String.format(Locale.ROOT, "done (%.1f s)", time.secondsSince(began)));
             }
             return true;
-        } catch (ExecutionEnded e) {
+        } catch (RuntimeException | Error e) {
+            String ending = ending(e);
             execution.stopAllUsed();
-            say(e.ending());
-        } catch (ScriptException e) {
-            execution.stopAllUsed();
-            say("failed: " + where(e));
-        } catch (BotException e) {
-            execution.stopAllUsed();
-            say(execution.wasStopped() ? "stopped" : "failed: " + e.getMessage());
+            say(ending);
         } finally {
             execution.freeAll();
         }
         return false;
+    }
+
+    private String ending(Throwable why) {
+        if (why instanceof ExecutionEnded ended) {
+            return ended.ending();
+        }
+        if (why instanceof ScriptException mistake) {
+            return "failed: " + where(mistake);
+        }
+        if (why instanceof BotException) {
+            return execution.wasStopped() ? "stopped" : "failed: " + why.getMessage();
+        }
+        LOG.log(Level.ERROR, title + " failed", why);
+        return "failed: an error in MAJIC, see its log (" + why + ")";
     }
 
     /** A mistake that shows only now is told as those found before anything ran are. */

@@ -2,6 +2,7 @@ package majic.script;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -230,6 +231,11 @@ public final class Session {
         @Override
         public void removed(Member member) {
             say(Line.Kind.ANSWER, "Bot " + member.number() + " is dead");
+        }
+
+        @Override
+        public void stopped(Collection<Member> members) {
+            stops.stopped(members);
         }
 
         @Override

@@ -2,6 +2,7 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -138,5 +139,16 @@ class StopTest {
         }
         desk.prompt.awaitAll();
         assertThat(desk.team.isLatched()).isTrue();
+    }
+
+    @Test
+    void byAButtonDropsWhatIsHeldAsWell() throws InterruptedException {
+        for (String line : new String[] {"1 move 3m", "wait", "1 turn 90", "2 move 100"}) {
+            desk.prompt.parseText(line);
+        }
+        desk.pause(0.1);
+        desk.team.stop(List.of(desk.team.member(1)), null);
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).contains("1 turn 90: not run: stopped", "2 move 100: done (100 mm, 0.3 s)");
     }
 }
