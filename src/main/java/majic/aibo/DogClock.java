@@ -12,10 +12,15 @@ final class DogClock {
     /** A bound that contradicts the other one by more than this was garbled on its way, ms. */
     private static final double DOUBTFUL_MS = 500;
 
+    /** Where so many in a row contradict a bound, it was the bound that was garbled. */
+    private static final int ENOUGH_AGAINST_IT = 3;
+
     private final Watch watch;
     private Bounds now = Bounds.NONE;
     private Bounds before = Bounds.NONE;
     private long renewedNanos;
+    private int wordsAgainst;
+    private int answersAgainst;
 
     /** What the dog's clock is ahead of ours, ms: at least and at most. */
     private record Bounds(double leastMs, double mostMs) {
@@ -39,7 +44,9 @@ final class DogClock {
     synchronized void heard(long stampMs) {
         renew();
         double aheadMs = stampMs - nowMs();
-        if (aheadMs < known().mostMs() + DOUBTFUL_MS) {
+        boolean fits = aheadMs < known().mostMs() + DOUBTFUL_MS;
+        wordsAgainst = fits ? 0 : wordsAgainst + 1;
+        if (fits || startsOver(wordsAgainst)) {
             now = now.and(aheadMs, Double.POSITIVE_INFINITY);
         }
     }
@@ -48,9 +55,25 @@ final class DogClock {
     synchronized void answered(long stampMs, long askedNanos) {
         heard(stampMs);
         double aheadMs = stampMs - askedNanos / 1e6;
-        if (aheadMs > known().leastMs() - DOUBTFUL_MS) {
+        boolean fits = aheadMs > known().leastMs() - DOUBTFUL_MS;
+        answersAgainst = fits ? 0 : answersAgainst + 1;
+        if (fits) {
             now = now.and(Double.NEGATIVE_INFINITY, aheadMs);
+        } else if (startsOver(answersAgainst)) {
+            now = now.and(stampMs - nowMs(), aheadMs);
         }
+    }
+
+    /** Forgets the bounds if enough was said against them. */
+    private boolean startsOver(int against) {
+        if (against < ENOUGH_AGAINST_IT) {
+            return false;
+        }
+        now = Bounds.NONE;
+        before = Bounds.NONE;
+        wordsAgainst = 0;
+        answersAgainst = 0;
+        return true;
     }
 
     private void renew() {

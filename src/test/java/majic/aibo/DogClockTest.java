@@ -62,6 +62,30 @@ class DogClockTest {
     }
 
     @Test
+    void aFirstTimeStampThatWasGarbledMisleadsForThreeAnswersAtMost() throws InterruptedException {
+        clock.heard(10 * AHEAD_MS);
+
+        exchange(0.01);
+        exchange(0.01);
+        assertThat(clock.estimateMs()).isGreaterThan(9.0 * AHEAD_MS);
+        exchange(0.01);
+
+        assertThat(clock.estimateMs()).isCloseTo(AHEAD_MS + nowMs(), within(10.0));
+    }
+
+    @Test
+    void aFirstAnswerWhoseTimeStampWasGarbledMisleadsForThreeWordsAtMost() throws InterruptedException {
+        clock.answered(7, time.time().nanos());
+        time.time().sleep(0.1);
+
+        for (int word = 0; word < 3; word++) {
+            clock.heard(AHEAD_MS + nowMs());
+        }
+
+        assertThat(clock.estimateMs()).isCloseTo(AHEAD_MS + nowMs(), within(10.0));
+    }
+
+    @Test
     void oldBoundsAreForgotten() throws InterruptedException {
         exchange(0.01);
         time.time().sleep(11);
