@@ -27,7 +27,6 @@ enum Sensor {
     LEG_RH2("legRH2.val", Rate.SLOW),
     LEG_RH3("legRH3.val", Rate.SLOW),
     LEG_LOAD("legLF1.load", Rate.SLOW),
-    NECK_LOAD("neck.load", Rate.SLOW),
     ACCEL_X("accelX.val", Rate.SLOW),
     ACCEL_Y("accelY.val", Rate.SLOW),
     ACCEL_Z("accelZ.val", Rate.SLOW),
