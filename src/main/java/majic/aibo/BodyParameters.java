@@ -40,8 +40,7 @@ final class BodyParameters implements Theme {
     }
 
     private void take(List<Value> values, Motion motion) {
-        Posture posture = Posture.of(values.get(0).toString());
-        access.open().feet().take(posture.function(), posture.longestS(), motion);
+        access.open().feet().take(Posture.of(values.get(0).toString()), motion);
         access.open().sweep().home(0);
     }
 

@@ -19,8 +19,8 @@ final class Feet {
     private static final double GUESS_S = 4;
 
     private static final double POWER_S = 5;
-    private static final double STAND_S = 8;
-    private static final double LAY_S = 8;
+    /** Four seconds for the longest (URBI sheet 15). */
+    private static final double POSTURE_S = 8;
 
     private final AiboSession session;
     private final Dog dog;
@@ -43,7 +43,7 @@ final class Feet {
         if (!powered || !stands) {
             notice.accept(rising(powered));
             Running rise = rise(powered);
-            perform(motion, rise, STAND_S);
+            perform(motion, rise, POSTURE_S);
             dog.senses().assumeMotors(true, rise.endedMs());
         }
         dog.setAfoot(true);
@@ -75,8 +75,9 @@ final class Feet {
     private Running rise(boolean powered) {
         UrbiConnection on = session.links().motion();
         return powered
-                ? session.runner().command(on, "robot.stand()")
-                : session.runner().command(on, tag -> "{ motors on; wait(1000); " + tag + ": robot.stand() }");
+                ? session.runner().command(on, Posture.STAND.call())
+                : session.runner()
+                        .command(on, tag -> "{ motors on; wait(1000); " + tag + ": " + Posture.STAND.call() + " }");
     }
 
     /** Switches the motors on where they are off; what moves a joint needs no more. */
@@ -109,7 +110,7 @@ final class Feet {
 
     private void layDown(Motion motion) {
         try {
-            perform(motion, session.runner().command(session.links().motion(), "robot.lay()"), LAY_S);
+            perform(motion, session.runner().command(session.links().motion(), Posture.LAY.call()), POSTURE_S);
             String posture = posture();
             if (UP.contains(posture)) {
                 throw new MotionFailed("the dog was to lie down, but tells that it is in posture " + posture);
@@ -122,12 +123,12 @@ final class Feet {
     }
 
     /** Brings it into a posture by one of the stick's functions. */
-    void take(String function, double seconds, Motion motion) {
+    void take(Posture posture, Motion motion) {
         power(motion);
         dog.setAfoot(false);
         layingFailed = false;
-        perform(motion, session.runner().command(session.links().motion(), "robot." + function + "()"), seconds);
-        dog.setAfoot(function.equals("stand"));
+        perform(motion, session.runner().command(session.links().motion(), posture.call()), POSTURE_S);
+        dog.setAfoot(posture == Posture.STAND);
     }
 
     /** What the dog takes its posture for; "unknown" also if it cannot tell. */

@@ -5,39 +5,33 @@ import java.util.List;
 
 /** The postures that functions of the stick bring the dog into (URBI sheet 15). */
 enum Posture {
-    STAND("stand", 8),
-    SIT("sit", 8),
-    LAY("lay", 8),
-    BEG("beg", 8),
-    STRETCH("stretch", 8),
-    INITIAL("initial", 8);
+    STAND("stand"),
+    SIT("sit"),
+    LAY("lay"),
+    BEG("beg"),
+    STRETCH("stretch"),
+    INITIAL("initial");
 
+    /** The function's name, and the word for it in MAJIC Script. */
     private final String function;
-    private final double longestS;
 
-    Posture(String function, double longestS) {
+    Posture(String function) {
         this.function = function;
-        this.longestS = longestS;
     }
 
     static List<String> words() {
-        return Arrays.stream(values()).map(Posture::function).toList();
+        return Arrays.stream(values()).map(posture -> posture.function).toList();
     }
 
     static Posture of(String word) {
         return Arrays.stream(values())
                 .filter(posture -> posture.function.equals(word))
                 .findFirst()
-                .orElse(STAND);
+                .orElseThrow(() -> new IllegalArgumentException("no posture: " + word));
     }
 
-    /** The function's name, and the word for it in MAJIC Script. */
-    String function() {
-        return function;
-    }
-
-    /** How long it may take, seconds. */
-    double longestS() {
-        return longestS;
+    /** The call that makes the dog take it. */
+    String call() {
+        return "robot." + function + "()";
     }
 }
