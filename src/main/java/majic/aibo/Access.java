@@ -62,15 +62,10 @@ final class Access {
         }
         UrbiConnection on = open.links().sensors();
         List<Ask> asks =
-                expressions.stream().map(expression -> put(on, expression)).toList();
+                expressions.stream().map(expression -> on.ask(tags, expression)).toList();
         open.watch().await(() -> on.isEnded() || asks.stream().allMatch(Ask::isDone), ANSWER_S);
         asks.forEach(on::forget);
         return asks.stream().map(ask -> value(ask, reading)).toList();
-    }
-
-    private Ask put(UrbiConnection on, String expression) {
-        Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
-        return on.send(ask, on.dialect().labelled(ask.tag(), expression) + ";");
     }
 
     private static Value value(Ask ask, DoubleFunction<Value> reading) {

@@ -158,8 +158,7 @@ final class AiboSession {
         if (!Patience.isAllowed()) {
             throw new UrbiRefusal("the dog tells it only when asked");
         }
-        Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
-        on.send(ask, on.dialect().labelled(ask.tag(), expression) + ";");
+        Ask ask = on.ask(tags, expression);
         watch.await(() -> ask.isDone() || on.isEnded(), seconds);
         on.forget(ask);
         UrbiValue value = ask.value();

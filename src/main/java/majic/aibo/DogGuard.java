@@ -42,17 +42,15 @@ final class DogGuard {
 
     /** Sets the guard up, disarmed; tells whether the server takes it. Moves nothing. */
     boolean install() {
-        Ask time = new Ask(tags.next(), Ask.Expects.VALUE);
         UrbiConnection motion = links.motion();
         long askedNanos = watch.time().nanos();
-        motion.send(time, motion.dialect().labelled(time.tag(), "time()") + ";");
+        Ask time = motion.ask(tags, "time()");
         Ask guard = new Ask(tag, Ask.Expects.END);
         motion.send(
                 guard,
                 alive + " = " + FAR_AHEAD + "; " + tag + ": every(200) { if (time() - " + alive + " > " + PATIENCE_MS
                         + ") { stop walk & stop turn } },");
-        Ask pong = new Ask(tags.next(), Ask.Expects.PONG);
-        motion.send(pong, pong.tag() + ": ping;");
+        Ask pong = motion.ping(tags);
         watch.await(() -> pong.isDone() || motion.isEnded(), ANSWER_S);
         motion.forget(guard);
         if (guard.failure() == null && time.value() instanceof UrbiValue.Num serverMs) {

@@ -21,9 +21,7 @@ final class LegSpeed {
             if (changed.contains(gait.paceVariable())) {
                 continue;
             }
-            Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
-            found.put(gait, ask);
-            connection.send(ask, connection.dialect().labelled(ask.tag(), gait.paceVariable()) + ";");
+            found.put(gait, connection.ask(tags, gait.paceVariable()));
         }
     }
 

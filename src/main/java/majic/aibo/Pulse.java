@@ -43,8 +43,7 @@ final class Pulse {
         }
         if (seconds >= PERIOD_S) {
             sentNanos = watch.time().nanos();
-            Ask next = new Ask(tags.next(), Ask.Expects.PONG);
-            ping = connection.send(next, next.tag() + ": ping;");
+            ping = connection.ping(tags);
         }
         return true;
     }

@@ -123,8 +123,7 @@ final class Runner {
     /** Waits until the dog has executed the stop and what it was doing has ended. */
     void confirm() {
         Running running = current.get();
-        Ask pong = new Ask(tags.next(), Ask.Expects.PONG);
-        links.stop().send(pong, pong.tag() + ": ping;");
+        Ask pong = links.stop().ping(tags);
         BooleanSupplier stands =
                 () -> pong.isDone() && (running == null || running.isOver() || !running.isStopRequested());
         long started = watch.time().nanos();

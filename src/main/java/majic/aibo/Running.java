@@ -86,9 +86,10 @@ final class Running {
             return;
         }
         if (arrival == null) {
-            arrival = ping(on, tags, "");
+            arrival = on.ping(tags);
         } else if (arrival.isDone() && execution == null) {
-            execution = ping(stopping, tags, stopAll + " stop " + ask.tag() + ", ");
+            stopping.send(stopAll + " stop " + ask.tag() + ",");
+            execution = stopping.ping(tags);
         } else if (execution != null && execution.isDone()) {
             on.forget(ask);
             ask.finish(execution.doneMs());
@@ -106,10 +107,5 @@ final class Running {
     void abandon(String reason) {
         on.forget(ask);
         ask.fail(reason, on.lastTimeMs());
-    }
-
-    private static Ask ping(UrbiConnection connection, Tags tags, String before) {
-        Ask pong = new Ask(tags.next(), Ask.Expects.PONG);
-        return connection.send(pong, before + pong.tag() + ": ping;");
     }
 }

@@ -124,9 +124,8 @@ final class Speaker {
     }
 
     private double leftMs(UrbiConnection on, Motion motion) {
-        Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
+        Ask ask = on.ask(tags, "speaker.remain");
         try {
-            on.send(ask, on.dialect().labelled(ask.tag(), "speaker.remain") + ";");
             await(ask, ANSWER_S, motion);
         } finally {
             on.forget(ask);

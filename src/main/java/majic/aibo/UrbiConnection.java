@@ -113,6 +113,10 @@ final class UrbiConnection {
      */
     void send(String commands) {
         Forbidden.check(commands);
+        transmit(commands);
+    }
+
+    private void transmit(String commands) {
         LOG.log(Level.TRACE, "{0} > {1}", purpose, commands);
         write((commands + "\n").getBytes(StandardCharsets.ISO_8859_1));
     }
@@ -149,12 +153,29 @@ final class UrbiConnection {
         }
     }
 
-    /** Writes commands of which one is tagged with the ask's tag. */
+    /**
+     * Writes commands of which one is tagged with the ask's tag.
+     *
+     * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws UrbiRefusal if they are too long or harmful; nothing was sent, and nothing is expected
+     */
     Ask send(Ask ask, String commands) {
         Forbidden.check(commands);
         unanswered.add(ask);
-        send(commands);
+        transmit(commands);
         return ask;
+    }
+
+    /** Asks for a value; it comes under a tag of its own. Throws as {@link #send} does. */
+    Ask ask(Tags tags, String expression) {
+        Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
+        return send(ask, dialect.labelled(ask.tag(), expression) + ";");
+    }
+
+    /** Asks for a sign of life: it tells that all that went out before has arrived (URBI sheet 9). Throws as {@link #send} does. */
+    Ask ping(Tags tags) {
+        Ask pong = new Ask(tags.next(), Ask.Expects.PONG);
+        return send(pong, pong.tag() + ": ping;");
     }
 
     private void breakDown(String why) {
