@@ -32,25 +32,25 @@ enum Joint {
         KNEE("third joint of a leg, its knee", new Range(-30, 127));
 
         private final String help;
-        private final Range later;
+        private final Range rangeOf15;
 
-        Part(String help, Range later) {
+        Part(String help, Range rangeOf15) {
             this.help = help;
-            this.later = later;
+            this.rangeOf15 = rangeOf15;
         }
     }
 
     private final String urbiName;
     private final Sensor sensor;
     private final Range range;
-    private final Range later;
+    private final Range rangeOf15;
     private final String help;
 
     Joint(String urbiName, Sensor sensor, double min, double max, String help) {
         this.urbiName = urbiName;
         this.sensor = sensor;
         this.range = new Range(min, max);
-        this.later = range;
+        this.rangeOf15 = range;
         this.help = help;
     }
 
@@ -58,7 +58,7 @@ enum Joint {
         this.urbiName = urbiName;
         this.sensor = sensor;
         this.range = new Range(min, max);
-        this.later = part.later;
+        this.rangeOf15 = part.rangeOf15;
         this.help = part.help;
     }
 
@@ -76,7 +76,7 @@ enum Joint {
     Range range(Dialect dialect) {
         return switch (dialect) {
             case V1_0 -> range;
-            case V1_5 -> later;
+            case V1_5 -> rangeOf15;
         };
     }
 

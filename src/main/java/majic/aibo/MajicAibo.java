@@ -51,7 +51,7 @@ public final class MajicAibo extends MajicBot {
         super(new AiboType(), new Paces(calibration(address, environment)).profile(), environment);
         this.address = address;
         this.dog = new Dog(calibration(address, environment));
-        link();
+        link(); // refuses a wrong address now and not when it is connected
         Access access = new Access(dog.senses(), this::session);
         Volume volume = new Volume();
         this.parameters = new AiboParameters(table(), dog, access, volume);
