@@ -39,7 +39,7 @@ class DrivingTest {
         driveUntilReceived(0, 30, "robot.turn(");
 
         assertThat(dogs.dog.received("stop walk")).isNotEmpty();
-        assertThat(dogs.dog.mostAtOnce).hasValue(1);
+        assertThat(dogs.dog.mostAtOnce()).isEqualTo(1);
         assertThat(dogs.notices)
                 .containsSubsequence("drives with its gait straight forward", "drives with its gait on the spot left");
     }

@@ -1,0 +1,75 @@
+package majic.aibo;
+
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+
+/** What goes on in a scripted dog for a time: gaits, postures, reports. A gait goes by its own name, the rest by its tag. */
+final class ScriptedErrands {
+    private final ScheduledThreadPoolExecutor clock = new ScheduledThreadPoolExecutor(1);
+    private final Map<String, ScheduledFuture<?>> running = new ConcurrentHashMap<>();
+    private final Map<String, Runnable> endings = new ConcurrentHashMap<>();
+    private final AtomicInteger mostAtOnce = new AtomicInteger();
+
+    ScriptedErrands() {
+        clock.setRemoveOnCancelPolicy(true);
+    }
+
+    /** Does something once, later. */
+    void later(long ms, Runnable task) {
+        clock.schedule(task, ms, TimeUnit.MILLISECONDS);
+    }
+
+    /** Does something again and again, until it is stopped. */
+    void repeat(String name, long periodMs, Runnable task) {
+        running.put(name, clock.scheduleAtFixedRate(task, 0, periodMs, TimeUnit.MILLISECONDS));
+    }
+
+    /**
+     * Begins something that takes its time.
+     *
+     * @param whenOver done when it has ended by itself
+     * @param whenStopped done where it is a gait that is stopped before
+     */
+    void begin(String name, long lastsMs, Runnable whenOver, Runnable whenStopped) {
+        long others = Stream.of("walk", "turn").filter(this::isUnderWay).count();
+        endings.put(name, whenStopped);
+        running.put(name, clock.schedule(whenOver, lastsMs, TimeUnit.MILLISECONDS));
+        if (isGait(name)) {
+            mostAtOnce.accumulateAndGet((int) others + 1, Math::max);
+        }
+    }
+
+    /** Ends it before its time. Only a gait tells its end then (URBI sheet 7, 15). */
+    void stop(String name) {
+        ScheduledFuture<?> stopped = running.remove(name);
+        if (stopped != null && stopped.cancel(false) && isGait(name)) {
+            endings.get(name).run();
+        }
+    }
+
+    boolean hasBegun(String name) {
+        return endings.containsKey(name);
+    }
+
+    boolean isUnderWay(String name) {
+        ScheduledFuture<?> errand = running.get(name);
+        return errand != null && !errand.isDone();
+    }
+
+    int mostAtOnce() {
+        return mostAtOnce.get();
+    }
+
+    private static boolean isGait(String name) {
+        return name.equals("walk") || name.equals("turn");
+    }
+
+    void close() {
+        clock.shutdownNow();
+    }
+}
