@@ -6,6 +6,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
+import majic.StandingRobot;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -36,14 +37,14 @@ public class GetBenchmark {
     private static final byte[] QUESTION = "mjabcd_1000: headPan.val;\n".getBytes(StandardCharsets.ISO_8859_1);
 
     private final byte[] buffer = new byte[4096];
-    private StandingDog dog;
+    private StandingRobot dog;
     private MajicAibo driver;
     private Socket bare;
 
     /** Connects the driver, and a bare socket, to the same peer. */
     @Setup
     public void open() throws IOException {
-        dog = new StandingDog();
+        dog = StandingDog.open();
         driver = new MajicAibo("aibo://127.0.0.1:" + dog.port());
         driver.connect();
         bare = new Socket(InetAddress.getLoopbackAddress(), dog.port());

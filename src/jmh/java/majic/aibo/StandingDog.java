@@ -3,61 +3,42 @@ package majic.aibo;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
+import majic.StandingRobot;
 
 /**
- * The other end of a benchmark: a dog on loopback that introduces itself, answers every tagged command with the same
- * number, and every standing order with one reading a second. Takes any number of clients.
+ * What a dog says in a benchmark: it introduces itself, answers every tagged command with the same number, and every standing
+ * order with one reading a second.
  */
-final class StandingDog implements AutoCloseable {
+final class StandingDog {
     static final String INTRODUCTION = """
             [00005152:start] *** URBI Kernel version 1.0 rev. 153
             [00005152:ident] *** ID: U94665654017648
             """;
 
-    private final ServerSocket server;
-    private final ScheduledThreadPoolExecutor clock = new ScheduledThreadPoolExecutor(1);
+    private final Socket client;
+    private final StandingRobot robot;
 
-    StandingDog() throws IOException {
-        server = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
-        daemon("dog listens", this::accept);
+    private StandingDog(Socket client, StandingRobot robot) {
+        this.client = client;
+        this.robot = robot;
     }
 
-    int port() {
-        return server.getLocalPort();
+    static StandingRobot open() throws IOException {
+        return new StandingRobot("dog", (client, robot) -> new StandingDog(client, robot).talk());
     }
 
-    private void accept() {
-        try {
-            while (true) {
-                Socket client = server.accept();
-                client.setTcpNoDelay(true);
-                daemon("dog hears " + client.getPort(), () -> serve(client));
-            }
-        } catch (IOException e) {
-            clock.shutdownNow();
+    private void talk() throws IOException {
+        BufferedReader in =
+                new BufferedReader(new InputStreamReader(client.getInputStream(), StandardCharsets.ISO_8859_1));
+        write(INTRODUCTION);
+        for (String line = in.readLine(); line != null; line = in.readLine()) {
+            answer(line);
         }
     }
 
-    private void serve(Socket client) {
-        try (client) {
-            BufferedReader in =
-                    new BufferedReader(new InputStreamReader(client.getInputStream(), StandardCharsets.ISO_8859_1));
-            write(client, INTRODUCTION);
-            for (String line = in.readLine(); line != null; line = in.readLine()) {
-                answer(client, line);
-            }
-        } catch (IOException e) {
-            System.getLogger(StandingDog.class.getName()).log(System.Logger.Level.DEBUG, "client left", e);
-        }
-    }
-
-    private void answer(Socket client, String line) throws IOException {
+    private void answer(String line) throws IOException {
         int colon = line.indexOf(':');
         int reading = line.indexOf("{ ") + 2;
         if (line.contains("stop walk")) {
@@ -65,37 +46,19 @@ final class StandingDog implements AutoCloseable {
         }
         if (line.contains("every")) {
             String tag = line.substring(reading, line.indexOf(':', reading));
-            clock.scheduleAtFixedRate(() -> report(client, tag), 0, 1, TimeUnit.SECONDS);
+            robot.every(1000, () -> say(tag, "15.000000"));
         } else if (line.contains("ping")) {
-            write(client, "[00005917:" + line.substring(0, colon) + "] *** pong time=5918\n");
+            say(line.substring(0, colon), "*** pong time=5918");
         } else if (colon > 0) {
-            write(client, "[00005917:" + line.substring(0, colon) + "] 15.000000\n");
+            say(line.substring(0, colon), "15.000000");
         }
     }
 
-    private static void report(Socket client, String tag) {
-        try {
-            write(client, "[00005917:" + tag + "] 15.000000\n");
-        } catch (IOException e) {
-            throw new IllegalStateException("no more reports to a client that left", e);
-        }
+    private void say(String tag, String body) throws IOException {
+        write("[00005917:" + tag + "] " + body + "\n");
     }
 
-    private static void write(Socket client, String message) throws IOException {
-        synchronized (client) {
-            client.getOutputStream().write(message.getBytes(StandardCharsets.ISO_8859_1));
-        }
-    }
-
-    private static void daemon(String name, Runnable body) {
-        Thread thread = new Thread(body, name);
-        thread.setDaemon(true);
-        thread.start();
-    }
-
-    @Override
-    public void close() throws IOException {
-        clock.shutdownNow();
-        server.close();
+    private synchronized void write(String message) throws IOException {
+        client.getOutputStream().write(message.getBytes(StandardCharsets.ISO_8859_1));
     }
 }

@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.SocketChannel;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import majic.StandingRobot;
 import majic.pioneer.arcos.Command;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -42,7 +43,7 @@ public class DriveBenchmark {
     @Param({"0", "1000"})
     public int pauseMicros;
 
-    private StandingPioneer robot;
+    private StandingRobot robot;
     private MajicPioneer driver;
     private SocketChannel bare;
     private ByteBuffer speed;
@@ -52,7 +53,7 @@ public class DriveBenchmark {
     /** Opens a session, and a bare connection to the same peer. */
     @Setup
     public void open() throws IOException {
-        robot = new StandingPioneer();
+        robot = StandingPioneer.open();
         driver = new MajicPioneer("pioneer://127.0.0.1:" + robot.port());
         driver.connect();
         bare = SocketChannel.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), robot.port()));

@@ -2,53 +2,28 @@ package majic.pioneer;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
+import majic.StandingRobot;
 import majic.pioneer.arcos.Bytes;
 
 /**
- * The other end of a benchmark: a robot on loopback that answers the handshake, says every 100 ms that it stands with its
- * motors on, and reads whatever else comes without looking at it. Takes any number of clients.
+ * What a Pioneer says in a benchmark: it answers the handshake, says every 100 ms that it stands with its motors on, and reads
+ * whatever else comes without looking at it.
  */
-final class StandingPioneer implements AutoCloseable {
+final class StandingPioneer {
     private static final int SYNC2 = 2;
 
-    private final ServerSocket server;
-    private final ScheduledThreadPoolExecutor clock = new ScheduledThreadPoolExecutor(1);
+    private StandingPioneer() {}
 
-    StandingPioneer() throws IOException {
-        server = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
-        daemon("pioneer listens", this::accept);
+    static StandingRobot open() throws IOException {
+        return new StandingRobot("pioneer", StandingPioneer::talk);
     }
 
-    int port() {
-        return server.getLocalPort();
-    }
-
-    private void accept() {
-        try {
-            while (true) {
-                Socket client = server.accept();
-                client.setTcpNoDelay(true);
-                daemon("pioneer hears " + client.getPort(), () -> serve(client));
-            }
-        } catch (IOException e) {
-            clock.shutdownNow();
+    private static void talk(Socket client, StandingRobot robot) throws IOException {
+        if (shakesHands(client)) {
+            robot.every(100, () -> client.getOutputStream().write(Bytes.of(Bytes.AT_REST)));
         }
-    }
-
-    private void serve(Socket client) {
-        try (client) {
-            if (shakesHands(client)) {
-                clock.scheduleAtFixedRate(() -> report(client), 0, 100, TimeUnit.MILLISECONDS);
-            }
-            discard(client.getInputStream());
-        } catch (IOException e) {
-            System.getLogger(StandingPioneer.class.getName()).log(System.Logger.Level.DEBUG, "client left", e);
-        }
+        discard(client.getInputStream());
     }
 
     /** Echoes the SYNCs; false for a client that says something else, which is only to be read. */
@@ -65,30 +40,10 @@ final class StandingPioneer implements AutoCloseable {
         return last;
     }
 
-    private static void report(Socket client) {
-        try {
-            client.getOutputStream().write(Bytes.of(Bytes.AT_REST));
-        } catch (IOException e) {
-            throw new IllegalStateException("no more reports to a client that left", e);
-        }
-    }
-
     private static void discard(InputStream in) throws IOException {
         byte[] buffer = new byte[8192];
         while (in.read(buffer) >= 0) {
             // Only the reading counts.
         }
-    }
-
-    private static void daemon(String name, Runnable body) {
-        Thread thread = new Thread(body, name);
-        thread.setDaemon(true);
-        thread.start();
-    }
-
-    @Override
-    public void close() throws IOException {
-        clock.shutdownNow();
-        server.close();
     }
 }
