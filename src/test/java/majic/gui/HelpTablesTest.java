@@ -1,0 +1,58 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.table.TableModel;
+import majic.act.NoActs;
+import majic.bot.BotFactory;
+import majic.bot.Settings;
+import majic.bot.Team;
+import majic.bot.TimeSource;
+import majic.log.SessionLog;
+import majic.script.MajicParser;
+import majic.script.Session;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class HelpTablesTest {
+    @Test
+    void theCommandsShowEveryWordThatHelpKnows() {
+        TableModel commands = HelpTables.file("commands", "Command", "What it does");
+        String examples = String.join("\n", column(commands, 0)) + "\n" + String.join("\n", column(commands, 1));
+
+        List<String> topics = topics();
+
+        assertThat(topics).contains("move", "repeat", "trust");
+        assertThat(topics)
+                .filteredOn(word -> !List.of("commands", "robots").contains(word))
+                .allSatisfy(word -> assertThat(examples).containsPattern("\\b" + word + "\\b"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"commands", "keys"})
+    void everyRowHasTwoColumns(String name) {
+        TableModel table = HelpTables.file(name, "left", "right");
+
+        assertThat(table.getRowCount()).isPositive();
+        assertThat(column(table, 0)).doesNotContainNull().noneMatch(String::isBlank);
+        assertThat(column(table, 1)).doesNotContainNull().noneMatch(String::isBlank);
+    }
+
+    /** What the command line offers behind the word help. */
+    private static List<String> topics() {
+        BotFactory factory = new BotFactory(List.of(), Settings.inMemory());
+        try (Team team = new Team(TimeSource.system())) {
+            Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
+            return new MajicParser(session, true).complete("help ", 5);
+        }
+    }
+
+    private static List<String> column(TableModel table, int column) {
+        return IntStream.range(0, table.getRowCount())
+                .mapToObj(row -> (String) table.getValueAt(row, column))
+                .toList();
+    }
+}
