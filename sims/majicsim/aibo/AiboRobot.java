@@ -1,5 +1,9 @@
 package majicsim.aibo;
 
+import majicsim.aibo.urbi.Functions;
+import majicsim.aibo.urbi.Kernel;
+import majicsim.aibo.urbi.Stick;
+import majicsim.aibo.urbi.Value;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
 import majicsim.world.Body;
@@ -17,7 +21,7 @@ public final class AiboRobot implements Firmware {
     private static final double HALF_WIDTH_MM = 70;
     private static final double ROUNDING_MS = 1e-6;
 
-    private final Kernel kernel = new Kernel();
+    private final Kernel kernel;
     private final Battery battery = new Battery();
     private final Body body;
     private final Devices devices;
@@ -26,7 +30,7 @@ public final class AiboRobot implements Firmware {
     private final Attitude attitude;
     private final Keeper keeper;
     private final Camera camera;
-    private final Speaker speaker = new Speaker(kernel);
+    private final Speaker speaker;
     private final Microphone microphone;
     private double stepMs = 4;
     private double nextCycleMs = Kernel.CYCLE_MS;
@@ -42,16 +46,18 @@ public final class AiboRobot implements Firmware {
         Noise own = noise.fork("aibo");
         body = Body.box("aibo", FRONT_MM, REAR_MM, HALF_WIDTH_MM, start);
         world.add(body);
+        kernel = new Kernel(own.fork("random"));
         devices = new Devices(kernel.variables(), kernel.groups());
         attitude = new Attitude(devices.legs());
         gait = new Gait(body, devices.legs(), attitude, own.fork("gait"));
         Head head = new Head(world, body, devices.joints(), attitude);
         sensors = new Sensors(world, body, head, attitude, gait, own.fork("sensors"));
         Ball ball = new Ball();
+        speaker = new Speaker(kernel);
         microphone = new Microphone(kernel, speaker, gait, own.fork("microphone"));
         keeper = new Keeper(sensors, attitude, ball, speaker, microphone, battery);
         camera = new Camera(new Eye(world, body, head, ball, own.fork("camera")), kernel);
-        install(own);
+        install();
     }
 
     /**
@@ -116,8 +122,7 @@ public final class AiboRobot implements Firmware {
         gait.drive(kernel.nowMs(), stepMs);
     }
 
-    private void install(Noise noise) {
-        BuiltIns.install(kernel, noise.fork("random"));
+    private void install() {
         sensors.install(kernel.variables());
         Functions functions = kernel.functions();
         functions.lasting("robot.walk", 1, GaitTask.function(gait, false));
@@ -129,9 +134,6 @@ public final class AiboRobot implements Firmware {
         speaker.install();
         microphone.install();
         camera.install();
-        Stick stick = new Stick();
-        stick.install(functions);
-        kernel.greet(stick::greet);
-        kernel.boot(StickScript.PROGRAM);
+        new Stick(StickScript.PROGRAM, StickScript.CLIENT).insertInto(kernel);
     }
 }

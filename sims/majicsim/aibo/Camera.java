@@ -4,6 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.DoubleSupplier;
+import majicsim.aibo.urbi.Kernel;
+import majicsim.aibo.urbi.Value;
+import majicsim.aibo.urbi.Variable;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -82,7 +85,7 @@ final class Camera {
 
     private void field(String name, double start, double min, double max) {
         Variable variable = new Variable("camera." + name, Value.of(start));
-        variable.properties().range(min, max);
+        variable.limit(min, max);
         fields.put(name, variable);
         kernel.variables().put(variable);
     }

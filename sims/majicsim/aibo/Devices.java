@@ -7,6 +7,11 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import majicsim.aibo.urbi.Blend;
+import majicsim.aibo.urbi.Groups;
+import majicsim.aibo.urbi.Value;
+import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.Variables;
 
 /** The dog's devices and their groups (URBI sheet, section 13). */
 final class Devices {
@@ -22,7 +27,7 @@ final class Devices {
         this.variables = variables;
         this.groups = groups;
         Stream.concat(JointType.HEAD_AND_TAIL.stream(), JointType.LEGS.stream()).forEach(this::joint);
-        JointType.LEGS.forEach(type -> joint(type.name()).angle().properties().blend(Blend.MIX));
+        JointType.LEGS.forEach(type -> joint(type.name()).angle().blend(Blend.MIX));
         faceLeds().forEach(this::lamp);
         BACK_LEDS.forEach(this::lamp);
         HEAD_LEDS.forEach(this::switched);
@@ -57,7 +62,7 @@ final class Devices {
     }
 
     private void install(Variable variable) {
-        variable.properties().range(0, 1);
+        variable.limit(0, 1);
         variables.put(variable);
     }
 

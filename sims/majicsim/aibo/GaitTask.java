@@ -1,7 +1,9 @@
 package majicsim.aibo;
 
-import java.util.List;
-import java.util.Map;
+import majicsim.aibo.urbi.Context;
+import majicsim.aibo.urbi.Functions;
+import majicsim.aibo.urbi.Kernel;
+import majicsim.aibo.urbi.Task;
 
 /**
  * One walk or turn of a given time. The body moves from its first step on for exactly that time in an exact lab, and up to two kernel
@@ -29,19 +31,17 @@ final class GaitTask extends Task {
     static Functions.Lasting function(Gait gait, boolean turn) {
         String word = turn ? "turn" : "walk";
         return (context, arguments) -> {
-            double ms = Operators.number(arguments.get(0));
-            Name speed = Name.of("robot." + word + "speed");
-            double cycleMs = Operators.number(new Evaluator(context, Map.of()).variable(speed));
-            return new TaggedTask(context.inner(word), List.of(), new GaitTask(context, gait, turn, ms, cycleMs));
+            double ms = arguments.get(0).number();
+            double cycleMs = context.number("robot." + word + "speed");
+            return new GaitTask(context, gait, turn, ms, cycleMs).under(word);
         };
     }
 
     /** The gait of swalk and sturn: two seconds a step. How far a step goes is not documented; we take half a gait cycle. */
     static Functions.Lasting steps(Gait gait, boolean turn) {
         return (context, arguments) -> {
-            double ms = Operators.number(arguments.get(0)) * STEP_MS;
-            Task steps = new GaitTask(context, gait, turn, ms, 2 * STEP_MS);
-            return new TaggedTask(context.inner(turn ? "turn" : "walk"), List.of(), steps);
+            double ms = arguments.get(0).number() * STEP_MS;
+            return new GaitTask(context, gait, turn, ms, 2 * STEP_MS).under(turn ? "turn" : "walk");
         };
     }
 

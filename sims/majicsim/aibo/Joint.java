@@ -1,5 +1,9 @@
 package majicsim.aibo;
 
+import majicsim.aibo.urbi.Value;
+import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.Variables;
+
 /**
  * A motor with its angle. The measured angle runs after the command with a short lag; loose it stays where it is, and switched on it
  * holds that (URBI sheet, section 14).
@@ -21,7 +25,7 @@ final class Joint implements Variable.Hardware {
         proportional = type.gains().install(variables, type.name());
         measuredDeg = type.restDeg();
         angle = new Variable(type.name() + ".val", Value.of(measuredDeg), this);
-        angle.properties().range(type.minDeg(), type.maxDeg());
+        angle.limit(type.minDeg(), type.maxDeg());
         Variable load = new Variable(type.name() + ".load", Value.of(0), new Variable.Hardware() {
             @Override
             public Value measure() {
@@ -33,7 +37,7 @@ final class Joint implements Variable.Hardware {
                 stiffen(target);
             }
         });
-        load.properties().range(0, 1);
+        load.limit(0, 1);
         variables.put(angle);
         variables.put(load);
         variables.put(new Variable(type.name() + ".force", Value.of(0), () -> Value.of(force())));

@@ -1,6 +1,9 @@
 package majicsim.aibo;
 
 import java.nio.charset.StandardCharsets;
+import majicsim.aibo.urbi.Kernel;
+import majicsim.aibo.urbi.Value;
+import majicsim.aibo.urbi.Variable;
 import majicsim.world.Noise;
 
 /**

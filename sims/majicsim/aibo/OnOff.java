@@ -1,5 +1,8 @@
 package majicsim.aibo;
 
+import majicsim.aibo.urbi.Value;
+import majicsim.aibo.urbi.Variable;
+
 /** A lamp or an ear that knows only on and off (URBI sheet, section 13): from one half on it is on. */
 final class OnOff implements Variable.Hardware {
     private static final double ENOUGH = 0.5;

@@ -4,6 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleSupplier;
+import majicsim.aibo.urbi.Value;
+import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.Variables;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Point;
@@ -96,7 +99,7 @@ final class Sensors {
     private static void sensor(Variables variables, String name, double min, double max, DoubleSupplier reading) {
         Variable variable = new Variable(
                 name + ".val", Value.of(min), () -> Value.of(Math.max(min, Math.min(max, reading.getAsDouble()))));
-        variable.properties().range(min, max);
+        variable.limit(min, max);
         variables.put(variable);
     }
 

@@ -3,6 +3,11 @@ package majicsim.aibo;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import majicsim.aibo.urbi.Blend;
+import majicsim.aibo.urbi.Failure;
+import majicsim.aibo.urbi.Kernel;
+import majicsim.aibo.urbi.Value;
+import majicsim.aibo.urbi.Variable;
 import org.jspecify.annotations.Nullable;
 
 /** The speaker: a sound that comes while one plays follows it without a gap (URBI sheet, sections 12 and 13). */
@@ -28,7 +33,7 @@ final class Speaker {
                 play("sent", Pcm.sound(binary));
             }
         });
-        val.properties().blend(Blend.MIX);
+        val.blend(Blend.MIX);
         kernel.variables().put(val);
         kernel.variables().put(new Variable("speaker.playing", Value.of(0), () -> Value.of(remainMs() > 0)));
         kernel.variables().put(new Variable("speaker.remain", Value.of(0), () -> Value.of(remainMs())));
@@ -85,6 +90,6 @@ final class Speaker {
     }
 
     private static String name(List<Value> arguments) throws Failure {
-        return arguments.isEmpty() ? "" : Operators.text(arguments.get(0));
+        return arguments.isEmpty() ? "" : arguments.get(0).text();
     }
 }

@@ -39,7 +39,8 @@ class ArchitectureTest {
             Map.entry("majic.gui", Set.of("majic.bot", "majic.act", "majic.log", "majic.script", "majic.panel")),
             Map.entry("majicsim.world", Set.of()),
             Map.entry("majicsim.net", Set.of("majicsim.world")),
-            Map.entry("majicsim.aibo", Set.of("majicsim.world", "majicsim.net")),
+            Map.entry("majicsim.aibo", Set.of("majicsim.world", "majicsim.net", "majicsim.aibo.urbi")),
+            Map.entry("majicsim.aibo.urbi", Set.of("majicsim.world", "majicsim.net")),
             Map.entry("majicsim.pioneer", Set.of("majicsim.world", "majicsim.net")),
             Map.entry("majicsim.hemisson", Set.of("majicsim.world", "majicsim.net")));
 

@@ -1,4 +1,0 @@
-package majicsim.aibo;
-
-/** A command of a stream with the meaning of the separator behind it: background is a comma, otherwise a semicolon. */
-record Step(Statement statement, boolean background) {}

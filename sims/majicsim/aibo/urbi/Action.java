@@ -1,0 +1,91 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** A command that does one thing: an answer, an assignment, a word to the server (URBI sheet, sections 5 to 9). */
+sealed interface Action extends Statement {
+    /** An expression, whose value is the reply. */
+    record Evaluate(Expr expr) implements Action {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(expr), values -> Effects.reply(context, values.get(0)));
+        }
+    }
+
+    /** An assignment with its modifiers. */
+    record Assign(Name target, Expr value, List<Modifier> modifiers, boolean declares) implements Action {
+        @Override
+        public Task start(Context context) {
+            return Assigning.start(context, this);
+        }
+    }
+
+    /** {@code x += v}, {@code x -= v}, {@code x++}, {@code x--}: sign is 1 or -1. */
+    record Change(Name target, int sign, Expr amount) implements Action {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(amount), values -> Effects.change(context, this, values.get(0)));
+        }
+    }
+
+    /** {@code x->rangemin = v}. */
+    record AssignProperty(Name target, String property, Expr value) implements Action {
+        @Override
+        public Task start(Context context) {
+            return Properties.assigning(context, this);
+        }
+    }
+
+    /** {@code x = bin 5 wav;}, whose bytes follow the command; it can run only when they are filled in. */
+    record AssignBinary(Name target, int size, String parameters) implements Action {
+        Statement filled(String bytes) {
+            return new Assign(target, new Expr.Constant(new Value.Binary(bytes, parameters)), List.of(), false);
+        }
+
+        @Override
+        public Task start(Context context) {
+            return Task.done(context);
+        }
+    }
+
+    /** {@code dev on}, {@code dev off}, {@code dev switch} (null). */
+    record Power(Name device, @Nullable Double load) implements Action {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(), values -> Effects.power(context, this));
+        }
+    }
+
+    /** {@code stop}, {@code freeze}, {@code unfreeze}, {@code block}, {@code unblock} with a tag. */
+    record Control(String word, String tag) implements Action {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(), values -> TagControl.apply(context, this));
+        }
+    }
+
+    /** {@code disconnect} or {@code killall} with a connection's name. */
+    record Reach(String word, String connection) implements Action {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(), values -> SystemCommands.reach(context, this));
+        }
+    }
+
+    /** {@code echo}. */
+    record Echo(Expr value, List<Modifier> options) implements Action {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(value), values -> Effects.echo(context, values.get(0), options));
+        }
+    }
+
+    /** A command of one word, such as {@code ping}. */
+    record Command(String word) implements Action {
+        @Override
+        public Task start(Context context) {
+            return new Prepared(context, List.of(), values -> SystemCommands.run(context, word));
+        }
+    }
+}

@@ -1,0 +1,133 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** An assignment of a number under way: at once, or along a trajectory; it heeds the variable's blend mode. */
+final class AssignTask extends Task {
+    private final Variable variable;
+    private final Course course;
+    private @Nullable Trajectory trajectory;
+    private double beganMs;
+    private double from;
+
+    AssignTask(Context context, Variable variable, Course course) {
+        super(context);
+        this.variable = variable;
+        this.course = course;
+    }
+
+    @Override
+    protected boolean advance() {
+        Trajectory way = trajectory;
+        if (way == null) {
+            if (isDiscarded()) {
+                return true;
+            }
+            if (isQueued()) {
+                return false;
+            }
+            way = begin();
+        } else if (course.renew()) {
+            way = plan();
+            trajectory = way;
+        }
+        Modifiers modifiers = course.aim().modifiers();
+        double elapsedMs = elapsedMs() - beganMs;
+        if (elapsedMs >= modifiers.get("timelimit", Double.POSITIVE_INFINITY)) {
+            variable.submit(now(), context.kernel().pass());
+            return true;
+        }
+        return modifiers.isAdaptive() ? pursue(elapsedMs) : follow(way, elapsedMs);
+    }
+
+    private boolean follow(Trajectory way, double elapsedMs) {
+        variable.submit(way.curve().at(elapsedMs), context.kernel().pass());
+        Variable phase = course.aim().modifiers().phase();
+        if (phase != null) {
+            phase.write(Value.of(way.phase().at(elapsedMs)));
+        }
+        return elapsedMs >= way.durationMs();
+    }
+
+    private boolean pursue(double elapsedMs) {
+        Pursuit pursuit = new Pursuit(
+                variable.properties().clip(course.aim().target()), course.aim().modifiers());
+        variable.submit(pursuit.next(now(), elapsedMs), context.kernel().pass());
+        return pursuit.isThere(now(), variable.properties().number("delta"));
+    }
+
+    private double now() {
+        return variable.read() instanceof Value.Num num
+                ? num.number()
+                : course.aim().target();
+    }
+
+    @Override
+    protected void ended() {
+        variable.motions().remove(this);
+    }
+
+    private boolean isDiscarded() {
+        return variable.properties().blend() == Blend.DISCARD
+                && !variable.motions().isEmpty();
+    }
+
+    private boolean isQueued() {
+        List<Task> motions = variable.motions();
+        if (variable.properties().blend() != Blend.QUEUE) {
+            return false;
+        }
+        if (!motions.contains(this)) {
+            motions.add(this);
+        }
+        return motions.get(0) != this;
+    }
+
+    private Trajectory begin() {
+        List<Task> motions = variable.motions();
+        if (variable.properties().blend() == Blend.CANCEL) {
+            List.copyOf(motions).forEach(Task::kill);
+        }
+        if (!motions.contains(this)) {
+            motions.add(this);
+        }
+        beganMs = elapsedMs();
+        from = variable.target() instanceof Value.Num now
+                ? now.number()
+                : course.aim().target();
+        Trajectory way = plan();
+        trajectory = way;
+        return way;
+    }
+
+    private Trajectory plan() {
+        double to = variable.properties().clip(course.aim().target());
+        Trajectory way = Trajectory.of(from, to, course.aim().modifiers());
+        return Double.isFinite(way.durationMs()) ? within(way, to) : way;
+    }
+
+    /** The same way not faster than speedmax and not slower than speedmin. */
+    private Trajectory within(Trajectory way, double to) {
+        double speedMax = variable.properties().number("speedmax");
+        double speedMin = variable.properties().number("speedmin");
+        Trajectory fast = speedMin > 0 ? Trajectory.paced(from, to, speedMin) : way;
+        Trajectory slow = speedMax > 0 && speedMax < Value.INFINITY ? Trajectory.paced(from, to, speedMax) : way;
+        if (slow.durationMs() > way.durationMs()) {
+            warn("Warning: request exceeds speedmax. Enforcing limitation");
+            return slow;
+        }
+        if (fast.durationMs() < way.durationMs()) {
+            warn("low speed: increased to speedmin");
+            return fast;
+        }
+        return way;
+    }
+
+    /** At the start only: a way that is planned again was warned of already. */
+    private void warn(String text) {
+        if (context.warns() && trajectory == null) {
+            context.error(text);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** The start of an assignment: its value, its modifiers and the variables it goes to (URBI sheet, sections 6 and 10). */
+final class Assigning {
+    private Assigning() {}
+
+    static Task start(Context context, Action.Assign assignment) {
+        List<Expr> exprs = new ArrayList<>(List.of(assignment.value()));
+        exprs.addAll(Modifiers.expressions(assignment.modifiers()));
+        return new Prepared(context, exprs, values -> assign(context, assignment, values));
+    }
+
+    private static @Nullable Task assign(Context context, Action.Assign assignment, List<Value> values) throws Failure {
+        List<Value> rest = values.subList(1, values.size());
+        Value value = values.get(0);
+        Modifiers modifiers = Modifiers.NONE;
+        if (value instanceof Value.Text text) {
+            value = Budget.checked(Value.of(Modifiers.compose(text.text(), assignment.modifiers(), rest)));
+        } else {
+            modifiers = Modifiers.of(context, assignment.modifiers(), rest);
+        }
+        if (assignment.declares() && context.frame() != null) {
+            context.frame().declare(assignment.target().text(), value);
+            return null;
+        }
+        context.kernel().variables().admit(value, context.kernel().pass());
+        return write(context, assignment, value, modifiers);
+    }
+
+    private static @Nullable Task write(Context context, Action.Assign assignment, Value value, Modifiers modifiers)
+            throws Failure {
+        List<Task> tasks = new ArrayList<>();
+        Variables variables = context.kernel().variables();
+        boolean make = assignment.declares() || !variables.isStrict();
+        for (Variable variable : variables.targets(context, assignment.target(), make)) {
+            if (!make) {
+                checkType(variable, value);
+            }
+            if (value instanceof Value.Num num && !(variable.target() instanceof Value.Text)) {
+                tasks.add(number(context, assignment, variable, num.number(), modifiers));
+            } else if (variable.isDevice() && !(value instanceof Value.Binary)) {
+                variables.replace(variable, value);
+            } else {
+                variable.write(value);
+            }
+        }
+        return tasks.isEmpty() ? null : BothTask.of(context, tasks);
+    }
+
+    private static void checkType(Variable variable, Value value) throws Failure {
+        Value old = variable.target();
+        if (!(old instanceof Value.Void) && old.getClass() != value.getClass()) {
+            throw Failure.of("Warning: " + variable.name() + " type mismatch");
+        }
+    }
+
+    private static Task number(
+            Context context, Action.Assign assignment, Variable variable, double value, Modifiers modifiers)
+            throws Failure {
+        boolean hasStart = variable.target() instanceof Value.Num;
+        if (!modifiers.isEmpty() && !modifiers.oscillates() && !hasStart) {
+            throw Failure.of("Modificator error: " + variable.name() + " unknown (no start value)");
+        }
+        return new AssignTask(context, variable, new Course(context, assignment, variable, value, modifiers));
+    }
+}

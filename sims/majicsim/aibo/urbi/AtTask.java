@@ -1,0 +1,45 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** An event handler: once for each time that its test becomes true, and again when it becomes false. */
+final class AtTask extends Task {
+    private final Flow.At handler;
+    private final TestTask test;
+    private final Runs runs;
+    private boolean inside;
+
+    AtTask(Context context, Flow.At handler) {
+        super(context);
+        this.handler = handler;
+        test = new TestTask(context, handler.test());
+        runs = new Runs(context);
+    }
+
+    @Override
+    protected boolean advance() {
+        runs.step();
+        boolean now = test.holds();
+        if (now != inside && !isOver()) {
+            inside = now;
+            Statement body = now ? handler.body() : handler.onLeave();
+            if (body != null) {
+                runs.start(body);
+            }
+        }
+        return context.isLeft();
+    }
+
+    @Override
+    protected List<Task> parts() {
+        List<Task> parts = new ArrayList<>(runs.parts());
+        parts.add(test);
+        return parts;
+    }
+
+    @Override
+    protected void ended() {
+        runs.release();
+    }
+}

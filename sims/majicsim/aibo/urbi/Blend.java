@@ -1,0 +1,41 @@
+package majicsim.aibo.urbi;
+
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+
+/** What happens when several assignments act on one variable (URBI sheet, section 6). */
+public enum Blend {
+    /** The last one counts. */
+    NORMAL,
+    /** They are averaged. */
+    MIX,
+    /** They are added. */
+    ADD,
+    /** Who comes second has no effect. */
+    DISCARD,
+    /** Who comes second waits for the end of the first. */
+    QUEUE,
+    /** Who comes second ends the first. */
+    CANCEL;
+
+    static @Nullable Blend named(String name) {
+        for (Blend blend : values()) {
+            if (blend.word().equals(name)) {
+                return blend;
+            }
+        }
+        return null;
+    }
+
+    String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    double combine(double last, double sum, int writers) {
+        return switch (this) {
+            case MIX -> sum / writers;
+            case ADD -> sum;
+            case NORMAL, DISCARD, QUEUE, CANCEL -> last;
+        };
+    }
+}

@@ -1,0 +1,37 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/** Two commands that start in the same cycle; it ends when both have. */
+final class BothTask extends Task {
+    private final Task left;
+    private final Task right;
+
+    BothTask(Context context, Statement left, Statement right) {
+        this(context, left.start(context), right.start(context));
+    }
+
+    BothTask(Context context, Task left, Task right) {
+        super(context);
+        this.left = left;
+        this.right = right;
+    }
+
+    /** All of several; the list must not be empty. */
+    static Task of(Context context, List<Task> tasks) {
+        return tasks.stream()
+                .reduce((left, right) -> new BothTask(context, left, right))
+                .orElseGet(() -> Task.done(context));
+    }
+
+    @Override
+    protected boolean advance() {
+        boolean leftOver = left.step();
+        return right.step() && leftOver;
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return List.of(left, right);
+    }
+}

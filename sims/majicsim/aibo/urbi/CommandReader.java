@@ -1,0 +1,84 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** Reads program text command by command, keeps count of its lines, and tells what the grammar refuses (URBI sheet, section 11). */
+final class CommandReader {
+    private final Splitter splitter = new Splitter();
+    private final Consumer<String> complain;
+    private Place place;
+    private @Nullable String text;
+
+    /**
+     * @param start where the text begins in the count of lines
+     * @param complain takes the body of each error line
+     */
+    CommandReader(Place start, Consumer<String> complain) {
+        this.place = start;
+        this.complain = complain;
+    }
+
+    /** All commands of a whole text, in order; a last one needs no separator. */
+    static List<Step> all(byte[] text, Consumer<String> complain) {
+        CommandReader reader = new CommandReader(new Place(1, 1), complain);
+        reader.feed(text);
+        reader.feed(new byte[] {'\n', ';'});
+        List<Step> steps = new ArrayList<>();
+        while (reader.isAtCommand()) {
+            Step step = reader.take();
+            if (step != null && !(step.statement() instanceof Statement.Empty)) {
+                steps.add(step);
+            }
+        }
+        return List.copyOf(steps);
+    }
+
+    void feed(byte[] bytes) {
+        splitter.feed(bytes);
+    }
+
+    /** Whether a whole command has arrived; {@link #take} gives it. */
+    boolean isAtCommand() {
+        if (text == null) {
+            text = splitter.next();
+            if (splitter.overflowed()) {
+                complain.accept("Receive buffer full");
+                complain.accept("Receive buffer corrupted");
+            }
+        }
+        return text != null;
+    }
+
+    /** The command that has arrived, or null if the grammar refuses it, which has been told then. */
+    @Nullable
+    Step take() {
+        String command = text == null ? "" : text;
+        text = null;
+        return parse(command);
+    }
+
+    /** The next bytes as they are, or null (and nothing taken) while fewer have arrived. */
+    byte @Nullable [] take(int size) {
+        return splitter.take(size);
+    }
+
+    private @Nullable Step parse(String command) {
+        Place start = place;
+        Lexer lexer = new Lexer(command, start, (at, problem) -> complain.accept(at + ": " + problem));
+        Parser parser = new Parser(lexer.tokens());
+        try {
+            Step step = parser.command();
+            place = lexer.end();
+            return step;
+        } catch (SyntaxError error) {
+            // The real kernel goes on counting behind a command only if it had understood a part of it (captures A to
+            // C).
+            place = error.afterCommand() ? lexer.end() : start;
+            complain.accept(error.span() + ": " + error.getMessage());
+            return null;
+        }
+    }
+}

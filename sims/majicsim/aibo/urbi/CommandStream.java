@@ -1,0 +1,105 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A queue of commands (URBI sheet, section 3): one that ends with a semicolon holds the following back, one that ends with a comma
+ * goes on beside them. A block is a stream that ends; a connection's own stream never does.
+ */
+final class CommandStream extends Task {
+    private final Deque<Step> pending = new ArrayDeque<>();
+    private final List<Task> background = new ArrayList<>();
+    private final boolean endless;
+    private @Nullable Task foreground;
+
+    /** A block. */
+    CommandStream(Context context, List<Step> steps) {
+        super(context);
+        endless = false;
+        pending.addAll(steps);
+    }
+
+    /** The stream of a connection. */
+    CommandStream(Context context) {
+        super(context);
+        endless = true;
+    }
+
+    /** Adds a command; it starts at once if nothing holds it back. */
+    void add(Step step) {
+        pending.add(step);
+        if (foreground == null && !isFrozen()) {
+            pump();
+        }
+    }
+
+    /** Adds a task that runs in the background from the next cycle on. */
+    void adopt(Task task) {
+        background.add(task);
+    }
+
+    int waiting() {
+        return pending.size() + background.size();
+    }
+
+    /** Ends everything in it, but not the stream itself. */
+    void clear() {
+        pending.clear();
+        List.copyOf(parts()).forEach(Task::kill);
+    }
+
+    @Override
+    protected boolean advance() {
+        for (Task task : List.copyOf(background)) {
+            task.step();
+        }
+        background.removeIf(Task::isOver);
+        if (!isOver()) {
+            pump();
+        }
+        return !endless && (context.isLeft() || (pending.isEmpty() && foreground == null && background.isEmpty()));
+    }
+
+    @Override
+    protected List<Task> parts() {
+        List<Task> parts = new ArrayList<>(background);
+        if (foreground != null) {
+            parts.add(foreground);
+        }
+        return parts;
+    }
+
+    private void pump() {
+        while (!isOver() && !context.isLeft()) {
+            if (foreground != null && !foreground.step()) {
+                return;
+            }
+            foreground = null;
+            Step next = pending.poll();
+            if (next == null) {
+                return;
+            }
+            begin(next);
+        }
+    }
+
+    private void begin(Step step) {
+        Task task = step.statement().start(context);
+        if (!step.background() && !asksForBackground(step.statement())) {
+            foreground = task;
+            return;
+        }
+        background.add(task);
+        if (task.step()) {
+            background.remove(task);
+        }
+    }
+
+    private static boolean asksForBackground(Statement statement) {
+        return statement instanceof Statement.Tagged tagged && Flag.in(tagged.flags(), "bg");
+    }
+}

@@ -1,0 +1,75 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * On whose behalf a command runs. Immutable.
+ *
+ * @param connection where it was said
+ * @param frame the call it belongs to; null outside of one
+ * @param tag that its replies carry
+ * @param depth how many commands it is inside of, through all function calls
+ * @param warns whether an assignment tells where it was held to its limits, as the flag {@code +error} asks
+ */
+public record Context(Connection connection, @Nullable Frame frame, String tag, int depth, boolean warns) {
+    /** For a command inside this one. */
+    Context inner(String itsTag) {
+        return inner(itsTag, List.of());
+    }
+
+    /** For a command inside this one with flags of its own. */
+    Context inner(String itsTag, List<Flag> flags) {
+        return new Context(connection, frame, itsTag, depth + 1, Flag.in(flags, "error"));
+    }
+
+    Context withFrame(Frame other) {
+        return new Context(connection, other, tag, depth, warns);
+    }
+
+    /**
+     * The kernel it runs in.
+     *
+     * @return the one of its connection
+     */
+    public Kernel kernel() {
+        return connection.kernel();
+    }
+
+    /**
+     * What a shared variable holds.
+     *
+     * @param name with a dot
+     * @return its number
+     * @throws Failure if there is none, or no number in it
+     */
+    public double number(String name) throws Failure {
+        return new Evaluator(this, Map.of()).variable(Name.of(name)).number();
+    }
+
+    double nowMs() {
+        return kernel().nowMs();
+    }
+
+    /** Whether the function that this is a part of has returned, so that nothing further of it may run. */
+    boolean isLeft() {
+        return frame != null && frame.hasReturned();
+    }
+
+    void reply(Value value) {
+        connection.reply(tag, value);
+    }
+
+    void info(String text) {
+        connection.send(tag, "*** " + text);
+    }
+
+    void error(String text) {
+        connection.send(tag, "!!! " + text);
+    }
+
+    void report(Failure failure) {
+        failure.lines().forEach(this::error);
+    }
+}

@@ -1,0 +1,48 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** A loop of a known number of turns, or of endlessly many; each turn costs a cycle. */
+final class CountedLoop extends Task {
+    private final Statement body;
+    private double turnsLeft;
+    private @Nullable Task turn;
+
+    private CountedLoop(Context context, Statement body, double turns) {
+        super(context);
+        this.body = body;
+        turnsLeft = turns;
+    }
+
+    static Task start(Context context, Flow.Loop loop) {
+        Expr times = loop.times();
+        if (times == null) {
+            return new CountedLoop(context, loop.body(), Double.POSITIVE_INFINITY);
+        }
+        return new Prepared(
+                context,
+                List.of(times),
+                values -> new CountedLoop(context, loop.body(), values.get(0).number()));
+    }
+
+    @Override
+    protected boolean advance() {
+        if (turn == null) {
+            if (turnsLeft < 1) {
+                return true;
+            }
+            turn = body.start(context);
+        }
+        if (turn.step()) {
+            turn = null;
+            turnsLeft--;
+        }
+        return context.isLeft() || turnsLeft < 1;
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return turn == null ? List.of() : List.of(turn);
+    }
+}

@@ -1,0 +1,33 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/** A command with the flag {@code +connection}: it runs in the connections that the flag names (URBI sheet, section 7). */
+final class Delegation {
+    private static final String FLAG = "connection";
+
+    private Delegation() {}
+
+    static Task start(Context context, Statement.Tagged command) {
+        List<Expr> named = command.flags().stream()
+                .filter(flag -> flag.name().equals(FLAG))
+                .map(flag -> flag.argument() == null ? new Expr.Constant(Value.of("")) : flag.argument())
+                .limit(1)
+                .toList();
+        return new Prepared(context, named, values -> {
+            String meant = values.get(0).text();
+            for (Connection each : context.kernel().audience(context.connection(), meant)) {
+                hand(each, command);
+            }
+            return null;
+        });
+    }
+
+    private static void hand(Connection connection, Statement.Tagged command) {
+        List<Flag> rest = command.flags().stream()
+                .filter(flag -> !flag.name().equals(FLAG))
+                .toList();
+        Statement.Tagged plain = new Statement.Tagged(command.tag(), rest, command.body());
+        connection.stream().adopt(plain.start(connection.context()));
+    }
+}

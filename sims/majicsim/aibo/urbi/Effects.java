@@ -1,0 +1,82 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** What the commands that take no time do; each gives the task that goes on, or null. */
+final class Effects {
+    private Effects() {}
+
+    static @Nullable Task reply(Context context, Value value) {
+        if (!(value instanceof Value.Void)) {
+            context.reply(value);
+        }
+        return null;
+    }
+
+    static @Nullable Task change(Context context, Action.Change change, Value amount) throws Failure {
+        Variable variable = variable(context, change.target());
+        double sum = variable.target().number() + change.sign() * amount.number();
+        variable.submit(sum, context.kernel().pass());
+        return null;
+    }
+
+    static @Nullable Task power(Context context, Action.Power power) throws Failure {
+        Name load = Name.of(power.device().text() + ".load");
+        for (Variable variable : context.kernel().variables().targets(context, load)) {
+            boolean isOn = variable.read().isTrue();
+            double wanted = power.load() == null ? (isOn ? 0 : 1) : power.load();
+            variable.write(Value.of(wanted));
+        }
+        return null;
+    }
+
+    static @Nullable Task choose(Context context, Flow.If choice, Value test) {
+        Statement chosen = test.isTrue() ? choice.then() : choice.otherwise();
+        return chosen == null ? null : chosen.start(context);
+    }
+
+    static @Nullable Task giveBack(Context context, List<Value> values) {
+        if (context.frame() != null) {
+            context.frame().giveBack(values.isEmpty() ? Value.VOID : values.get(0));
+        }
+        return null;
+    }
+
+    static @Nullable Task emit(Context context, Flow.Emit emit, List<Value> values) throws Failure {
+        String key = new Evaluator(context, Map.of()).key(emit.event());
+        boolean lasts = emit.durationMs() != null;
+        double durationMs = lasts ? values.get(values.size() - 1).number() : 0;
+        List<Value> arguments = values.subList(0, emit.arguments().size());
+        Kernel kernel = context.kernel();
+        Budget.checkNames(kernel.events().count());
+        kernel.events()
+                .emit(kernel.variables().fullName(context, key), new Events.Event(List.copyOf(arguments), durationMs));
+        return null;
+    }
+
+    static @Nullable Task echo(Context context, Value value, List<Modifier> options) throws Failure {
+        String audience = "";
+        for (Modifier option : options) {
+            if (option.name().equals("connection")) {
+                audience =
+                        option.value().value(new Evaluator(context, Map.of())).join();
+            }
+        }
+        for (Connection connection : context.kernel().audience(context.connection(), audience)) {
+            connection.send(context.tag(), "*** " + value.show());
+        }
+        return null;
+    }
+
+    private static Variable variable(Context context, Name name) throws Failure {
+        String key = new Evaluator(context, Map.of()).key(name);
+        Variable variable = context.kernel().variables().find(context, key);
+        if (variable == null) {
+            throw Failure.of(
+                    "Unknown identifier: " + context.kernel().variables().fullName(context, key));
+        }
+        return variable;
+    }
+}

@@ -1,0 +1,138 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** Gives expressions their values on behalf of one command; all it changes are the names that take an event's arguments. */
+final class Evaluator {
+    private final Context context;
+    private final Map<Expr.Call, Value> results;
+
+    /** @param results what the calls that take time have given */
+    Evaluator(Context context, Map<Expr.Call, Value> results) {
+        this.context = context;
+        this.results = results;
+    }
+
+    List<Value> values(List<Expr> exprs) throws Failure {
+        List<Value> values = new ArrayList<>();
+        for (Expr expr : exprs) {
+            values.add(expr.value(this));
+        }
+        return values;
+    }
+
+    Value variable(Name name) throws Failure {
+        String key = key(name);
+        Kernel kernel = context.kernel();
+        if (kernel.variables().find(context, key) == null) {
+            String full = kernel.variables().fullName(context, key);
+            if (kernel.events().isKnown(full)) {
+                return Value.of(kernel.events().current(full) != null);
+            }
+            if (kernel.objects().contains(key)) {
+                return new Value.Obj(kernel.variables().fields(key));
+            }
+        }
+        return suffixed(known(key, key), name.suffix());
+    }
+
+    Value property(Expr.Property property) throws Failure {
+        String key = key(property.name());
+        return known(key, key).properties().read(property.property());
+    }
+
+    Value items(Expr.Items list) throws Failure {
+        return Budget.checked(new Value.Items(values(list.parts())));
+    }
+
+    Value members(String group) {
+        List<String> leaves = context.kernel().groups().leaves(group);
+        return new Value.Items(leaves.stream().map(Value::of).toList());
+    }
+
+    Value binary(Expr.Binary expr) throws Failure {
+        return Operators.apply(
+                expr.operator(), expr.left().value(this), expr.right().value(this));
+    }
+
+    Value unary(Expr.Unary expr) throws Failure {
+        Value operand = expr.operand().value(this);
+        return expr.operator().equals("!") ? Value.of(!operand.isTrue()) : Value.of(-operand.number());
+    }
+
+    Value call(Expr.Call call) throws Failure {
+        Value result = results.get(call);
+        if (result != null) {
+            return result;
+        }
+        String event = context.kernel().variables().fullName(context, key(call.function()));
+        if (context.kernel().events().isKnown(event)) {
+            return Value.of(matches(context.kernel().events().current(event), call.parts()));
+        }
+        String function = context.kernel().functions().key(context, call.function());
+        boolean asksOfName = function.equals("isdef") || function.equals("isvoid");
+        if (asksOfName && call.parts().size() == 1 && call.parts().get(0) instanceof Expr.Variable variable) {
+            return about(function, variable.name());
+        }
+        return context.kernel().functions().builtIn(context, call.function(), values(call.parts()));
+    }
+
+    /** The key under which a name's variable is stored. */
+    String key(Name name) throws Failure {
+        String text = name.computed() == null
+                ? name.text()
+                : name.computed().value(this).join();
+        StringBuilder key = new StringBuilder(text);
+        for (Value index : values(name.index())) {
+            key.append("__").append(index.join());
+        }
+        return key.toString();
+    }
+
+    /** Whether an event is seen whose arguments fit; a name among them takes the value that came. */
+    private boolean matches(Events.@Nullable Event event, List<Expr> pattern) throws Failure {
+        if (event == null || event.arguments().size() != pattern.size()) {
+            return false;
+        }
+        for (int i = 0; i < pattern.size(); i++) {
+            Value came = event.arguments().get(i);
+            if (pattern.get(i) instanceof Expr.Variable variable) {
+                context.kernel().variables().assign(context, key(variable.name()), came);
+            } else if (!pattern.get(i).value(this).equals(came)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private Value about(String function, Name name) throws Failure {
+        Variable variable = context.kernel().variables().find(context, key(name));
+        boolean isVoid = variable == null || variable.read() instanceof Value.Void;
+        return Value.of(function.equals("isdef") ? variable != null : isVoid);
+    }
+
+    private Variable known(String key, String shown) throws Failure {
+        Variable variable = context.kernel().variables().find(context, key);
+        if (variable == null) {
+            throw Failure.of(
+                    "Unknown identifier: " + context.kernel().variables().fullName(context, shown));
+        }
+        return variable;
+    }
+
+    private static Value suffixed(Variable variable, String suffix) throws Failure {
+        return switch (suffix) {
+            case "" -> variable.read();
+            case "'n" -> Value.of(variable.normalized());
+            case "'" -> Value.of(variable.profile().speed());
+            case "''" -> Value.of(variable.profile().acceleration());
+            case "'d" -> Value.of(variable.measured().speed());
+            case "'dd" -> Value.of(variable.measured().acceleration());
+            case "'e" -> Value.of(variable.target().number() - variable.read().number());
+            default -> throw Failure.inExpression();
+        };
+    }
+}

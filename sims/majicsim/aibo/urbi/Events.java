@@ -1,0 +1,82 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The events that programs emit (URBI sheet, section 8). One is seen for a whole cycle at least, by every handler alike; the next of
+ * the same name comes a cycle after it, so that handlers see the edge between them.
+ */
+final class Events {
+    /** More events of one name than this do not wait for their turn. */
+    private static final int MAX_WAITING = 1000;
+
+    /** One event as it was emitted; its time runs from the cycle in which it is seen first. */
+    record Event(List<Value> arguments, double durationMs) {}
+
+    private static final class Channel {
+        private final Deque<Event> waiting = new ArrayDeque<>();
+        private @Nullable Event current;
+        private double endMs;
+
+        private void turn(double nowMs) {
+            if (current != null && nowMs >= endMs) {
+                current = null;
+            } else if (current == null && !waiting.isEmpty()) {
+                Event next = waiting.remove();
+                current = next;
+                endMs = nowMs + Math.max(next.durationMs(), Kernel.CYCLE_MS);
+            }
+        }
+    }
+
+    private final Set<String> declared = new HashSet<>();
+    private final Map<String, Channel> channels = new HashMap<>();
+
+    void declare(String name) {
+        declared.add(name);
+    }
+
+    boolean isKnown(String name) {
+        return declared.contains(name) || channels.containsKey(name);
+    }
+
+    int count() {
+        return declared.size() + channels.size();
+    }
+
+    void emit(String name, Event event) {
+        Channel channel = channels.computeIfAbsent(name, any -> new Channel());
+        if (channel.waiting.size() < MAX_WAITING) {
+            channel.waiting.add(event);
+        }
+    }
+
+    /** The event of that name that is seen in this cycle. */
+    @Nullable
+    Event current(String name) {
+        Channel channel = channels.get(name);
+        return channel == null ? null : channel.current;
+    }
+
+    /** To be called once a cycle, before any handler looks. */
+    void turn(double nowMs) {
+        channels.values().forEach(channel -> channel.turn(nowMs));
+    }
+
+    void remove(String name) {
+        declared.remove(name);
+        channels.remove(name);
+    }
+
+    void removeAllOf(String prefix) {
+        declared.removeIf(name -> name.startsWith(prefix));
+        channels.keySet().removeIf(name -> name.startsWith(prefix));
+    }
+}

@@ -1,0 +1,39 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/** Starts its body again and again, at the first cycle after each period; it never ends by itself. */
+final class EveryTask extends Task {
+    private final Statement body;
+    private final double periodMs;
+    private final Runs runs;
+    private double lastMs = Double.NEGATIVE_INFINITY;
+
+    EveryTask(Context context, Statement body, Value period) throws Failure {
+        super(context);
+        this.body = body;
+        periodMs = period.number();
+        runs = new Runs(context);
+    }
+
+    @Override
+    protected boolean advance() {
+        runs.step();
+        double elapsedMs = elapsedMs();
+        if (!isOver() && elapsedMs - lastMs >= periodMs) {
+            lastMs = elapsedMs;
+            runs.start(body);
+        }
+        return context.isLeft();
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return runs.parts();
+    }
+
+    @Override
+    protected void ended() {
+        runs.release();
+    }
+}

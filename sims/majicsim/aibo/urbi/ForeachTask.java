@@ -1,0 +1,43 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** A loop over the items of a list, one a cycle. */
+final class ForeachTask extends Task {
+    private final Flow.Foreach loop;
+    private final Deque<Value> items = new ArrayDeque<>();
+    private @Nullable Task turn;
+
+    ForeachTask(Context context, Flow.Foreach loop, Value list) throws Failure {
+        super(context);
+        this.loop = loop;
+        if (!(list instanceof Value.Items values)) {
+            throw Failure.inExpression();
+        }
+        items.addAll(values.items());
+    }
+
+    @Override
+    protected boolean advance() {
+        if (turn == null) {
+            Value item = items.poll();
+            if (item == null) {
+                return true;
+            }
+            context.kernel().variables().assign(context, loop.variable(), item);
+            turn = loop.body().start(context);
+        }
+        if (turn.step()) {
+            turn = null;
+        }
+        return context.isLeft() || (turn == null && items.isEmpty());
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return turn == null ? List.of() : List.of(turn);
+    }
+}

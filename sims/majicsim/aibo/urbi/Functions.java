@@ -1,0 +1,166 @@
+package majicsim.aibo.urbi;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** The functions of the server: built-in ones, those of the hardware, and those that programs define. */
+public final class Functions {
+    /** A function that gives its value at once. */
+    @FunctionalInterface
+    public interface BuiltIn {
+        /**
+         * Calls it.
+         *
+         * @param arguments as many as the program gave
+         * @return its value
+         * @throws Failure if it makes no sense with them; the program is told
+         */
+        Value call(List<Value> arguments) throws Failure;
+    }
+
+    /** A function of the hardware that takes time. */
+    @FunctionalInterface
+    public interface Lasting {
+        /**
+         * Starts one call.
+         *
+         * @param context on whose behalf
+         * @param arguments as many as it takes
+         * @return what is to be stepped until it ends; nothing has happened yet
+         * @throws Failure if it makes no sense with them; the program is told
+         */
+        Task start(Context context, List<Value> arguments) throws Failure;
+    }
+
+    private record Entry(String name, int arity, boolean resident, Lasting body) {}
+
+    private final Map<String, BuiltIn> builtIns = new HashMap<>();
+    private final Map<String, Entry> lasting = new HashMap<>();
+    private final Objects objects;
+
+    Functions(Objects objects) {
+        this.objects = objects;
+    }
+
+    /**
+     * Adds a function of the server's or the hardware's own that gives its value at once.
+     *
+     * @param name by which every connection knows it
+     * @param function what it does
+     */
+    public void builtIn(String name, BuiltIn function) {
+        builtIns.put(name, function);
+    }
+
+    /**
+     * Adds a function of the server's or the hardware's own that takes time.
+     *
+     * @param name by which every connection knows it
+     * @param arity how many arguments it takes
+     * @param function what it does
+     */
+    public void lasting(String name, int arity, Lasting function) {
+        lasting.put(name, new Entry(name, arity, true, function));
+    }
+
+    void define(Context context, Definition.Define definition) throws Failure {
+        String name = fullName(context, definition.function().text());
+        if (lasting.containsKey(name)) {
+            throw Failure.of("function " + name + " already exists");
+        }
+        Budget.checkNames(lasting.size());
+        List<String> parameters = definition.parameters();
+        Lasting body = (call, arguments) -> {
+            Frame frame = java.util.Objects.requireNonNull(call.frame());
+            for (int i = 0; i < parameters.size(); i++) {
+                frame.declare(parameters.get(i), arguments.get(i));
+            }
+            return definition.body().start(call.inner(Parser.NO_TAG));
+        };
+        lasting.put(name, new Entry(name, parameters.size(), false, body));
+    }
+
+    /** Forgets a function; false if there was none. */
+    boolean remove(Context context, Name name) {
+        return lasting.remove(fullName(context, name.text())) != null;
+    }
+
+    /** Forgets what programs defined. */
+    void forget() {
+        lasting.values().removeIf(entry -> !entry.resident());
+    }
+
+    void removeAllOf(String connectionId) {
+        lasting.keySet().removeIf(name -> name.startsWith(connectionId + "."));
+    }
+
+    boolean takesTime(Context context, Name function) {
+        return find(context, function) != null;
+    }
+
+    /** The object whose function that is, or empty. */
+    String owner(Context context, Name function) {
+        String name = fullName(context, function.text());
+        String object = name.substring(0, Math.max(0, name.indexOf('.')));
+        return objects.contains(object) ? object : "";
+    }
+
+    /** The name under which a function is looked up. */
+    String key(Context context, Name function) {
+        return builtIns.containsKey(function.text()) ? function.text() : fullName(context, function.text());
+    }
+
+    /** The body of a function that takes time; program text that the server runs has no frame but the caller's. */
+    Task start(Context caller, Frame frame, Name function, List<Value> arguments) throws Failure {
+        Entry entry = find(caller, function);
+        if (entry == null) {
+            throw unknown(caller, function, arguments);
+        }
+        if (entry.arity() != arguments.size()) {
+            throw Failure.of(
+                    "invalid number of arguments for " + entry.name() + " (should be " + entry.arity() + " params)");
+        }
+        boolean framed = entry.name().indexOf('.') >= 0;
+        return entry.body().start(framed ? caller.withFrame(frame) : caller, arguments);
+    }
+
+    Value builtIn(Context context, Name function, List<Value> arguments) throws Failure {
+        BuiltIn builtIn = builtIns.get(function.text());
+        if (builtIn == null) {
+            throw unknown(context, function, arguments);
+        }
+        return builtIn.call(arguments);
+    }
+
+    /** One line a function, as {@code def} lists them. */
+    List<String> listing() {
+        return lasting.values().stream()
+                .filter(entry -> entry.name().indexOf('.') >= 0)
+                .map(entry -> entry.name() + " : " + entry.arity() + " param(s)")
+                .toList();
+    }
+
+    private @Nullable Entry find(Context context, Name function) {
+        Entry own = lasting.get(function.text());
+        if (own != null) {
+            return own;
+        }
+        return objects.places(fullName(context, function.text())).stream()
+                .map(lasting::get)
+                .filter(java.util.Objects::nonNull)
+                .findFirst()
+                .orElse(null);
+    }
+
+    private static Failure unknown(Context context, Name function, List<Value> arguments) {
+        String count = arguments.isEmpty() ? "[no param]" : "[nb param=" + arguments.size() + "]";
+        return Failure.inExpression("Error with function eval: " + fullName(context, function.text()) + " " + count);
+    }
+
+    private static String fullName(Context context, String written) {
+        String name = Objects.resolve(context, written);
+        return name.indexOf('.') >= 0 ? name : context.connection().id() + "." + name;
+    }
+}

@@ -1,0 +1,26 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a program names a variable: {@code x}, {@code dev.val}, {@code x[1]}, {@code $(text)}, with a suffix such as {@code 'n}.
+ *
+ * @param text the name as written, with its dot if it has one; empty for a computed name
+ * @param computed the expression inside {@code $( )}, null for a written name
+ * @param index what stands in brackets behind it
+ * @param suffix one of {@code 'n ' '' 'd 'dd 'e}, or empty
+ */
+record Name(String text, @Nullable Expr computed, List<Expr> index, String suffix) {
+    static Name of(String text) {
+        return new Name(text, null, List.of(), "");
+    }
+
+    Name withSuffix(String added) {
+        return new Name(text, computed, index, added);
+    }
+
+    Name with(List<Expr> keys) {
+        return new Name(text, computed, keys, suffix);
+    }
+}

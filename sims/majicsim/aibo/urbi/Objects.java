@@ -1,0 +1,78 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** The classes and objects of programs, which the kernel does not tell apart: each may inherit from others (URBI sheet, section 10). */
+final class Objects {
+    private static final String SELF = "self.";
+
+    private final Map<String, Set<String>> parents = new LinkedHashMap<>();
+
+    void define(String name) {
+        parents.computeIfAbsent(name, any -> new LinkedHashSet<>());
+    }
+
+    boolean contains(String name) {
+        return parents.containsKey(name);
+    }
+
+    int count() {
+        return parents.size();
+    }
+
+    void remove(String name) {
+        parents.remove(name);
+    }
+
+    void clear() {
+        parents.clear();
+    }
+
+    /** Makes an object inherit from another, which must exist; the object comes to be if need be. */
+    void inherit(String name, String parent) throws Failure {
+        if (!contains(parent)) {
+            throw Failure.of("Unkown object " + parent);
+        }
+        Budget.checkNames(count());
+        define(name);
+        if (lineage(parent).contains(name)
+                || !parents.getOrDefault(name, Set.of()).add(parent)) {
+            throw Failure.of(name + " has already inherited from " + parent);
+        }
+    }
+
+    /** The names under which something called object.field may be found, its own first; only its own for other names. */
+    List<String> places(String name) {
+        int dot = name.indexOf('.');
+        if (dot < 0 || !contains(name.substring(0, dot))) {
+            return List.of(name);
+        }
+        return lineage(name.substring(0, dot)).stream()
+                .map(each -> each + name.substring(dot))
+                .toList();
+    }
+
+    /** A name as written inside a function of an object, with the object's own name for {@code self}. */
+    static String resolve(Context context, String name) {
+        Frame frame = context.frame();
+        boolean own = frame != null && !frame.self().isEmpty() && name.startsWith(SELF);
+        return own && frame != null ? frame.self() + name.substring(SELF.length() - 1) : name;
+    }
+
+    private List<String> lineage(String name) {
+        List<String> all = new ArrayList<>(List.of(name));
+        for (int i = 0; i < all.size(); i++) {
+            for (String parent : parents.getOrDefault(all.get(i), Set.of())) {
+                if (!all.contains(parent)) {
+                    all.add(parent);
+                }
+            }
+        }
+        return all;
+    }
+}

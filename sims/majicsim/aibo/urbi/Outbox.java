@@ -1,0 +1,66 @@
+package majicsim.aibo.urbi;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.function.Supplier;
+import majicsim.net.Line;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What is on its way to one client (URBI sheet, section 2). Beyond 1 MiB that the client has not read messages are lost, whole ones;
+ * the next one that finds room again comes behind a line that says so.
+ */
+final class Outbox {
+    private static final int LIMIT = (1 << 20) - 1024;
+    private static final int PACKET = 32 * 1024;
+
+    private final @Nullable Line line;
+    private final Supplier<String> complaint;
+    private final ByteArrayOutputStream packet = new ByteArrayOutputStream();
+    private boolean lost;
+
+    /**
+     * @param line the client, or null for nobody
+     * @param complaint makes the line that tells of a loss
+     */
+    Outbox(@Nullable Line line, Supplier<String> complaint) {
+        this.line = line;
+        this.complaint = complaint;
+    }
+
+    /**
+     * Takes a message for the next packet; it is not even made if nobody can get it.
+     *
+     * @param about how long it will be, in bytes
+     */
+    void write(long about, Supplier<String> message) {
+        if (line == null || !line.isOpen()) {
+            return;
+        }
+        int before = line.unsent() + packet.size();
+        String text = before + about < LIMIT ? message.get() : "";
+        boolean fits = !text.isEmpty() && before + text.length() < LIMIT;
+        if (fits && lost) {
+            put(complaint.get());
+        }
+        if (fits) {
+            put(text);
+        }
+        lost = !fits;
+    }
+
+    /** Sends what was written. */
+    void flush() {
+        if (packet.size() > 0 && line != null && line.isOpen()) {
+            line.send(packet.toByteArray());
+        }
+        packet.reset();
+    }
+
+    private void put(String text) {
+        packet.writeBytes(text.getBytes(StandardCharsets.ISO_8859_1));
+        if (packet.size() > PACKET) {
+            flush();
+        }
+    }
+}

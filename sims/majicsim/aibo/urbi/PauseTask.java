@@ -1,0 +1,28 @@
+package majicsim.aibo.urbi;
+
+/** Waits; it ends at the first cycle after its time. */
+final class PauseTask extends Task {
+    private final double ms;
+
+    PauseTask(Context context, double ms) {
+        super(context);
+        this.ms = ms;
+    }
+
+    /** Lets one cycle go by. */
+    static PauseTask cycle(Context context) {
+        return new PauseTask(context, Double.MIN_VALUE);
+    }
+
+    static PauseTask of(Context context, Value ms) throws Failure {
+        if (ms instanceof Value.Num number) {
+            return new PauseTask(context, number.number());
+        }
+        throw Failure.of("Invalid type. NUM expected.");
+    }
+
+    @Override
+    protected boolean advance() {
+        return elapsedMs() >= ms;
+    }
+}

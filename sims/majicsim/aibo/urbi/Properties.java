@@ -1,0 +1,135 @@
+package majicsim.aibo.urbi;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/** The properties of a variable, such as {@code x.val->rangemin} (URBI sheet, section 5). */
+final class Properties {
+    private static final Map<String, Double> DEFAULTS = Map.of(
+            "rangemin",
+            -Value.INFINITY,
+            "rangemax",
+            Value.INFINITY,
+            "speedmin",
+            0.0,
+            "speedmax",
+            Value.INFINITY,
+            "delta",
+            0.0);
+
+    private final Map<String, Double> numbers = new HashMap<>(DEFAULTS);
+    private Blend blend = Blend.NORMAL;
+    private String unit = "";
+
+    static Task assigning(Context context, Action.AssignProperty assignment) {
+        if (assignment.property().equals("blend")
+                && assignment.value() instanceof Expr.Variable word
+                && Blend.named(word.name().text()) != null) {
+            Value name = Value.of(word.name().text());
+            return new Prepared(context, List.of(), values -> assign(context, assignment, name));
+        }
+        if (assignment.property().equals("blend") && assignment.value() instanceof Expr.Variable word) {
+            return new Prepared(context, List.of(), values -> refuseBlend(context, word.name()));
+        }
+        return new Prepared(context, List.of(assignment.value()), values -> assign(context, assignment, values.get(0)));
+    }
+
+    Value read(String property) throws Failure {
+        if (property.equals("blend")) {
+            return Value.of(blend.word());
+        }
+        if (property.equals("unit")) {
+            return Value.of(unit);
+        }
+        Double number = numbers.get(property);
+        if (number == null) {
+            throw Failure.inExpression("Unknown property: " + property);
+        }
+        return Value.of(number);
+    }
+
+    /** Becomes as another is. */
+    void take(Properties other) {
+        numbers.putAll(other.numbers);
+        blend = other.blend;
+        unit = other.unit;
+    }
+
+    void range(double min, double max) {
+        numbers.put("rangemin", min);
+        numbers.put("rangemax", max);
+    }
+
+    void blend(Blend mode) {
+        blend = mode;
+    }
+
+    Blend blend() {
+        return blend;
+    }
+
+    double clip(double value) {
+        return Math.max(number("rangemin"), Math.min(number("rangemax"), value));
+    }
+
+    double range() {
+        return number("rangemax") - number("rangemin");
+    }
+
+    double normalize(String name, double value) throws Failure {
+        return (value - checkedMin(name)) / range();
+    }
+
+    double denormalize(String name, double value) throws Failure {
+        return checkedMin(name) + value * range();
+    }
+
+    private double checkedMin(String name) throws Failure {
+        if (number("rangemin") <= -Value.INFINITY || number("rangemax") >= Value.INFINITY) {
+            throw Failure.of("Impossible to normalize: no range defined for variable " + name);
+        }
+        return number("rangemin");
+    }
+
+    /** One of the properties that are numbers. */
+    double number(String property) {
+        return Objects.requireNonNull(numbers.get(property), property);
+    }
+
+    private static @Nullable Task refuseBlend(Context context, Name word) throws Failure {
+        String name = context.kernel().variables().fullName(context, word.text());
+        throw Failure.of("Unknown identifier: " + name, "Invalid blend mode.");
+    }
+
+    private static @Nullable Task assign(Context context, Action.AssignProperty assignment, Value value)
+            throws Failure {
+        for (Variable variable : context.kernel().variables().targets(context, assignment.target())) {
+            variable.properties().write(assignment.property(), value);
+        }
+        return null;
+    }
+
+    private void write(String property, Value value) throws Failure {
+        if (property.equals("blend")) {
+            Blend mode = value instanceof Value.Text text ? Blend.named(text.text()) : null;
+            if (mode == null) {
+                throw Failure.of(
+                        value instanceof Value.Text text
+                                ? "Unknown blend mode: " + text.text()
+                                : "Invalid blend mode.");
+            }
+            blend = mode;
+        } else if (property.equals("unit")) {
+            unit = value.join();
+        } else if (!numbers.containsKey(property)) {
+            throw Failure.of("Unknown property: " + property);
+        } else if (value instanceof Value.Num num) {
+            numbers.put(property, num.number());
+        } else {
+            throw Failure.of("Invalid " + property.replaceFirst("m(in|ax)$", "") + " type. NUM expected.");
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package majicsim.aibo.urbi;
+
+/** The server's reset (URBI sheet, section 9 and appendix A): all is stopped and forgotten, then the stick's scripts run again. */
+final class Restart {
+    private static final String TAG = "reset";
+
+    /** So long the stick's scripts took to load when it was recorded. */
+    private static final double RELOAD_MS = 2400;
+
+    private final Kernel kernel;
+    private boolean ordered;
+    private double reloadAtMs = Double.POSITIVE_INFINITY;
+
+    Restart(Kernel kernel) {
+        this.kernel = kernel;
+    }
+
+    void order() {
+        ordered = true;
+    }
+
+    /** To be called at the start of each cycle. */
+    void step() {
+        if (ordered) {
+            ordered = false;
+            reloadAtMs = kernel.nowMs() + RELOAD_MS;
+            kernel.forget();
+            tellAll("Reset completed.");
+        } else if (kernel.nowMs() >= reloadAtMs) {
+            reloadAtMs = Double.POSITIVE_INFINITY;
+            tellAll("Reloading");
+            kernel.reload();
+        }
+    }
+
+    private void tellAll(String text) {
+        kernel.connections().forEach(each -> each.send(TAG, "*** " + text));
+    }
+}

@@ -1,0 +1,48 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The runs of a body that a timer or an event handler has started and that have not ended. They are counted in the whole server, so
+ * that bodies which never end cannot eat its memory: beyond the limit none is started.
+ */
+final class Runs {
+    private final Context context;
+    private final List<Task> running = new ArrayList<>();
+
+    Runs(Context context) {
+        this.context = context;
+    }
+
+    void start(Statement body) {
+        if (!context.kernel().budget().takeRun()) {
+            return;
+        }
+        Task run = body.start(context);
+        running.add(run);
+        run.step();
+    }
+
+    void step() {
+        for (Task run : List.copyOf(running)) {
+            run.step();
+        }
+        for (Task run : List.copyOf(running)) {
+            if (run.isOver()) {
+                running.remove(run);
+                context.kernel().budget().giveRunBack();
+            }
+        }
+    }
+
+    List<Task> parts() {
+        return running;
+    }
+
+    /** To be called when their owner ends, after they were killed with it. */
+    void release() {
+        running.forEach(run -> context.kernel().budget().giveRunBack());
+        running.clear();
+    }
+}

@@ -1,0 +1,67 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** The commands of one word (URBI sheet, section 9). */
+final class SystemCommands {
+    private SystemCommands() {}
+
+    static @Nullable Task run(Context context, String word) {
+        Kernel kernel = context.kernel();
+        switch (word) {
+            case "ping" -> context.info("pong time=" + (long) context.kernel().timestampMs());
+            case "quit" -> context.connection().quit();
+            case "connections" -> kernel.connections().forEach(each -> context.info(each.describe()));
+            case "devices" -> context.info("devices is deprecated. Use 'group objects' instead.");
+            case "motoron" -> renamed(context, "motor on");
+            case "motoroff" -> renamed(context, "motor off");
+            case "group" -> list(context, Listings.groups(kernel.groups()));
+            case "def" -> list(context, kernel.functions().listing());
+            case "alias" -> list(context, Listings.aliases(kernel.variables().aliases()));
+            case "vars", "uservars" -> list(context, Listings.variables(kernel, word.equals("uservars")));
+            case "commands" -> list(context, Listings.commands(context.connection()));
+            case "strict", "unstrict" -> kernel.variables().strict(word.equals("strict"));
+            case "stopall" -> stopAll(context);
+            case "reset" -> reset(context);
+            case "noop" -> {
+                return PauseTask.cycle(context);
+            }
+            default -> {
+                // What is left has no reply here: what would switch the robot off.
+            }
+        }
+        return null;
+    }
+
+    private static void renamed(Context context, String today) {
+        context.error("This command is no longer valid. Please use \"" + today + "\" instead");
+    }
+
+    private static void list(Context context, List<String> lines) {
+        lines.forEach(context::info);
+    }
+
+    private static void reset(Context context) {
+        context.info("Reset in progress");
+        context.kernel().restart().order();
+    }
+
+    /** {@code disconnect} and {@code killall}: they close or clear another connection. */
+    static @Nullable Task reach(Context context, Action.Reach reach) throws Failure {
+        Connection other = context.kernel()
+                .audience(context.connection(), reach.connection())
+                .get(0);
+        if (reach.word().equals("killall")) {
+            other.stream().clear();
+        } else {
+            other.quit();
+        }
+        return null;
+    }
+
+    private static void stopAll(Context context) {
+        context.kernel().connections().forEach(each -> each.stream().clear());
+        context.info("All commands cleared");
+    }
+}

@@ -1,0 +1,74 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/** A command under its tag, with the messages that its flags ask for (URBI sheet, section 7). */
+final class TaggedTask extends Task {
+    private final Task body;
+    private final List<Flag> flags;
+    private boolean begun;
+
+    TaggedTask(Context context, List<Flag> flags, Statement body) {
+        this(context, flags, body.start(context));
+    }
+
+    TaggedTask(Context context, List<Flag> flags, Task body) {
+        super(context);
+        this.flags = flags;
+        this.body = body;
+    }
+
+    String tag() {
+        return context.tag();
+    }
+
+    @Override
+    protected boolean advance() {
+        boolean first = !begun;
+        if (first && context.kernel().tags().isBlocked(tag())) {
+            return true;
+        }
+        if (first && context.kernel().tags().isFrozen(tag())) {
+            return false;
+        }
+        if (first) {
+            begun = true;
+            warn();
+            announce("begin");
+        }
+        // A command that stops its own tag is over before its body returns here: then it sends no end.
+        boolean ended = body.step() && !isOver();
+        if (ended) {
+            announce("end");
+        }
+        return ended || !mayGoOn(first);
+    }
+
+    /** A command that is not over at once may find that there are too many of its kind already. */
+    private boolean mayGoOn(boolean isNew) {
+        Budget budget = context.kernel().budget();
+        if (isNew && budget.isCrowded()) {
+            context.connection().overloaded();
+            return false;
+        }
+        budget.countRunning();
+        return true;
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return List.of(body);
+    }
+
+    private void announce(String moment) {
+        if (Flag.in(flags, moment) || Flag.in(flags, "report")) {
+            context.info(moment);
+        }
+    }
+
+    private void warn() {
+        flags.stream()
+                .filter(Flag::isObsolete)
+                .forEach(flag -> context.error("Warning: flag '" + flag.name() + "' is obsolete"));
+    }
+}

@@ -1,0 +1,50 @@
+package majicsim.aibo.urbi;
+
+import java.util.HashSet;
+import java.util.Set;
+
+/** What is known of tags beyond the commands that carry them: those that are blocked or frozen (URBI sheet, section 7). */
+final class Tags {
+    private final Set<String> blocked = new HashSet<>();
+    private final Set<String> frozen = new HashSet<>();
+
+    boolean isBlocked(String tag) {
+        return holds(blocked, tag);
+    }
+
+    boolean isFrozen(String tag) {
+        return holds(frozen, tag);
+    }
+
+    void block(String tag) throws Failure {
+        Budget.checkNames(blocked.size());
+        blocked.add(tag);
+    }
+
+    void unblock(String tag) {
+        blocked.remove(tag);
+    }
+
+    void freeze(String tag) throws Failure {
+        Budget.checkNames(frozen.size());
+        frozen.add(tag);
+    }
+
+    void unfreeze(String tag) {
+        frozen.remove(tag);
+    }
+
+    void clear() {
+        blocked.clear();
+        frozen.clear();
+    }
+
+    /** Whether a tag is the wanted one or a part of it, as walk.left is of walk. */
+    static boolean matches(String tag, String wanted) {
+        return tag.equals(wanted) || tag.startsWith(wanted + ".");
+    }
+
+    private static boolean holds(Set<String> set, String tag) {
+        return set.stream().anyMatch(wanted -> matches(tag, wanted));
+    }
+}

@@ -1,0 +1,141 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/**
+ * A command that runs. The kernel steps it once a cycle until it has ended; time is counted from its first step, and stands
+ * still while it is frozen.
+ */
+public abstract class Task {
+    /** On whose behalf it runs. */
+    protected final Context context;
+
+    private double startMs = Double.NaN;
+    private double frozenAtMs = Double.NaN;
+    private boolean over;
+
+    /**
+     * Something to be stepped.
+     *
+     * @param context on whose behalf
+     */
+    protected Task(Context context) {
+        this.context = context;
+    }
+
+    /**
+     * Does what is due now. Called once a cycle, and once more as soon as it is begun.
+     *
+     * @return true when the command has ended by itself
+     */
+    protected abstract boolean advance();
+
+    /**
+     * The running parts of this command, which are frozen and ended with it.
+     *
+     * @return as they are now
+     */
+    protected List<Task> parts() {
+        return List.of();
+    }
+
+    /** Called once when it ends, by itself or killed; what it holds must be let go. */
+    protected void ended() {}
+
+    /**
+     * Called when its time stands still or goes on.
+     *
+     * @param frozen true when it stands still from now on
+     */
+    protected void halted(boolean frozen) {}
+
+    /**
+     * Puts it under a tag, by which it is stopped and frozen.
+     *
+     * @param tag a word of the stick's own
+     * @return to be stepped in place of it
+     */
+    public final Task under(String tag) {
+        return new TaggedTask(context.inner(tag), List.of(), this);
+    }
+
+    /** Steps it; true when it has ended, however. */
+    final boolean step() {
+        if (over || isFrozen()) {
+            return over;
+        }
+        if (Double.isNaN(startMs)) {
+            startMs = context.nowMs();
+        }
+        if (advance() && !over) {
+            finish();
+        }
+        return over;
+    }
+
+    final void kill() {
+        if (!over) {
+            finish();
+        }
+    }
+
+    /** Nothing inside it lives on: a function may return while something in it runs. */
+    private void finish() {
+        over = true;
+        List.copyOf(parts()).forEach(Task::kill);
+        ended();
+    }
+
+    final void freeze() {
+        if (!over && !isFrozen()) {
+            frozenAtMs = context.nowMs();
+            parts().forEach(Task::freeze);
+            halted(true);
+        }
+    }
+
+    final void thaw() {
+        if (!over && isFrozen()) {
+            startMs += context.nowMs() - frozenAtMs;
+            frozenAtMs = Double.NaN;
+            parts().forEach(Task::thaw);
+            halted(false);
+        }
+    }
+
+    final boolean isOver() {
+        return over;
+    }
+
+    final boolean isFrozen() {
+        return !Double.isNaN(frozenAtMs);
+    }
+
+    /**
+     * When it was stepped first, later by the time it was frozen.
+     *
+     * @return lab time, ms; not a number before
+     */
+    protected final double startMs() {
+        return startMs;
+    }
+
+    /**
+     * For how long it has run, without the time it was frozen.
+     *
+     * @return ms since its first step
+     */
+    protected final double elapsedMs() {
+        return context.nowMs() - startMs;
+    }
+
+    /** A command that ends at once and does nothing. */
+    static Task done(Context context) {
+        return new Task(context) {
+            @Override
+            protected boolean advance() {
+                return true;
+            }
+        };
+    }
+}

@@ -1,0 +1,28 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/** Two commands without a gap between them. */
+final class ThenTask extends Task {
+    private final Task first;
+    private final Task second;
+
+    ThenTask(Context context, Statement first, Statement second) {
+        super(context);
+        this.first = first.start(context);
+        this.second = second.start(context);
+    }
+
+    @Override
+    protected boolean advance() {
+        if (!first.step()) {
+            return false;
+        }
+        return context.isLeft() || (!isOver() && second.step());
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return List.of(first, second);
+    }
+}

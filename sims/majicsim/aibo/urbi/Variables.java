@@ -1,0 +1,208 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * All variables of the server. A name with a dot is shared; a bare name is a device (an alias of its field val), a local variable of
+ * the running function, or belongs to the connection (URBI sheet, section 5).
+ */
+public final class Variables {
+    /** More variables than this are not made. */
+    private static final int MAX_COUNT = 100_000;
+
+    /** All variables together hold about so many bytes at most. */
+    private static final long MAX_WEIGHT = 32 << 20;
+
+    /** What is lighter is only counted, not weighed. */
+    private static final int LIGHT = 256;
+
+    private final Map<String, Variable> all = new LinkedHashMap<>();
+    private final Map<String, String> aliases = new HashMap<>();
+    private final Map<String, Variable> system = new LinkedHashMap<>();
+    private final Groups groups;
+    private final Objects objects;
+    private boolean strict;
+    private long weight;
+    private long weighedInPass = -1;
+
+    Variables(Groups groups, Objects objects) {
+        this.groups = groups;
+        this.objects = objects;
+    }
+
+    /** From now on what is there is the system's: {@link #forget} leaves it. */
+    void seal() {
+        all.values().forEach(Variable::keep);
+        system.putAll(all);
+    }
+
+    boolean isSystem(String name) {
+        return system.containsKey(name);
+    }
+
+    /** Goes back to what the system has. */
+    void forget() {
+        all.clear();
+        system.values().forEach(Variable::restore);
+        all.putAll(system);
+        aliases.clear();
+        strict = false;
+    }
+
+    /** With strict, an assignment makes no variable and changes no type (URBI sheet, section 9). */
+    void strict(boolean wanted) {
+        strict = wanted;
+    }
+
+    boolean isStrict() {
+        return strict;
+    }
+
+    Map<String, String> aliases() {
+        return aliases;
+    }
+
+    /**
+     * Adds a variable, in place of one of the same name.
+     *
+     * @param variable to be known to all connections
+     */
+    public void put(Variable variable) {
+        all.put(variable.name(), variable);
+    }
+
+    Collection<Variable> all() {
+        return all.values();
+    }
+
+    @Nullable
+    Variable find(Context context, String key) {
+        Variable local = context.frame() == null ? null : context.frame().local(key);
+        if (local != null) {
+            return local;
+        }
+        return objects.places(fullName(context, key)).stream()
+                .map(all::get)
+                .filter(java.util.Objects::nonNull)
+                .findFirst()
+                .orElse(null);
+    }
+
+    String fullName(Context context, String written) {
+        String key = Objects.resolve(context, written);
+        String alias = aliases.get(key);
+        if (alias != null) {
+            return alias;
+        }
+        if (key.indexOf('.') >= 0) {
+            return key;
+        }
+        return all.containsKey(key + ".val")
+                ? key + ".val"
+                : context.connection().id() + "." + key;
+    }
+
+    /** Makes a name stand for another variable, or with null for itself again. */
+    void alias(String name, @Nullable String meaning) {
+        if (meaning == null) {
+            aliases.remove(name);
+        } else {
+            aliases.put(name, meaning);
+        }
+    }
+
+    /** The variable of that name itself and not one it inherits, made if need be. */
+    private Variable obtain(Context context, String key, boolean make) throws Failure {
+        Variable local = context.frame() == null ? null : context.frame().local(key);
+        Variable found = local == null ? all.get(fullName(context, key)) : local;
+        if (found != null) {
+            return found;
+        }
+        if (!make) {
+            throw Failure.of("Unknown identifier: " + fullName(context, key));
+        }
+        if (all.size() >= MAX_COUNT) {
+            throw Failure.of(Budget.OUT_OF_MEMORY);
+        }
+        Variable made = new Variable(fullName(context, key), Value.VOID);
+        put(made);
+        return made;
+    }
+
+    /** Refuses a value for which there is no memory. The variables are weighed once in a pass of the kernel. */
+    void admit(Value value, long pass) throws Failure {
+        if (value.weight() < LIGHT) {
+            return;
+        }
+        if (pass != weighedInPass) {
+            weighedInPass = pass;
+            weight = all.values().stream()
+                    .mapToLong(each -> each.target().weight())
+                    .sum();
+        }
+        weight += value.weight();
+        if (weight > MAX_WEIGHT) {
+            throw Failure.of(Budget.OUT_OF_MEMORY);
+        }
+    }
+
+    void assign(Context context, String key, Value value) {
+        Variable found = find(context, key);
+        if (found == null) {
+            put(new Variable(fullName(context, key), value));
+        } else {
+            found.write(value);
+        }
+    }
+
+    /** What an assignment to that name writes: the variable, or those of all members if it names a group. */
+    List<Variable> targets(Context context, Name name) throws Failure {
+        return targets(context, name, !strict);
+    }
+
+    /** @param make whether variables may be made that are not there; else it is an error that they are not */
+    List<Variable> targets(Context context, Name name, boolean make) throws Failure {
+        String key = new Evaluator(context, Map.of()).key(name);
+        int dot = key.indexOf('.');
+        String head = dot < 0 ? key : key.substring(0, dot);
+        if (!groups.contains(head) || find(context, key) != null) {
+            return List.of(obtain(context, key, make));
+        }
+        List<Variable> targets = new ArrayList<>();
+        for (String leaf : groups.leaves(head)) {
+            targets.add(obtain(context, dot < 0 ? leaf : leaf + key.substring(dot), make));
+        }
+        return targets;
+    }
+
+    /** Replaces a variable by a plain one; hardware behind it is cut off (URBI sheet, section 5). */
+    void replace(Variable old, Value value) {
+        put(new Variable(old.name(), value));
+    }
+
+    /** Forgets a variable; false if there was none. */
+    boolean remove(Context context, String key) {
+        return all.remove(fullName(context, key)) != null;
+    }
+
+    /** The fields of an object by their names, those of itself. */
+    Map<String, Value> fields(String object) {
+        Map<String, Value> fields = new LinkedHashMap<>();
+        all.forEach((name, variable) -> {
+            if (name.startsWith(object + ".")) {
+                fields.put(name.substring(object.length() + 1), variable.read());
+            }
+        });
+        return fields;
+    }
+
+    void removeAllOf(String connectionId) {
+        all.keySet().removeIf(name -> name.startsWith(connectionId + "."));
+    }
+}

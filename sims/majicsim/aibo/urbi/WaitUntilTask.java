@@ -1,0 +1,23 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/** Waits until a test holds. */
+final class WaitUntilTask extends Task {
+    private final TestTask test;
+
+    WaitUntilTask(Context context, Expr test) {
+        super(context);
+        this.test = new TestTask(context, test);
+    }
+
+    @Override
+    protected boolean advance() {
+        return test.holds();
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return List.of(test);
+    }
+}

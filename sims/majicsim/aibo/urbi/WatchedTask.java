@@ -1,0 +1,55 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/** A command under a condition: ended by {@code timeout} or {@code stopif}, held by {@code freezeif}. */
+final class WatchedTask extends Task {
+    /** What is done to the command at this moment. */
+    private enum Verdict {
+        RUN,
+        STOP,
+        HOLD
+    }
+
+    /** Looks at the moment. */
+    private interface Watch {
+        Verdict verdict(double elapsedMs);
+    }
+
+    private final Task body;
+    private final Watch watch;
+
+    private WatchedTask(Context context, Statement body, Watch watch) {
+        super(context);
+        this.body = body.start(context);
+        this.watch = watch;
+    }
+
+    static Task start(Context context, Flow.Watched watched) {
+        if (watched.word().equals("timeout")) {
+            return new Prepared(context, List.of(watched.limit()), values -> {
+                double limitMs = values.get(0).number();
+                return new WatchedTask(
+                        context, watched.body(), elapsedMs -> elapsedMs >= limitMs ? Verdict.STOP : Verdict.RUN);
+            });
+        }
+        TestTask test = new TestTask(context, watched.limit());
+        Verdict then = watched.word().equals("stopif") ? Verdict.STOP : Verdict.HOLD;
+        return new WatchedTask(context, watched.body(), elapsedMs -> test.holds() ? then : Verdict.RUN);
+    }
+
+    @Override
+    protected boolean advance() {
+        switch (watch.verdict(elapsedMs())) {
+            case STOP -> body.kill();
+            case HOLD -> body.freeze();
+            case RUN -> body.thaw();
+        }
+        return body.step();
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return List.of(body);
+    }
+}

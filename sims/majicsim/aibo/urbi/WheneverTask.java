@@ -1,0 +1,40 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** Repeats a command as long as a test holds, and another as long as it does not; a turn a cycle. */
+final class WheneverTask extends Task {
+    private final Flow.Whenever handler;
+    private final TestTask test;
+    private @Nullable Task run;
+
+    WheneverTask(Context context, Flow.Whenever handler) {
+        super(context);
+        this.handler = handler;
+        test = new TestTask(context, handler.test());
+    }
+
+    @Override
+    protected boolean advance() {
+        boolean now = test.holds();
+        if (run == null) {
+            Statement body = now ? handler.body() : handler.otherwise();
+            run = body == null ? null : body.start(context);
+        }
+        if (run != null && run.step()) {
+            run = null;
+        }
+        return context.isLeft();
+    }
+
+    @Override
+    protected List<Task> parts() {
+        List<Task> parts = new ArrayList<>(List.of(test));
+        if (run != null) {
+            parts.add(run);
+        }
+        return parts;
+    }
+}
