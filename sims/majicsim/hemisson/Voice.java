@@ -2,7 +2,6 @@ package majicsim.hemisson;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /** Text to speech: register 00 takes a stored phrase (1 to 30), or a text and then the word to speak it; it reads FF meanwhile. */
@@ -80,6 +79,6 @@ final class Voice implements I2cModule {
         for (int i = 0; i < latin1.length; i++) {
             latin1[i] = (byte) bytes[TEXT_BEGINS + i];
         }
-        return new String(Arrays.copyOf(latin1, latin1.length), StandardCharsets.ISO_8859_1);
+        return new String(latin1, StandardCharsets.ISO_8859_1);
     }
 }

@@ -47,6 +47,15 @@ class BudgetTest {
         assertThat(client.ask("", 500)).isEmpty();
     }
 
+    /** As in the capture of the real splitter, whose two long lines are not kept whole. */
+    @Test
+    void aCommandLongerThanTheReceiveQueueIsLostAlone() {
+        assertThat(client.ask("\"" + "a".repeat(20_000))).isEmpty();
+        assertThat(client.ask("a".repeat(20_000)))
+                .containsExactly("[error] !!! Receive buffer full", "[error] !!! Receive buffer corrupted");
+        assertThat(client.ask("\"; 16;")).containsExactly("[notag] 16.000000");
+    }
+
     @Test
     void whoDoesNotReadLosesWholeMessagesAndIsToldSo() {
         client.ask("s = \"0123456789\"; for (i = 0; i < 12; i++) s = s + s;", 1000);

@@ -1,7 +1,9 @@
 package majicsim.aibo;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -92,6 +94,20 @@ class ManyClientsTest {
 
         await(() -> bench.dog().body().speedMmPerSec() == 0);
         assertThat(bench.dog().body().pose().xMm()).isLessThan(60 * 83.333);
+    }
+
+    @Test
+    void whoHasSaidAllIsStillAnsweredAndThenHungUpOn() throws IOException {
+        try (UrbiClient client = connect();
+                UrbiClient other = connect()) {
+            client.send("a: 1;");
+            client.endSending();
+
+            assertThat(client.await("a")).isEqualTo("1.000000");
+            assertThatThrownBy(client::next).isInstanceOf(EOFException.class);
+            other.send("b: 2;");
+            assertThat(other.await("b")).isEqualTo("2.000000");
+        }
     }
 
     @Test

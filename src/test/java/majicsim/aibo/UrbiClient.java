@@ -73,6 +73,11 @@ final class UrbiClient implements AutoCloseable {
         return new Message(matcher.group(2), body);
     }
 
+    /** Closes the half of the connection on which it speaks. */
+    void endSending() throws IOException {
+        socket.shutdownOutput();
+    }
+
     /** Goes as a process does that is killed: without a farewell. */
     void kill() throws IOException {
         socket.setSoLinger(true, 0);
