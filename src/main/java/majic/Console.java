@@ -78,8 +78,9 @@ final class Console {
     private void read(List<String> firstLines) {
         try (source) {
             firstLines.forEach(parser::parseText);
+            int number = 0;
             for (String line = source.next(); line != null && !program.isQuitting(); line = source.next()) {
-                parser.parseText(line);
+                take(line, ++number);
                 parser.awaitRoom();
             }
             if (!source.interactive()) {
@@ -91,6 +92,15 @@ final class Console {
             Thread.currentThread().interrupt();
         } finally {
             program.quit();
+        }
+    }
+
+    /** A person sees which line was refused; who reads what a pipe said does not. */
+    private void take(String line, int number) {
+        if (source.interactive()) {
+            parser.parseText(line);
+        } else {
+            parser.parseLine(number, line);
         }
     }
 

@@ -75,9 +75,9 @@ class ProgramTest {
     void aWrongLineMakesTheExitStatusOneAndShowsNoStackTrace() throws Exception {
         Process majic = start("--console");
 
-        String said = talk(majic, "7 move 100\n");
+        String said = talk(majic, "# a patrol\n7 move 100\n");
 
-        assertThat(said).contains("7: there is no robot 7").doesNotContain("Exception", "\tat ");
+        assertThat(said).contains("line 2: 7: there is no robot 7").doesNotContain("Exception", "\tat ");
         assertThat(majic.exitValue()).isEqualTo(1);
     }
 

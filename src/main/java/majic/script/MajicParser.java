@@ -63,8 +63,23 @@ public final class MajicParser {
      * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence
      */
     public Optional<String> parseText(String text) {
+        return parse(text, "");
+    }
+
+    /**
+     * Takes one line of several that nobody sees go by, as {@link #parseText} does; a refusal says which line it was.
+     *
+     * @param number of the line in its file or pipe, from 1
+     * @param text the line
+     * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence
+     */
+    public Optional<String> parseLine(int number, String text) {
+        return parse(text, "line " + number + ": ");
+    }
+
+    private Optional<String> parse(String text, String place) {
         for (String line : text.split("\\R")) {
-            Optional<String> wrong = line.isBlank() ? Optional.empty() : parseLine(line);
+            Optional<String> wrong = line.isBlank() ? Optional.empty() : parseOne(line, place);
             if (wrong.isPresent()) {
                 return wrong;
             }
@@ -72,22 +87,22 @@ public final class MajicParser {
         return Optional.empty();
     }
 
-    private synchronized Optional<String> parseLine(String line) {
+    private synchronized Optional<String> parseOne(String line, String place) {
         session.say(Line.Kind.COMMAND, line);
         try {
             take(line);
             remember(line);
             return Optional.empty();
         } catch (ScriptException | BotException | ExecutionEnded e) {
-            return Optional.of(refuse(line, String.valueOf(e.getMessage())));
+            return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
         }
     }
 
-    private String refuse(String line, String why) {
+    private String refuse(String line, String place, String why) {
         dispatcher.tally().fail(line);
-        String message = why;
+        String message = place + why;
         if (STOP.matcher(line).find()) {
-            message = "taken as STOP: " + why;
+            message = place + "taken as STOP: " + why;
             block.take();
             session.team().stopAll();
         }
@@ -210,7 +225,7 @@ public final class MajicParser {
     public boolean awaitAll() throws InterruptedException {
         synchronized (this) {
             if (block.isOpen()) {
-                refuse(block.take(), "the \"end\" of the last block is missing; nothing of it was run");
+                refuse(block.take(), "", "the \"end\" of the last block is missing; nothing of it was run");
             }
         }
         dispatcher.awaitAll();

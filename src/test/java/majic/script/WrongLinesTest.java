@@ -2,6 +2,7 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -77,6 +78,17 @@ class WrongLinesTest {
             assertThat(desk.said()).containsExactly(sentence);
             assertThat(desk.bot(1).sent()).isEmpty();
             assertThat(desk.prompt.totalCommands()).isZero();
+        }
+    }
+
+    @Test
+    void aLineOfSeveralIsRefusedWithItsNumber() {
+        try (Desk desk = Desk.withTwo()) {
+            assertThat(desk.pipe.parseLine(3, "1 get x")).isEmpty();
+            assertThat(desk.pipe.parseLine(4, "7 move 100"))
+                    .hasValueSatisfying(why -> assertThat(why).startsWith("line 4: 7: there is no robot 7"));
+            assertThat(desk.pipe.parseLine(5, "7 stop"))
+                    .hasValueSatisfying(why -> assertThat(why).startsWith("line 5: taken as STOP: 7: "));
         }
     }
 }
