@@ -39,7 +39,7 @@ class PioneerDevicesInLabTest {
         beside(bystander -> bystander.pressStop(false));
         rig.run("wait 0.3s");
         assertThat(bot.get("stopButton")).hasToString("no");
-        assertThat(bot.move(100).amount()).isNotNull();
+        assertThat(bot.move(100).amount().number()).isBetween(90.0, 110.0);
     }
 
     @Test
