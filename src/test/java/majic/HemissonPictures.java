@@ -1,5 +1,7 @@
 package majic;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.awt.Dimension;
 import java.util.List;
 import javax.swing.JFrame;
@@ -35,7 +37,7 @@ class HemissonPictures {
             bot.set("beep", List.of(ON));
             lab.team().time().sleep(2);
             new MajicParser(lab.session(), false).parseText("1 drive 20 40 for 3s");
-            lab.await(() -> bot.state().turnRateDegPerSec() > 20);
+            assertThat(lab.await(() -> bot.state().turnRateDegPerSec() > 20)).isTrue();
             PanelPicture.save(large, false, "hemisson.png");
             PanelPicture.save(small, true, "hemisson-small.png");
         }

@@ -1,5 +1,7 @@
 package majic;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.awt.Dimension;
 import javax.swing.JFrame;
 import majic.bot.MajicBot;
@@ -22,8 +24,9 @@ class PioneerPictures {
             lab.run("1 move 2000", "1 turn 100", "1 move 1200", "1 turn 80", "1 move 1500");
             new MajicParser(lab.session(), false).parseText("1 drive 300 25 for 9s");
             double heading = bot.state().pose().headingDeg();
-            lab.await(() -> bot.state().turnRateDegPerSec() > 20
-                    && Math.abs(bot.state().pose().headingDeg() - heading) > 100);
+            assertThat(lab.await(() -> bot.state().turnRateDegPerSec() > 20
+                            && Math.abs(bot.state().pose().headingDeg() - heading) > 100))
+                    .isTrue();
             PanelPicture.save(large, false, "pioneer.png");
             PanelPicture.save(small, true, "pioneer-small.png");
         }
