@@ -89,7 +89,7 @@ public final class MajicFrame extends JFrame {
         setJMenuBar(new FrameMenu(this, actions));
         Edt.background("reading pictures", () -> readPictures(actions));
         setFocusTraversalPolicy(new CommandsFirst());
-        setMinimumSize(new Dimension(900, 600));
+        setMinimumSize(new Dimension(700, 520));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(1280, screen.width), Math.min(800, screen.height));
         setLocationRelativeTo(null);

@@ -25,6 +25,7 @@ final class MessageArea extends JScrollPane implements SessionListener {
 
     MessageArea() {
         setViewportView(text);
+        setName("messageArea");
         text.setName("messages");
         text.setEditable(false);
         text.setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
@@ -52,6 +53,16 @@ final class MessageArea extends JScrollPane implements SessionListener {
         super.updateUI();
         if (document != null) {
             document.recolour();
+        }
+    }
+
+    /** In another size the newest line stays in sight. */
+    @Override
+    public void doLayout() {
+        boolean follow = isAtEnd();
+        super.doLayout();
+        if (follow) {
+            Edt.later(this::toEnd);
         }
     }
 

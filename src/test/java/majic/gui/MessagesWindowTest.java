@@ -1,0 +1,37 @@
+package majic.gui;
+
+import java.util.stream.IntStream;
+import javax.swing.JScrollBar;
+import majic.script.Line;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class MessagesWindowTest {
+    private final TestWindow window = TestWindow.open();
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void theNewestLineStaysInSightWhenTheWindowShrinks() {
+        MessageArea area = window.find("messageArea", MessageArea.class);
+        IntStream.range(0, 60).forEach(index -> area.line(new Line(Line.Kind.NOTICE, "line " + index)));
+        window.await("the newest line", this::isAtEnd);
+        window.run(() -> window.frame.setSize(720, 540));
+        window.await("a shorter message area", () -> bar().getVisibleAmount() < 140);
+        window.await("the newest line", this::isAtEnd);
+    }
+
+    private boolean isAtEnd() {
+        JScrollBar bar = bar();
+        return bar.getMaximum() > 400 && bar.getValue() + bar.getVisibleAmount() == bar.getMaximum();
+    }
+
+    private JScrollBar bar() {
+        return window.find("messageArea", MessageArea.class).getVerticalScrollBar();
+    }
+}
