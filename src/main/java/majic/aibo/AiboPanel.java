@@ -1,8 +1,10 @@
 package majic.aibo;
 
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import majic.panel.Cockpit;
+import majic.panel.Aside;
+import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
 import net.miginfocom.swing.MigLayout;
 
@@ -12,6 +14,9 @@ import net.miginfocom.swing.MigLayout;
  */
 final class AiboPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
+
+    /** What the camera sees is worth as much of the width. */
+    private static final double ASIDES = 0.38;
 
     private final transient MajicAibo bot;
     private final DogDrawing drawing;
@@ -32,7 +37,8 @@ final class AiboPanel extends NewsPanel {
         add(camera.view());
         add(controls);
         add(numbers);
-        setLayout(new Cockpit(drawing, camera.view(), controls, numbers));
+        List<Aside> asides = List.of(Aside.shaped(camera.view()), Aside.of(controls));
+        setLayout(new Dashboard(drawing, ASIDES, asides, numbers));
     }
 
     private JPanel controls() {

@@ -1,10 +1,12 @@
 package majic.hemisson;
 
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import majic.bot.BotState;
+import majic.panel.Aside;
 import majic.panel.Banner;
-import majic.panel.Instruments;
+import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
 import majic.panel.ZoomableMap;
 
@@ -34,7 +36,8 @@ final class HemissonPanel extends NewsPanel {
         add(map);
         add(numbers);
         add(banner);
-        setLayout(new Instruments(banner, drawing, lights.panel(), map, numbers));
+        List<Aside> asides = List.of(Aside.of(lights.panel()), Aside.stretched(map));
+        setLayout(new Dashboard(drawing, 1, asides, numbers).under(banner));
     }
 
     /** Makes the panel; on the event dispatch thread. */

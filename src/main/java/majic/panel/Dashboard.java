@@ -5,52 +5,67 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.LayoutManager;
 import java.awt.Rectangle;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Places a view with gauges, lights and readings beside or below it, whichever leaves the larger view. In little room the
- * readings go first; gauges and lights stay.
+ * Places a view of a robot with its asides and readings beside or below it, whichever leaves the larger view. In little room
+ * the readings go first. A banner can stand above all.
  */
 public final class Dashboard implements LayoutManager {
     /** A view smaller than this is no use. */
     private static final int LEAST_VIEW = 110;
 
-    /** How much larger the view must get for the lights to stand in a way that is less easily read. */
+    /** How much larger the view must get for the rest to stand in a way that is less easily read. */
     private static final double WORTH_IT = 1.15;
 
-    private static final int LEAST_ROWS = 3;
-
     private final Component view;
-    private final Component gauges;
-    private final LightsPanel lights;
+    private final double share;
     private final NumbersPanel numbers;
+    private final AsideColumn column;
+    private final AsideStrip strip;
+    private @Nullable Banner banner;
 
     /**
      * A layout of these children; all have the same parent.
      *
-     * @param view gets all the room that the others leave
-     * @param gauges with the height they prefer and at least the width
-     * @param lights as many beside each other as there is room for
+     * @param view gets the room that the others leave; the larger its shorter side, the better it is seen
+     * @param share of the width, 0 to 1, which the asides get at most where a square view does not need it: 0 for a view
+     *     that has a use for all they can do without, 1 for one that is square
+     * @param asides in the order of reading
      * @param numbers as many of them as fit
      */
-    public Dashboard(Component view, Component gauges, LightsPanel lights, NumbersPanel numbers) {
+    public Dashboard(Component view, double share, List<Aside> asides, NumbersPanel numbers) {
         this.view = view;
-        this.gauges = gauges;
-        this.lights = lights;
+        this.share = share;
         this.numbers = numbers;
+        this.column = new AsideColumn(asides, numbers);
+        this.strip = new AsideStrip(asides, numbers);
+    }
+
+    /**
+     * Adds what stands above all while it says something.
+     *
+     * @param newBanner a child of the same parent
+     * @return this layout
+     */
+    public Dashboard under(Banner newBanner) {
+        banner = newBanner;
+        return this;
     }
 
     @Override
     public void layoutContainer(Container parent) {
         int gap = gap();
         Rectangle room = new Rectangle(gap, gap, parent.getWidth() - 2 * gap, parent.getHeight() - 2 * gap);
-        int columns = 2;
-        if (shorterBeside(room, 1) > WORTH_IT * shorterBeside(room, 2)) {
-            columns = 1;
-        }
-        if (shorterAbove(room) > WORTH_IT * shorterBeside(room, columns)) {
-            layOutAbove(room);
+        int used = placeBanner(room);
+        room.y += used;
+        room.height = Math.max(0, room.height - used);
+        int width = columnWidth(room);
+        if (shorterAbove(room) > WORTH_IT * shorterBeside(room, width)) {
+            view.setBounds(room.x, room.y, room.width, strip.place(room));
         } else {
-            layOutBeside(room, columns);
+            placeBeside(room, width);
         }
     }
 
@@ -59,75 +74,44 @@ public final class Dashboard implements LayoutManager {
         return numbers.gap() / 2;
     }
 
-    private int gaugesHeight() {
-        return gauges.getPreferredSize().height;
+    private int placeBanner(Rectangle room) {
+        Banner shown = banner;
+        if (shown == null || !shown.isVisible()) {
+            return 0;
+        }
+        int height = shown.heightIn(room.width);
+        shown.setBounds(room.x, room.y, room.width, height);
+        return height + gap();
     }
 
-    private int columnWidth(int columns) {
-        return Math.max(gauges.getMinimumSize().width, lights.widthOf(columns));
-    }
-
-    private int columnHeight(int columns) {
-        return gaugesHeight() + gap() + lights.heightOf(columns);
+    private int columnWidth(Rectangle room) {
+        int least = column.leastWidth();
+        int good = column.goodWidth();
+        return shorterBeside(room, least) > WORTH_IT * shorterBeside(room, good) ? least : good;
     }
 
     /** The shorter side of a view with a column beside it; 0 if the column does not fit. */
-    private int shorterBeside(Rectangle room, int columns) {
-        return columnHeight(columns) > room.height
-                ? 0
-                : Math.min(room.height, room.width - columnWidth(columns) - gap());
-    }
-
-    private void layOutBeside(Rectangle room, int columns) {
-        int width = columnWidth(columns);
-        int x = room.x + room.width - width;
-        view.setBounds(room.x, room.y, Math.max(0, room.width - width - gap()), room.height);
-        gauges.setBounds(x, room.y, width, gaugesHeight());
-        lights.arrange(columns);
-        lights.setBounds(x, room.y + gaugesHeight() + gap(), width, lights.heightOf(columns));
-        int used = columnHeight(columns) + gap();
-        placeNumbers(new Rectangle(x, room.y + used, width, room.height - used));
-    }
-
-    /** Gauges and lights side by side below the view, the lights as flat as the width allows. */
-    private int columnsBelow(Rectangle room) {
-        int width = (room.width - 2 * gap()) / 2;
-        return width >= lights.widthOf(2) ? 2 : 1;
-    }
-
-    private int stripHeight(Rectangle room) {
-        return Math.max(gaugesHeight(), lights.heightOf(columnsBelow(room)));
+    private int shorterBeside(Rectangle room, int width) {
+        return column.leastHeight(width) > room.height ? 0 : Math.min(room.height, room.width - width - gap());
     }
 
     private int shorterAbove(Rectangle room) {
-        boolean fits = (room.width - 2 * gap()) / 2 >= columnWidth(1);
-        return fits ? Math.min(room.width, room.height - stripHeight(room) - gap()) : 0;
+        return Math.min(room.width, room.height - strip.leastHeight(room.width) - gap());
     }
 
-    private void layOutAbove(Rectangle room) {
-        int columns = columnsBelow(room);
-        int strip = stripHeight(room);
-        int spare = room.height - strip - gap() - room.width;
-        int rows =
-                spare - gap() < LEAST_ROWS * numbers.gap() ? 0 : Math.min(spare, numbers.heightIn(room.width) + gap());
-        int y = room.y + room.height - rows - strip;
-        int half = (room.width - 2 * gap()) / 2;
-        view.setBounds(room.x, room.y, room.width, y - gap() - room.y);
-        gauges.setBounds(room.x, y, half, gaugesHeight());
-        lights.arrange(columns);
-        lights.setBounds(room.x + room.width - half, y, half, lights.heightOf(columns));
-        placeNumbers(new Rectangle(room.x, y + strip + gap(), room.width, rows - gap()));
-    }
-
-    private void placeNumbers(Rectangle rest) {
-        boolean fits = rest.width >= numbers.getMinimumSize().width && rest.height >= LEAST_ROWS * numbers.gap();
-        numbers.setVisible(fits);
-        numbers.setBounds(fits ? rest : new Rectangle());
+    private void placeBeside(Rectangle room, int least) {
+        int unused = room.width - Math.min(room.width, room.height) - gap();
+        int width = Math.max(least, (int) Math.min(share * room.width, unused));
+        int left = Math.max(0, room.width - width - gap());
+        view.setBounds(room.x, room.y, left, room.height);
+        column.place(new Rectangle(room.x + room.width - width, room.y, width, room.height));
     }
 
     @Override
     public Dimension minimumLayoutSize(Container parent) {
-        return new Dimension(columnWidth(1) + LEAST_VIEW + 3 * gap(), columnHeight(2) + 2 * gap());
+        boolean speaks = banner != null && banner.isVisible();
+        int high = column.leastHeight(column.goodWidth()) + (speaks ? 2 * numbers.gap() : 0);
+        return new Dimension(column.leastWidth() + LEAST_VIEW + 3 * gap(), Math.max(LEAST_VIEW, high) + 2 * gap());
     }
 
     @Override

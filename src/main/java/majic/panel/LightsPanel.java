@@ -5,7 +5,10 @@ import java.awt.FontMetrics;
 import java.util.List;
 import javax.swing.JPanel;
 
-/** Lights in rows, one, two or more beside each other. None is ever left out; the last one has the rest of its row. For the event dispatch thread. */
+/**
+ * Lights in rows, two beside each other where there is the width. None is ever left out; the last one has the rest of its row.
+ * For the event dispatch thread.
+ */
 public final class LightsPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int GAP = 6;
@@ -13,7 +16,6 @@ public final class LightsPanel extends JPanel {
 
     private final transient List<Light> lights;
     private final String longest;
-    private int columns = 1;
 
     /**
      * Lights in the order of reading.
@@ -44,17 +46,17 @@ public final class LightsPanel extends JPanel {
     }
 
     /** How high it must be. */
-    int heightOf(int sideBySide) {
-        return (lights.size() + sideBySide - 1) / sideBySide * rowHeight();
+    int heightIn(int width) {
+        return rowHeight() * ((lights.size() + columnsIn(width) - 1) / columnsIn(width));
     }
 
-    void arrange(int sideBySide) {
-        columns = sideBySide;
-        revalidate();
+    private int columnsIn(int width) {
+        return width < widthOf(2) ? 1 : 2;
     }
 
     @Override
     public void doLayout() {
+        int columns = columnsIn(getWidth());
         int width = (getWidth() + GAP) / columns;
         for (int index = 0; index < lights.size(); index++) {
             int x = index % columns * width;
@@ -66,7 +68,7 @@ public final class LightsPanel extends JPanel {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(widthOf(columns), heightOf(columns));
+        return new Dimension(widthOf(1), heightIn(widthOf(1)));
     }
 
     private int lightWidth() {

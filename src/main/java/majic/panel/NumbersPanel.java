@@ -12,7 +12,7 @@ import javax.swing.SwingConstants;
 /** Names and values in columns, the most useful first: what finds no room is left out, nothing is cut. For the event thread. */
 public class NumbersPanel extends JPanel {
     private static final long serialVersionUID = 1;
-    private static final int LEAST_ROWS = 7;
+    private static final int LEAST_ROWS = 3;
 
     /** Figures far from their names are hard to read along. */
     private static final double WIDEST = 1.4;
@@ -48,17 +48,16 @@ public class NumbersPanel extends JPanel {
         return value;
     }
 
-    /** The part of a room that the readings take, on its right, or where it is taller than wide at its foot. */
-    final Rectangle claim(Rectangle room) {
-        if (room.height > room.width) {
-            int height = Math.min(room.height / 2, heightIn(room.width));
-            return new Rectangle(room.x, room.y + room.height - height, room.width, height);
-        }
-        int wanted = ceil(names.size(), Math.max(1, room.height / rowHeight()));
-        int spare = room.width - room.height + gap();
-        int columns = Math.max(1, Math.min(wanted, spare / (columnWidth() + gap())));
-        int width = Math.min(room.width, columns * (columnWidth() + gap()) - gap());
-        return new Rectangle(room.x + room.width - width, room.y, width, room.height);
+    /** How high it is at most in a room, 0 if that is too little to be worth it. */
+    final int heightWithin(int width, int height) {
+        Dimension least = getMinimumSize();
+        return width < least.width || height < least.height ? 0 : Math.min(height, heightIn(width));
+    }
+
+    /** Takes its place, or goes if it has no height. */
+    final void place(int x, int y, int width, int height) {
+        setVisible(height > 0);
+        setBounds(x, y, width, height);
     }
 
     @Override
@@ -95,7 +94,7 @@ public class NumbersPanel extends JPanel {
     }
 
     /** How high it must be to show every row. */
-    final int heightIn(int width) {
+    private int heightIn(int width) {
         return rowHeight() * ceil(names.size(), columnsIn(width));
     }
 

@@ -1,7 +1,9 @@
 package majic.pioneer;
 
+import java.util.List;
 import javax.swing.JComponent;
 import majic.bot.BotState;
+import majic.panel.Aside;
 import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
 import majic.panel.ZoomableMap;
@@ -28,7 +30,8 @@ final class PioneerPanel extends NewsPanel {
         add(gauges);
         add(lights.panel());
         add(numbers);
-        setLayout(new Dashboard(map, gauges, lights.panel(), numbers));
+        List<Aside> asides = List.of(Aside.of(gauges), Aside.of(lights.panel()));
+        setLayout(new Dashboard(map, 0, asides, numbers));
     }
 
     /** Makes the panel; on the event dispatch thread. */

@@ -1,0 +1,167 @@
+package majic.panel;
+
+import java.awt.Component;
+import java.awt.Dimension;
+
+/** What stands beside or below the view of a {@link Dashboard}, and the room it needs. For the event dispatch thread. */
+public abstract class Aside {
+    private static final int LEAST_PICTURE = 60;
+    private static final int LEAST_MAP = 80;
+    private static final int GOOD_MAP = 130;
+
+    private final Component component;
+
+    private Aside(Component component) {
+        this.component = component;
+    }
+
+    /**
+     * As high as it prefers, and never left out.
+     *
+     * @param component with at least its minimum width
+     * @return for a dashboard
+     */
+    public static Aside of(Component component) {
+        return new Aside(component) {};
+    }
+
+    /**
+     * Two by two where that costs the view little, else in one row below the other; never left out.
+     *
+     * @param lights with all their words
+     * @return for a dashboard
+     */
+    public static Aside of(LightsPanel lights) {
+        return new Lights(lights);
+    }
+
+    /**
+     * Keeps the shape of its preferred size as long as there is the height for it, then gets smaller.
+     *
+     * @param picture of any size
+     * @return for a dashboard
+     */
+    public static Aside shaped(Component picture) {
+        return new Shaped(picture);
+    }
+
+    /**
+     * Takes all that the others and the readings leave, and goes when that is too little.
+     *
+     * @param map any shape will do
+     * @return for a dashboard
+     */
+    public static Aside stretched(Component map) {
+        return new Stretched(map);
+    }
+
+    final Component component() {
+        return component;
+    }
+
+    int leastWidth() {
+        return component.getMinimumSize().width;
+    }
+
+    /** The width at which it is seen best, or is lowest. */
+    int goodWidth() {
+        return leastWidth();
+    }
+
+    /** 0 if it may be left out. */
+    int leastHeight(int width) {
+        return goodHeight(width);
+    }
+
+    int goodHeight(int width) {
+        return component.getPreferredSize().height;
+    }
+
+    boolean takesRest() {
+        return false;
+    }
+
+    /** Takes its place, or goes if that is too small for it. */
+    void place(int x, int y, int width, int height) {
+        component.setBounds(x, y, width, height);
+    }
+
+    private static final class Lights extends Aside {
+        private final LightsPanel lights;
+
+        Lights(LightsPanel lights) {
+            super(lights);
+            this.lights = lights;
+        }
+
+        @Override
+        int leastWidth() {
+            return lights.widthOf(1);
+        }
+
+        @Override
+        int goodWidth() {
+            return lights.widthOf(2);
+        }
+
+        @Override
+        int goodHeight(int width) {
+            return lights.heightIn(width);
+        }
+    }
+
+    private static final class Shaped extends Aside {
+        Shaped(Component picture) {
+            super(picture);
+        }
+
+        @Override
+        int leastWidth() {
+            return LEAST_PICTURE;
+        }
+
+        @Override
+        int leastHeight(int width) {
+            return LEAST_PICTURE;
+        }
+
+        @Override
+        int goodHeight(int width) {
+            Dimension shape = component().getPreferredSize();
+            return width * shape.height / shape.width;
+        }
+    }
+
+    private static final class Stretched extends Aside {
+        Stretched(Component map) {
+            super(map);
+        }
+
+        @Override
+        int leastWidth() {
+            return LEAST_MAP;
+        }
+
+        @Override
+        int leastHeight(int width) {
+            return 0;
+        }
+
+        @Override
+        int goodHeight(int width) {
+            return GOOD_MAP;
+        }
+
+        @Override
+        boolean takesRest() {
+            return true;
+        }
+
+        @Override
+        void place(int x, int y, int width, int height) {
+            boolean fits = width >= LEAST_MAP && height >= LEAST_MAP;
+            component().setVisible(fits);
+            super.place(x, y, fits ? width : 0, fits ? height : 0);
+        }
+    }
+}

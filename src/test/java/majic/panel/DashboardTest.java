@@ -1,0 +1,170 @@
+package majic.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.JPanel;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class DashboardTest {
+    private final JPanel view = new JPanel();
+    private final JPanel picture = new JPanel();
+    private final JPanel controls = new JPanel();
+    private final JPanel map = new JPanel();
+    private final LightsPanel lights = lights();
+    private final NumbersPanel numbers = new NumbersPanel();
+    private final Banner banner = new Banner();
+    private final JPanel parent = new JPanel();
+
+    @BeforeEach
+    void fill() {
+        picture.setPreferredSize(new Dimension(208, 160));
+        controls.setPreferredSize(new Dimension(150, 120));
+        controls.setMinimumSize(new Dimension(150, 120));
+        for (int row = 0; row < 8; row++) {
+            numbers.row("reading" + row, "8888 mm");
+        }
+    }
+
+    private static LightsPanel lights() {
+        List<Light> lights = IntStream.range(0, 6)
+                .mapToObj(index -> new Light("light" + index, "tip"))
+                .toList();
+        return new LightsPanel("something is on", lights);
+    }
+
+    /** A view beside which stand a picture and controls. */
+    private void camera() {
+        arrange(new Dashboard(view, 0.38, List.of(Aside.shaped(picture), Aside.of(controls)), numbers));
+        List.of(view, picture, controls, numbers).forEach(parent::add);
+    }
+
+    /** A square view beside which stand lights and a map. */
+    private void square() {
+        arrange(new Dashboard(view, 1, List.of(Aside.of(lights), Aside.stretched(map)), numbers).under(banner));
+        List.of(view, lights, map, numbers, banner).forEach(parent::add);
+    }
+
+    /** A view of any shape beside which stand controls and lights. */
+    private void wide() {
+        arrange(new Dashboard(view, 0, List.of(Aside.of(controls), Aside.of(lights)), numbers));
+        List.of(view, controls, lights, numbers).forEach(parent::add);
+    }
+
+    private void arrange(Dashboard layout) {
+        parent.removeAll();
+        parent.setLayout(layout);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"900, 560", "515, 270", "2000, 1200", "700, 450", "420, 900", "340, 250", "1400, 300", "500, 500"})
+    void nothingLiesOverAnotherOrOutside(int width, int height) {
+        for (Runnable kind : List.<Runnable>of(this::camera, this::square, this::wide)) {
+            kind.run();
+            layOut(width, height);
+            assertThat(boxes()).allMatch(new Rectangle(width, height)::contains);
+            for (Rectangle one : boxes()) {
+                assertThat(boxes()).filteredOn(one::intersects).hasSize(1);
+            }
+        }
+    }
+
+    private List<Rectangle> boxes() {
+        return Arrays.stream(parent.getComponents())
+                .filter(Component::isVisible)
+                .map(Component::getBounds)
+                .toList();
+    }
+
+    @Test
+    void aPictureKeepsItsShapeWhereThereIsRoom() {
+        camera();
+        layOut(900, 560);
+
+        assertThat(picture.getWidth() / (double) picture.getHeight()).isBetween(1.29, 1.31);
+        assertThat(numbers.isVisible()).isTrue();
+    }
+
+    @Test
+    void inLittleRoomTheReadingsGoFirstAndTheControlsStay() {
+        camera();
+        layOut(515, 270);
+
+        assertThat(numbers.isVisible()).isFalse();
+        assertThat(controls.getHeight()).isEqualTo(120);
+        assertThat(picture.getHeight()).isGreaterThan(60);
+    }
+
+    @Test
+    void inATallRoomTheViewStandsOnTop() {
+        camera();
+        layOut(500, 900);
+
+        assertThat(view.getWidth()).isGreaterThan(450);
+        assertThat(picture.getY()).isGreaterThan(view.getHeight());
+        assertThat(controls.getX()).isGreaterThan(picture.getX() + picture.getWidth());
+    }
+
+    @Test
+    void itsLeastSizeHoldsTheControls() {
+        camera();
+        Dimension least = parent.getMinimumSize();
+        layOut(least.width, least.height);
+
+        assertThat(controls.getSize()).isEqualTo(new Dimension(150, 120));
+        assertThat(view.getWidth()).isGreaterThan(100);
+    }
+
+    @Test
+    void whatASquareViewLeavesOverGoesToTheMap() {
+        square();
+        layOut(1200, 500);
+
+        assertThat(view.getWidth()).isBetween(480, 500);
+        assertThat(map.getWidth()).isGreaterThan(600);
+        assertThat(numbers.isVisible()).isTrue();
+    }
+
+    @Test
+    void aMapThatWouldBeTooSmallGoes() {
+        square();
+        layOut(340, 130);
+
+        assertThat(map.isVisible()).isFalse();
+        assertThat(lights.getHeight()).isEqualTo(lights.heightIn(lights.getWidth()));
+    }
+
+    @Test
+    void theBannerTakesItsRoomOnlyWhileItSaysSomething() {
+        square();
+        layOut(900, 560);
+        int quiet = view.getY();
+
+        banner.show("It does not answer. Switch it off.", true);
+        layOut(900, 560);
+
+        assertThat(view.getY()).isGreaterThan(quiet + 10);
+        assertThat(banner.getWidth()).isGreaterThan(850);
+    }
+
+    @Test
+    void aViewOfAnyShapeGetsWhatTheColumnDoesNotNeed() {
+        wide();
+        layOut(1400, 300);
+
+        assertThat(view.getWidth()).isGreaterThan(1000);
+    }
+
+    private void layOut(int width, int height) {
+        parent.setSize(width, height);
+        parent.doLayout();
+    }
+}
