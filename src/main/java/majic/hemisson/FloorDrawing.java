@@ -5,23 +5,18 @@ import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
-import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 import majic.panel.Ink;
-import majic.panel.MapContent;
 import majic.panel.MapView;
-import majic.panel.Trail;
+import majic.panel.WayContent;
 import majic.panel.WayDrawing;
 
 /**
  * The floor with the way the robot should have come by what its wheels were told: dashed and called an estimate, since
  * nothing measures it. {@link #hear} is for the driver's threads, everything else for the event thread.
  */
-final class FloorDrawing implements MapContent {
-    private static final double PX_PER_MM = 0.18;
-    private static final double LEAST_REACH_MM = 400;
-    private static final double MOST_REACH_MM = 900;
-    private static final double MARGIN_MM = 200;
+final class FloorDrawing extends WayContent {
+    private static final Reach REACH = new Reach(0.18, 400, 900, 200);
     private static final double LEAST_RADIUS_PX = 7;
     private static final String MARK = "an estimate";
     private static final int INSET = 6;
@@ -31,14 +26,11 @@ final class FloorDrawing implements MapContent {
 
     private static final int NARROW_PX = 210;
 
-    private final Trail trail = new Trail();
-    private final WayDrawing way = WayDrawing.estimated(trail);
     private Pose pose = Pose.START;
     private boolean connected;
 
-    /** Remembers where the robot should be. */
-    void hear(Pose now) {
-        trail.add(now);
+    FloorDrawing() {
+        super(REACH, false);
     }
 
     void show(HemissonView view) {
@@ -52,33 +44,10 @@ final class FloorDrawing implements MapContent {
     }
 
     @Override
-    public Rectangle2D extent() {
-        Rectangle2D extent = new Rectangle2D.Double(pose.xMm(), pose.yMm(), 0, 0);
-        extent.add(0, 0);
-        trail.extend(extent);
-        return new Rectangle2D.Double(
-                extent.getX() - MARGIN_MM,
-                extent.getY() - MARGIN_MM,
-                extent.getWidth() + 2 * MARGIN_MM,
-                extent.getHeight() + 2 * MARGIN_MM);
-    }
-
-    @Override
-    public double nearPxPerMm(int sidePx) {
-        double reach = Math.max(LEAST_REACH_MM, Math.min(MOST_REACH_MM, sidePx / 2.0 / PX_PER_MM));
-        return sidePx / 2.0 / reach;
-    }
-
-    @Override
-    public void clear() {
-        trail.clear();
-    }
-
-    @Override
     public void paint(Graphics2D pen, MapView view) {
         Ink ink = connected ? Ink.ofTheLook() : Ink.ofTheLook().faded();
         WayDrawing.paintStart(pen, view, ink);
-        way.paint(pen, view, ink);
+        paintWay(pen, view, ink);
         paintRobot(pen, view, ink);
         paintMark(pen, view);
     }

@@ -6,9 +6,8 @@ import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 import majic.panel.Echoes;
 import majic.panel.Ink;
-import majic.panel.MapContent;
 import majic.panel.MapView;
-import majic.panel.Trail;
+import majic.panel.WayContent;
 import majic.panel.WayDrawing;
 import org.jspecify.annotations.Nullable;
 
@@ -16,22 +15,19 @@ import org.jspecify.annotations.Nullable;
  * A Pioneer on its floor, to scale: where it started, the way it came, what its sonars met on that way and what they hear
  * now. {@link #hear} is for the driver's threads, everything else for the event thread.
  */
-final class PioneerDrawing implements MapContent {
-    /** The robot is drawn at least this large, as long as that leaves {@link #LEAST_REACH_MM} around it. */
-    private static final double PX_PER_MM = 0.065;
+final class PioneerDrawing extends WayContent {
+    private static final Reach REACH = new Reach(0.065, 2000, 4200, 900);
 
-    private static final double LEAST_REACH_MM = 2000;
-    private static final double MOST_REACH_MM = 4200;
-    private static final double MARGIN_MM = 900;
-
-    private final Trail trail = new Trail();
     private final Echoes echoes = new Echoes();
-    private final WayDrawing way = WayDrawing.measured(trail);
     private @Nullable PioneerScene scene;
+
+    PioneerDrawing() {
+        super(REACH, true);
+    }
 
     /** Remembers where the robot was and what it heard there. */
     void hear(Model model, PioneerState state) {
-        trail.add(state.pose());
+        hear(state.pose());
         if (state.sip().sonar().count() > 0) {
             model.discs().stream()
                     .filter(disc -> state.sonar().atNanos(disc.number()) == state.atNanos())
@@ -61,27 +57,13 @@ final class PioneerDrawing implements MapContent {
     }
 
     @Override
-    public Rectangle2D extent() {
-        Rectangle2D extent = new Rectangle2D.Double(pose().xMm(), pose().yMm(), 0, 0);
-        extent.add(0, 0);
-        trail.extend(extent);
+    protected void extend(Rectangle2D extent) {
         echoes.all().forEach(echo -> extent.add(echo.xMm(), echo.yMm()));
-        return new Rectangle2D.Double(
-                extent.getX() - MARGIN_MM,
-                extent.getY() - MARGIN_MM,
-                extent.getWidth() + 2 * MARGIN_MM,
-                extent.getHeight() + 2 * MARGIN_MM);
-    }
-
-    @Override
-    public double nearPxPerMm(int sidePx) {
-        double reach = Math.max(LEAST_REACH_MM, Math.min(MOST_REACH_MM, sidePx / 2.0 / PX_PER_MM));
-        return sidePx / 2.0 / reach;
     }
 
     @Override
     public void clear() {
-        trail.clear();
+        super.clear();
         echoes.clear();
     }
 
@@ -99,7 +81,7 @@ final class PioneerDrawing implements MapContent {
             new ConesDrawing(shown.state(), ink, view.pxPerMm())
                     .paint(robot, shown.model().discs());
         }
-        way.paint(pen, view, ink);
+        paintWay(pen, view, ink);
         Graphics2D echoPen = (Graphics2D) pen.create();
         new EchoesDrawing(ink, view).paint(echoPen, echoes.all(), shown.state().atNanos());
         echoPen.dispose();
