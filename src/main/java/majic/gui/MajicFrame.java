@@ -186,7 +186,7 @@ public final class MajicFrame extends JFrame {
     }
 
     void showWholeMap() {
-        map.choose(null);
+        map.fit();
     }
 
     void look(boolean dark) {

@@ -17,6 +17,7 @@ import majic.bot.Member;
 import majic.bot.Pose;
 import majic.bot.Team;
 import majic.bot.TeamListener;
+import majic.panel.Trail;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -120,13 +121,14 @@ final class MapFeed implements TeamListener, AutoCloseable {
 
     private static MapScene.Robot robot(Member member, Start start, Map<String, Pose> truths) {
         Pose believed = Frames.at(start.origin, member.bot().state().pose());
+        start.trail.add(believed);
         return new MapScene.Robot(
                 member.number(),
                 member.bot().type().label(),
                 member.bot().profile().bodyMm(),
                 believed,
                 start.inLab ? truths.get(member.bot().type().name()) : null,
-                start.trail.with(believed),
+                start.trail,
                 member.bot().isConnected());
     }
 

@@ -3,17 +3,18 @@ package majic.gui;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.Point;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.util.List;
+import javax.swing.UIManager;
 import majic.bot.LabAccess.Lamp;
 import majic.bot.LabAccess.Tape;
 import majic.bot.LabAccess.Wall;
-import majic.panel.Lengths;
+import majic.panel.MapView;
 
-/** Draws a scene: grid, tape, walls, lamps, robots, scale and key, in that order. */
+/** Draws a scene: tape, walls, lamps, robots and key, in that order. */
 final class MapPainter {
     /** What scale and key need below the room. */
     static final int FOOT_PX = 24;
@@ -29,18 +30,14 @@ final class MapPainter {
 
     private final Graphics2D g;
     private final MapView view;
-    private final int width;
-    private final int height;
 
-    MapPainter(Graphics2D g, MapView view, int width, int height) {
+    MapPainter(Graphics2D g, MapView view) {
         this.g = g;
         this.view = view;
-        this.width = width;
-        this.height = height;
     }
 
     void paint(MapScene scene) {
-        paintGrid();
+        g.setFont(UIManager.getFont("Label.font"));
         scene.furnishing().tapes().forEach(this::paintTape);
         scene.walls().forEach(this::paintWall);
         scene.furnishing().lamps().forEach(this::paintLamp);
@@ -51,40 +48,31 @@ final class MapPainter {
         robots.forEach(robot -> robot.paintTrail(g));
         robots.forEach(robot -> robot.paintBody(g));
         robots.forEach(robot -> robot.paintTruth(g));
-        paintScale();
         paintKey(scene);
-    }
-
-    private void paintGrid() {
-        g.setStroke(THIN);
-        g.setColor(Palette.mixed(0.14));
-        double step = scaleMm();
-        MapScene.Point corner = view.place(new Point(0, height));
-        for (double x = Math.floor(corner.xMm() / step) * step; view.x(x) <= width; x += step) {
-            g.draw(new Line2D.Double(view.x(x), 0, view.x(x), height));
-        }
-        for (double y = Math.floor(corner.yMm() / step) * step; view.y(y) >= 0; y += step) {
-            g.draw(new Line2D.Double(0, view.y(y), width, view.y(y)));
-        }
     }
 
     private void paintWall(Wall wall) {
         g.setStroke(WALL);
         g.setColor(Palette.mixed(0.65));
-        g.draw(new Line2D.Double(view.x(wall.x1()), view.y(wall.y1()), view.x(wall.x2()), view.y(wall.y2())));
+        g.draw(line(wall.x1(), wall.y1(), wall.x2(), wall.y2()));
     }
 
     private void paintTape(Tape tape) {
-        double width = Math.max(LEAST_TAPE_PX, TAPE_MM * view.pixelsPerMm());
+        double width = Math.max(LEAST_TAPE_PX, TAPE_MM * view.pxPerMm());
         g.setStroke(new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.setColor(Palette.mixed(0.4));
-        g.draw(new Line2D.Double(view.x(tape.x1()), view.y(tape.y1()), view.x(tape.x2()), view.y(tape.y2())));
+        g.draw(line(tape.x1(), tape.y1(), tape.x2(), tape.y2()));
+    }
+
+    private Line2D line(double x1, double y1, double x2, double y2) {
+        return new Line2D.Double(view.pixel(x1, y1), view.pixel(x2, y2));
     }
 
     /** As large in every scale, for nobody bumps into it. */
     private void paintLamp(Lamp lamp) {
-        double x = view.x(lamp.x());
-        double y = view.y(lamp.y());
+        Point2D at = view.pixel(lamp.x(), lamp.y());
+        double x = at.getX();
+        double y = at.getY();
         Ellipse2D bulb = new Ellipse2D.Double(x - LAMP_PX, y - LAMP_PX, 2 * LAMP_PX, 2 * LAMP_PX);
         g.setColor(SHINE);
         g.fill(bulb);
@@ -99,25 +87,14 @@ final class MapPainter {
     }
 
     private void paintBystander(MapScene.Bystander bystander) {
-        double x = view.x(bystander.truth().xMm());
-        double y = view.y(bystander.truth().yMm());
-        double radius = BYSTANDER_MM * view.pixelsPerMm();
+        Point2D at = view.pixel(bystander.truth().xMm(), bystander.truth().yMm());
+        double x = at.getX();
+        double y = at.getY();
+        double radius = BYSTANDER_MM * view.pxPerMm();
         g.setStroke(THIN);
         g.setColor(Palette.mixed(0.5));
         g.draw(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
         g.drawString(bystander.name(), (float) (x + radius + 3), (float) y);
-    }
-
-    /** A bar as long as one square of the grid. */
-    private void paintScale() {
-        double length = scaleMm() * view.pixelsPerMm();
-        double y = height - INSET;
-        g.setStroke(new BasicStroke(2));
-        g.setColor(Palette.mixed(0.8));
-        g.draw(new Line2D.Double(INSET, y, INSET + length, y));
-        g.draw(new Line2D.Double(INSET, y - 4, INSET, y + 4));
-        g.draw(new Line2D.Double(INSET + length, y - 4, INSET + length, y + 4));
-        g.drawString(Lengths.text(scaleMm()), INSET + 4, (float) y - 7);
     }
 
     private void paintKey(MapScene scene) {
@@ -126,10 +103,6 @@ final class MapPainter {
                 : "filled: where a robot believes it is · dashed: where it is";
         int textWidth = g.getFontMetrics().stringWidth(key);
         g.setColor(Palette.mixed(0.6));
-        g.drawString(key, width - INSET - textWidth, height - INSET + 3);
-    }
-
-    private double scaleMm() {
-        return Lengths.round(90 / view.pixelsPerMm());
+        g.drawString(key, view.width() - INSET - textWidth, view.height() - INSET + 3);
     }
 }

@@ -4,10 +4,12 @@ import java.util.List;
 import majic.bot.LabAccess.Furnishing;
 import majic.bot.LabAccess.Wall;
 import majic.bot.Pose;
+import majic.panel.Trail;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that the team map shows at one moment, in the room's frame: x to the right, y up, mm. Immutable.
+ * All that the team map shows at one moment, in the room's frame: x to the right, y up, mm. Immutable, but for the trails, which
+ * grow.
  *
  * @param walls the lab's walls and sides of boxes; empty without a lab
  * @param furnishing the tape and the lamps of the lab
@@ -37,7 +39,7 @@ record MapScene(
      * @param bodyMm radius of its body
      * @param believed where it believes it is
      * @param truth where the lab says it is; null without a lab
-     * @param trail where it believed it was, oldest first
+     * @param trail where it believed it was; grows
      * @param connected whether the pose is kept up to date
      */
     record Robot(
@@ -46,12 +48,8 @@ record MapScene(
             double bodyMm,
             Pose believed,
             @Nullable Pose truth,
-            List<Point> trail,
-            boolean connected) {
-        Robot {
-            trail = List.copyOf(trail);
-        }
-    }
+            Trail trail,
+            boolean connected) {}
 
     /**
      * A robot of the lab that nobody has added, or that was removed: others can still run into it.
@@ -60,12 +58,4 @@ record MapScene(
      * @param truth where it is
      */
     record Bystander(String name, Pose truth) {}
-
-    /**
-     * A place.
-     *
-     * @param xMm to the right
-     * @param yMm up
-     */
-    record Point(double xMm, double yMm) {}
 }

@@ -7,13 +7,18 @@ import java.awt.Graphics2D;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
-import java.util.List;
+import java.awt.geom.Point2D;
 import majic.bot.Pose;
+import majic.panel.Ink;
+import majic.panel.MapView;
 
 /** Draws one robot of the map: its trail, where it believes it is, where it is. */
 final class RobotGlyph {
     /** A body is never drawn smaller, so that a Hemisson can be found in a hall. */
     private static final double SMALLEST_PX = 8;
+
+    private static final double TRAIL_STEP_PX = 2;
+    private static final double TRAIL_OPACITY = 0.5;
 
     private static final Stroke TRAIL = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final Stroke TRUTH =
@@ -28,31 +33,32 @@ final class RobotGlyph {
         this.robot = robot;
         this.view = view;
         this.color = RobotColors.of(robot.number());
-        this.radiusPx = Math.max(SMALLEST_PX, robot.bodyMm() * view.pixelsPerMm());
+        this.radiusPx = Math.max(SMALLEST_PX, robot.bodyMm() * view.pxPerMm());
     }
 
     /** Whether a pixel is on the body. */
-    boolean covers(double x, double y) {
-        Pose at = robot.believed();
-        return Math.hypot(x - view.x(at.xMm()), y - view.y(at.yMm())) <= radiusPx;
+    boolean covers(Point2D pixel) {
+        return pixel.distance(pixel(robot.believed())) <= radiusPx;
+    }
+
+    private Point2D pixel(Pose at) {
+        return view.pixel(at.xMm(), at.yMm());
     }
 
     void paintTrail(Graphics2D g) {
-        List<MapScene.Point> trail = robot.trail();
-        if (trail.size() < 2) {
+        Path2D way = new Path2D.Double();
+        robot.trail().trace(way, TRAIL_STEP_PX / view.pxPerMm());
+        if (way.getCurrentPoint() == null) {
             return;
         }
-        Path2D path = new Path2D.Double();
-        path.moveTo(view.x(trail.get(0).xMm()), view.y(trail.get(0).yMm()));
-        trail.forEach(point -> path.lineTo(view.x(point.xMm()), view.y(point.yMm())));
-        path.lineTo(view.x(robot.believed().xMm()), view.y(robot.believed().yMm()));
+        way.lineTo(robot.believed().xMm(), robot.believed().yMm());
         g.setStroke(TRAIL);
-        g.setColor(withAlpha(130));
-        g.draw(path);
+        g.setColor(Ink.translucent(color, TRAIL_OPACITY));
+        g.draw(view.transform().createTransformedShape(way));
     }
 
     void paintBody(Graphics2D g) {
-        g.setColor(withAlpha(robot.connected() ? 190 : 70));
+        g.setColor(Ink.translucent(color, robot.connected() ? 0.75 : 0.27));
         g.fill(circle(robot.believed()));
         g.setColor(color);
         g.setStroke(TRAIL);
@@ -74,15 +80,16 @@ final class RobotGlyph {
     private void paintNumber(Graphics2D g) {
         String text = robot.connected() ? "" + robot.number() : robot.number() + "?";
         FontMetrics metrics = g.getFontMetrics();
-        float x = (float) (view.x(robot.believed().xMm()) - metrics.stringWidth(text) / 2.0);
-        float y = (float) (view.y(robot.believed().yMm()) + (metrics.getAscent() - metrics.getDescent()) / 2.0);
+        Point2D middle = pixel(robot.believed());
+        float x = (float) (middle.getX() - metrics.stringWidth(text) / 2.0);
+        float y = (float) (middle.getY() + (metrics.getAscent() - metrics.getDescent()) / 2.0);
         g.setColor(luminance() > 0.6 ? Color.BLACK : Color.WHITE);
         g.drawString(text, x, y);
     }
 
     private Ellipse2D circle(Pose at) {
-        return new Ellipse2D.Double(
-                view.x(at.xMm()) - radiusPx, view.y(at.yMm()) - radiusPx, 2 * radiusPx, 2 * radiusPx);
+        Point2D middle = pixel(at);
+        return new Ellipse2D.Double(middle.getX() - radiusPx, middle.getY() - radiusPx, 2 * radiusPx, 2 * radiusPx);
     }
 
     /** A triangle on the rim that points where the robot looks. */
@@ -98,17 +105,13 @@ final class RobotGlyph {
 
     private void moveTo(Path2D path, Pose at, double pixels, double aside) {
         double angle = Math.toRadians(at.headingDeg() + aside);
-        double x = view.x(at.xMm()) + pixels * Math.cos(angle);
-        double y = view.y(at.yMm()) - pixels * Math.sin(angle);
+        double x = pixel(at).getX() + pixels * Math.cos(angle);
+        double y = pixel(at).getY() - pixels * Math.sin(angle);
         if (path.getCurrentPoint() == null) {
             path.moveTo(x, y);
         } else {
             path.lineTo(x, y);
         }
-    }
-
-    private Color withAlpha(int alpha) {
-        return new Color(color.getRed(), color.getGreen(), color.getBlue(), alpha);
     }
 
     private double luminance() {

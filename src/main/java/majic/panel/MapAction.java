@@ -20,7 +20,7 @@ enum MapAction {
     /** Robot in the middle, looking up. */
     AHEAD_UP("Turn the map with the robot", List.of("typed u"), ZoomableMap::toggleAheadUp, ZoomableMap::hasAheadUp),
     /** Forget; by button alone, for what is forgotten does not come back. */
-    CLEAR("Clear trail and echoes", List.of(), ZoomableMap::clear),
+    CLEAR("Clear trails and echoes", List.of(), ZoomableMap::clear),
     /** What lies left of it. */
     LEFT("Look left", List.of("LEFT"), map -> map.drag(MapAction.STEP_PX, 0)),
     /** What lies right of it. */
@@ -75,6 +75,11 @@ enum MapAction {
         return toggles;
     }
 
+    /** Whether it means anything on this map: what has to do with the robot needs one to follow. */
+    boolean suits(ZoomableMap map) {
+        return map.hasRobot() || this != FOLLOW && this != AHEAD_UP;
+    }
+
     boolean isOn(ZoomableMap map) {
         return state.test(map);
     }
@@ -85,6 +90,9 @@ enum MapAction {
 
     static void bindKeys(ZoomableMap map) {
         for (MapAction action : values()) {
+            if (!action.suits(map)) {
+                continue;
+            }
             action.keys.forEach(key -> map.getInputMap().put(KeyStroke.getKeyStroke(key), action));
             map.getActionMap().put(action, new Performing(map, action));
         }

@@ -2,7 +2,7 @@ package majic.panel;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
-import majic.bot.Pose;
+import java.util.Locale;
 
 /** What lies on the floor of a {@link ZoomableMap}. Asked on the event dispatch thread. */
 public interface MapContent {
@@ -15,13 +15,6 @@ public interface MapContent {
     void paint(Graphics2D pen, MapView view);
 
     /**
-     * What the map keeps in its middle when it follows.
-     *
-     * @return on the floor
-     */
-    Pose pose();
-
-    /**
      * What the map shows when it shows everything.
      *
      * @return mm on the floor, neither empty nor narrow
@@ -29,13 +22,30 @@ public interface MapContent {
     Rectangle2D extent();
 
     /**
-     * The scale at which the robot and what is around it are seen well.
+     * What the map keeps free at its foot when it shows everything, for words that stand there.
      *
-     * @param sidePx the shorter side of the map
-     * @return pixels a mm
+     * @return pixels
      */
-    double nearPxPerMm(int sidePx);
+    default int footPx() {
+        return 0;
+    }
 
-    /** Forgets where the robot has been and what it met there. */
+    /** Forgets where robots have been and what they met there. */
     void clear();
+
+    /**
+     * What is said of a place that somebody points at.
+     *
+     * @param xMm on the floor
+     * @param yMm on the floor
+     * @param view how the floor lies on the map
+     * @return a tip
+     */
+    default String tip(double xMm, double yMm, MapView view) {
+        return String.format(
+                Locale.ROOT,
+                "x %.0f mm, y %.0f mm \u2013 wheel zooms, dragging moves, double click shows everything",
+                xMm,
+                yMm);
+    }
 }

@@ -23,7 +23,7 @@ final class MapTools extends JPanel {
         super(new MigLayout("insets 1, gap 0, novisualpadding"));
         this.map = map;
         setOpaque(false);
-        MapAction.WITH_BUTTON.forEach(this::addButton);
+        MapAction.WITH_BUTTON.stream().filter(action -> action.suits(map)).forEach(this::addButton);
         showState();
     }
 

@@ -8,7 +8,7 @@ import majic.bot.Pose;
  * What the floors of all robots share: where the robot started, the way it came, and how much of the floor is worth seeing.
  * {@link #hear} is for the driver's threads, everything else for the event dispatch thread.
  */
-public abstract class WayContent implements MapContent {
+public abstract class WayContent implements RobotContent {
     private final Trail trail = new Trail();
     private final WayDrawing way;
     private final Reach reach;

@@ -8,23 +8,24 @@ import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
-import java.util.Locale;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import majic.bot.Pose;
+import org.jspecify.annotations.Nullable;
 
 /**
- * A floor with a grid and a scale bar, which follows a robot, shows everything, or shows what somebody chose with mouse,
- * keys or buttons. The wheel zooms, dragging moves, a double click shows everything. Little room takes the buttons away;
+ * A floor with a grid and a scale bar, which follows a robot if there is one to follow, shows everything, or shows what
+ * somebody chose with mouse, keys or buttons. The wheel zooms, dragging moves, a double click shows everything. Little room takes the buttons away;
  * wheel and keys stay. For the event dispatch thread.
  */
-public final class ZoomableMap extends JPanel {
+public class ZoomableMap extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int TOOLS_INSET = 6;
 
     private final transient MapContent content;
+    private final transient @Nullable RobotContent followed;
     private final MapTools tools;
-    private Mode mode = Mode.FOLLOW;
+    private Mode mode;
     private double zoom = 1;
     private boolean aheadUp;
     private transient MapView chosen = new MapView(1, 0, 0, MapView.Y_UP, 1, 1);
@@ -40,13 +41,28 @@ public final class ZoomableMap extends JPanel {
     }
 
     /**
-     * A map that follows.
+     * A map that follows a robot.
+     *
+     * @param content what lies on it
+     */
+    public ZoomableMap(RobotContent content) {
+        this(content, content, Mode.FOLLOW);
+    }
+
+    /**
+     * A map that shows everything.
      *
      * @param content what lies on it
      */
     public ZoomableMap(MapContent content) {
+        this(content, null, Mode.FIT);
+    }
+
+    private ZoomableMap(MapContent content, @Nullable RobotContent followed, Mode mode) {
         super(null);
         this.content = content;
+        this.followed = followed;
+        this.mode = mode;
         setName("map");
         setFocusable(true);
         setToolTipText("");
@@ -66,19 +82,35 @@ public final class ZoomableMap extends JPanel {
      *
      * @return of the present size
      */
-    public MapView view() {
+    public final MapView view() {
         int width = Math.max(1, getWidth());
         int height = Math.max(1, getHeight());
         return switch (mode) {
-            case FIT -> MapView.fitting(content.extent(), width, height);
+            case FIT -> everything(width, height);
             case FREE -> chosen.sized(width, height);
-            case FOLLOW -> {
-                Pose pose = content.pose();
-                double scale = content.nearPxPerMm(Math.min(width, height)) * zoom;
-                yield new MapView(
-                        scale, pose.xMm(), pose.yMm(), aheadUp ? pose.headingDeg() : MapView.Y_UP, width, height);
-            }
+            case FOLLOW -> followed == null ? everything(width, height) : around(followed, width, height);
         };
+    }
+
+    /** Between the buttons and the words at the foot, which would hide a part of it. */
+    private MapView everything(int width, int height) {
+        int head = tools.isVisible() ? tools.getHeight() : 0;
+        int foot = content.footPx();
+        int free = Math.max(height / 2, height - head - foot);
+        return MapView.fitting(content.extent(), width, free)
+                .sized(width, height)
+                .moved(0, (head - foot) / 2.0);
+    }
+
+    private MapView around(RobotContent robot, int width, int height) {
+        Pose pose = robot.pose();
+        double scale = robot.nearPxPerMm(Math.min(width, height)) * zoom;
+        return new MapView(scale, pose.xMm(), pose.yMm(), aheadUp ? pose.headingDeg() : MapView.Y_UP, width, height);
+    }
+
+    /** Whether there is one robot that the map can follow. */
+    boolean hasRobot() {
+        return followed != null;
     }
 
     boolean follows() {
@@ -89,7 +121,8 @@ public final class ZoomableMap extends JPanel {
         return follows() && aheadUp;
     }
 
-    void fit() {
+    /** Shows everything from now on, until somebody chooses something else. */
+    public final void fit() {
         become(Mode.FIT);
     }
 
@@ -154,11 +187,7 @@ public final class ZoomableMap extends JPanel {
     @Override
     public String getToolTipText(MouseEvent event) {
         Point2D place = view().place(event.getX(), event.getY());
-        return String.format(
-                Locale.ROOT,
-                "x %.0f mm, y %.0f mm \u2013 wheel zooms, dragging moves, double click shows everything",
-                place.getX(),
-                place.getY());
+        return content.tip(place.getX(), place.getY(), view());
     }
 
     /** The colour of the floor in the present look. */

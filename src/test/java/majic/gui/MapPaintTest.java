@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Color;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import majic.bot.LabAccess.Furnishing;
@@ -11,6 +13,7 @@ import majic.bot.LabAccess.Lamp;
 import majic.bot.LabAccess.Tape;
 import majic.bot.LabAccess.Wall;
 import majic.bot.Pose;
+import majic.panel.Trail;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -31,9 +34,7 @@ class MapPaintTest {
         BufferedImage empty = paint(scene());
         MapScene scene = scene(robot(new Pose(2000, 1500, 0), null));
         BufferedImage image = paint(scene);
-        int x = (int) map.view().x(2100);
-        int y = (int) map.view().y(1500);
-        assertThat(new Color(image.getRGB(x, y))).isNotEqualTo(new Color(empty.getRGB(x, y)));
+        assertThat(pixel(image, 2100, 1500)).isNotEqualTo(pixel(empty, 2100, 1500));
     }
 
     @Test
@@ -64,9 +65,32 @@ class MapPaintTest {
         assertThat(ink).isGreaterThan(40);
     }
 
+    @Test
+    void everythingOfTheRoomIsSeenAboveTheKey() {
+        paint(scene(robot(new Pose(1000, 1000, 0), null)));
+
+        Point2D corner = map.view().pixel(0, 0);
+        assertThat(corner.getX()).isBetween(0.0, (double) WIDTH);
+        assertThat(corner.getY()).isLessThan(HEIGHT - MapPainter.FOOT_PX);
+    }
+
+    @Test
+    void aRobotTellsWhoItIsAndAnyOtherPlaceWhereItLies() {
+        paint(scene(robot(new Pose(1000, 1000, 0), null)));
+
+        assertThat(tip(1000, 1000)).isEqualTo("1 Toy: x 1000 mm, y 1000 mm, heading 0° on the map");
+        assertThat(tip(3000, 2000)).endsWith("double click shows everything");
+    }
+
+    private String tip(double xMm, double yMm) {
+        Point2D at = map.view().pixel(xMm, yMm);
+        return map.getToolTipText(new MouseEvent(
+                map, MouseEvent.MOUSE_MOVED, 0, 0, (int) Math.round(at.getX()), (int) Math.round(at.getY()), 0, false));
+    }
+
     private int pixel(BufferedImage image, double xMm, double yMm) {
-        return image.getRGB(
-                (int) Math.floor(map.view().x(xMm)), (int) Math.floor(map.view().y(yMm)));
+        Point2D at = map.view().pixel(xMm, yMm);
+        return image.getRGB((int) Math.floor(at.getX()), (int) Math.floor(at.getY()));
     }
 
     private static MapScene scene(MapScene.Robot... robots) {
@@ -78,7 +102,7 @@ class MapPaintTest {
     }
 
     private static MapScene.Robot robot(Pose believed, @Nullable Pose truth) {
-        return new MapScene.Robot(1, "Toy", 200, believed, truth, List.of(), true);
+        return new MapScene.Robot(1, "Toy", 200, believed, truth, new Trail(), true);
     }
 
     private BufferedImage paint(MapScene scene) {

@@ -54,7 +54,8 @@ class ZoomableMapTest {
     void aDoubleClickShowsEverything() {
         mouse(MouseEvent.MOUSE_CLICKED, 100, 100, 2);
         assertThat(map.view().xMm()).isEqualTo(10_000);
-        assertThat(map.view().pxPerMm()).isCloseTo(0.02, within(1e-9));
+        assertThat(map.view().pixel(0, 0).getY()).isCloseTo(300, within(1e-6));
+        assertThat(map.view().pixel(0, 15_000).getY()).isCloseTo(map.getComponent(0).getHeight(), within(1e-6));
     }
 
     @Test
@@ -101,6 +102,17 @@ class ZoomableMapTest {
     }
 
     @Test
+    void aMapWithoutARobotToFollowShowsEverythingAndHasNothingThatNeedsOne() {
+        MapContent team = floor;
+        ZoomableMap map = new ZoomableMap(team);
+        map.setSize(400, 300);
+
+        assertThat(map.view()).isEqualTo(MapView.fitting(team.extent(), 400, 300));
+        assertThat(((MapTools) map.getComponent(0)).getComponents()).hasSize(4);
+        assertThat(map.getInputMap().get(KeyStroke.getKeyStroke("typed f"))).isNull();
+    }
+
+    @Test
     void inLittleRoomTheButtonsGo() {
         map.setSize(100, 100);
         map.doLayout();
@@ -136,7 +148,7 @@ class ZoomableMapTest {
     }
 
     /** Twenty metres by fifteen, its middle 10 m ahead. */
-    private static final class Floor implements MapContent {
+    private static final class Floor implements RobotContent {
         private Pose pose = Pose.START;
         private boolean cleared;
 

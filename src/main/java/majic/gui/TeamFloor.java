@@ -1,0 +1,101 @@
+package majic.gui;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Locale;
+import majic.bot.LabAccess.Wall;
+import majic.bot.Pose;
+import majic.panel.MapContent;
+import majic.panel.MapView;
+import org.jspecify.annotations.Nullable;
+
+/** The floor that a team moves on, at the moment that was shown last. For the event dispatch thread. */
+final class TeamFloor implements MapContent {
+    /** What an empty map shows. */
+    private static final Rectangle2D EMPTY = new Rectangle2D.Double(-1500, -1000, 3000, 2000);
+
+    private static final double MARGIN_MM = 200;
+
+    /** Around robots of which nobody knows what is around them. */
+    private static final double FREE_MM = 600;
+
+    private MapScene scene = MapScene.EMPTY;
+
+    void show(MapScene newScene) {
+        scene = newScene;
+    }
+
+    MapScene scene() {
+        return scene;
+    }
+
+    @Override
+    public void paint(Graphics2D pen, MapView view) {
+        new MapPainter(pen, view).paint(scene);
+    }
+
+    @Override
+    public Rectangle2D extent() {
+        Rectangle2D all = null;
+        for (Wall wall : scene.walls()) {
+            all = joined(all, around(wall.x1(), wall.y1(), MARGIN_MM));
+            all = joined(all, around(wall.x2(), wall.y2(), MARGIN_MM));
+        }
+        double margin = scene.walls().isEmpty() ? FREE_MM : MARGIN_MM;
+        for (MapScene.Robot robot : scene.robots()) {
+            Pose at = robot.believed();
+            Rectangle2D way = new Rectangle2D.Double(at.xMm(), at.yMm(), 0, 0);
+            robot.trail().extend(way);
+            all = joined(all, grown(way, margin));
+            all = joined(all, around(at.xMm(), at.yMm(), robot.bodyMm() + margin));
+        }
+        return all == null ? EMPTY : all;
+    }
+
+    private static Rectangle2D around(double xMm, double yMm, double radiusMm) {
+        return grown(new Rectangle2D.Double(xMm, yMm, 0, 0), radiusMm);
+    }
+
+    private static Rectangle2D grown(Rectangle2D floor, double mm) {
+        return new Rectangle2D.Double(
+                floor.getX() - mm, floor.getY() - mm, floor.getWidth() + 2 * mm, floor.getHeight() + 2 * mm);
+    }
+
+    private static Rectangle2D joined(@Nullable Rectangle2D one, Rectangle2D other) {
+        return one == null ? other : one.createUnion(other);
+    }
+
+    @Override
+    public int footPx() {
+        return MapPainter.FOOT_PX;
+    }
+
+    /** Ends the ways that were shown; robots and room stay. */
+    @Override
+    public void clear() {
+        scene.robots().forEach(robot -> robot.trail().clear());
+    }
+
+    @Override
+    public String tip(double xMm, double yMm, MapView view) {
+        Point2D mouse = view.pixel(xMm, yMm);
+        return scene.robots().stream()
+                .filter(robot -> new RobotGlyph(robot, view).covers(mouse))
+                .map(TeamFloor::describe)
+                .findFirst()
+                .orElseGet(() -> MapContent.super.tip(xMm, yMm, view));
+    }
+
+    private static String describe(MapScene.Robot robot) {
+        Pose at = robot.believed();
+        return String.format(
+                Locale.ROOT,
+                "%d %s: x %.0f mm, y %.0f mm, heading %.0f\u00b0 on the map",
+                robot.number(),
+                robot.label(),
+                at.xMm(),
+                at.yMm(),
+                at.headingDeg());
+    }
+}
