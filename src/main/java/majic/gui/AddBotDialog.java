@@ -10,7 +10,6 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.JTextArea;
 import javax.swing.Timer;
 import majic.bot.Advice;
 import majic.bot.BotException;
@@ -36,7 +35,7 @@ final class AddBotDialog extends MajicDialog {
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
     private final JProgressBar progress = new JProgressBar();
-    private final JTextArea message = new JTextArea(4, 42);
+    private final Paragraph message = new Paragraph("outcome", 4, 42);
     private final JButton ok = button("OK", this::connect);
     private final Timer giveUp;
     private transient @Nullable ConnectAttempt attempt;
@@ -63,12 +62,11 @@ final class AddBotDialog extends MajicDialog {
             type.addItem(name);
             deck.add(input, name);
         });
-        type.addActionListener(event -> cards.show(deck, chosen()));
-        message.setName("outcome");
-        message.setEditable(false);
-        message.setLineWrap(true);
-        message.setWrapStyleWord(true);
-        message.setOpaque(false);
+        type.addActionListener(event -> {
+            cards.show(deck, chosen());
+            message.show("", false);
+        });
+        message.setFocusable(true);
         progress.setVisible(false);
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 10", "[90!, right][grow, fill]", "[][]12[][grow]"));
         panel.add(new JLabel("Type"));
@@ -91,18 +89,18 @@ final class AddBotDialog extends MajicDialog {
         try {
             String address = input().address();
             busy(true);
-            message.setText("Connecting to " + address + " …");
+            message.show("Connecting to " + address + " …", false);
             attempt = new ConnectAttempt(session, address, new Ending());
             attempt.start();
             giveUp.restart();
         } catch (BotException e) {
-            message.setText(e.getMessage());
+            message.show(String.valueOf(e.getMessage()), true);
         }
     }
 
     private void giveUp() {
         abandon();
-        message.setText("Nothing came of it within " + giveUp.getInitialDelay() / 1000 + " s. " + input().advice());
+        message.show("Nothing came of it within " + giveUp.getInitialDelay() / 1000 + " s. " + input().advice(), true);
     }
 
     private void busy(boolean connecting) {
@@ -142,7 +140,7 @@ final class AddBotDialog extends MajicDialog {
             giveUp.stop();
             attempt = null;
             busy(false);
-            message.setText(Advice.after(reason, input().advice()));
+            message.show(Advice.after(reason, input().advice()), true);
         }
     }
 }

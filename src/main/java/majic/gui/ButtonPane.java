@@ -8,17 +8,38 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 
-/** The row of buttons at the top, with STOP at its end, which is never clipped however narrow the window. */
+/**
+ * The row of buttons at the top, with STOP at its end, which is never clipped however narrow the window. Where there is no
+ * room for all words, the buttons show their pictures alone.
+ */
 final class ButtonPane extends JPanel {
     private static final long serialVersionUID = 1L;
 
+    private static final int GAP = 8;
+
+    private final JPanel row = new JPanel(new MigLayout("insets 0, gap 0", "", "[fill]"));
+    private final transient List<JButton> buttons;
+    private final StopPanel stop;
+    private int wordsWidth;
+
     ButtonPane(List<FrameAction> actions, StopPanel stop) {
-        super(new BorderLayout(8, 0));
-        setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
-        JPanel row = new JPanel(new MigLayout("insets 0, gap 2", "", "[fill]"));
-        actions.forEach(action -> row.add(button(action), "h 52!, wmin 66"));
+        super(new BorderLayout(GAP, 0));
+        this.stop = stop;
+        this.buttons = actions.stream().map(ButtonPane::button).toList();
+        setBorder(BorderFactory.createEmptyBorder(6, GAP, 6, GAP));
+        buttons.forEach(button -> row.add(button, "h 52!, wmin 48"));
         add(row, BorderLayout.CENTER);
         add(stop, BorderLayout.EAST);
+    }
+
+    @Override
+    public void doLayout() {
+        if (!buttons.get(0).getHideActionText()) {
+            wordsWidth = row.getPreferredSize().width;
+        }
+        boolean fits = wordsWidth <= getWidth() - 3 * GAP - stop.getPreferredSize().width;
+        buttons.forEach(button -> button.setHideActionText(!fits));
+        super.doLayout();
     }
 
     private static JButton button(FrameAction action) {

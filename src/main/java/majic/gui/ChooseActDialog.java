@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -43,7 +42,7 @@ final class ChooseActDialog extends MajicDialog {
 
     private JPanel content() {
         list.setName("acts");
-        ((JComponent) list.getCellRenderer()).putClientProperty("html.disable", Boolean.TRUE);
+        list.setCellRenderer(new ActCell(target.member()));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.addListSelectionListener(event -> show(list.getSelectedValue()));
         list.addMouseListener(new DoubleClick(load::doClick));

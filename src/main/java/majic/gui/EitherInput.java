@@ -20,8 +20,8 @@ final class EitherInput extends AddressInput {
         ButtonGroup group = new ButtonGroup();
         JRadioButton one = choice(group, firstName, first);
         one.setSelected(true);
-        add(one, "split 2, grow 0, gapright 12");
-        add(choice(group, secondName, second), "grow 0, pushx, alignx left, wrap");
+        add(one, "split 2, grow 0, gapright 12!");
+        add(choice(group, secondName, second), "grow 0, gapright push, wrap");
         deck.add(first, firstName);
         deck.add(second, secondName);
         add(deck, "spanx 2, growx");

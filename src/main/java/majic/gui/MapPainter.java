@@ -26,6 +26,10 @@ final class MapPainter {
     private static final double LAMP_PX = 4;
     private static final Color SHINE = new Color(0xFFC107);
     private static final int INSET = 12;
+
+    /** The scale at the other end of the foot is no longer. */
+    private static final int SCALE_PX = 115;
+
     private static final double BYSTANDER_MM = 120;
 
     private final Graphics2D g;
@@ -98,11 +102,29 @@ final class MapPainter {
     }
 
     private void paintKey(MapScene scene) {
-        String key = scene.walls().isEmpty()
-                ? scene.startsAreGuessed() ? "starting places unknown: drawn side by side" : ""
-                : "filled: where a robot believes it is · dashed: where it is";
+        String key = keys(scene).stream().filter(this::fits).findFirst().orElse("");
         int textWidth = g.getFontMetrics().stringWidth(key);
         g.setColor(Palette.mixed(0.6));
         g.drawString(key, view.width() - INSET - textWidth, view.height() - INSET + 3);
+    }
+
+    /** What is to be said of a scene, the shorter words last. */
+    private static List<String> keys(MapScene scene) {
+        if (!scene.walls().isEmpty() && scene.startsAreGuessed()) {
+            return List.of("dashed: where a robot is · no dashes: nobody knows", "no dashes: nobody knows");
+        }
+        if (!scene.walls().isEmpty()) {
+            return List.of(
+                    "filled: where a robot believes it is · dashed: where it is",
+                    "filled: believed · dashed: true",
+                    "dashed: true");
+        }
+        return scene.startsAreGuessed()
+                ? List.of("starting places unknown: drawn side by side", "starts unknown")
+                : List.of();
+    }
+
+    private boolean fits(String key) {
+        return g.getFontMetrics().stringWidth(key) <= view.width() - SCALE_PX - INSET;
     }
 }

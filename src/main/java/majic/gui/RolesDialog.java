@@ -31,10 +31,10 @@ final class RolesDialog extends MajicDialog {
             Window owner, ActOffer offer, LoadTarget target, List<Member> members, Consumer<List<Integer>> assigned) {
         super(owner, "Assign Roles");
         this.assigned = assigned;
-        JPanel content = new JPanel(new MigLayout("insets 0, gap 12 6", "[right][360::, grow, fill]", ""));
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 12 6", "[right, ::160][360:400:, grow, fill]", ""));
         content.add(
                 new PlainLabel("rolesOf", offer.details().name() + " needs further robots."),
-                "spanx 2, growx, gapbottom 4, wrap");
+                "spanx 2, growx, wmin 0, gapbottom 4, wrap");
         row(content, "me", new JLabel(new MemberChoice.Entry(target.member()).toString()));
         LinkedHashSet<Member> taken = new LinkedHashSet<>();
         for (Role role : offer.roles().subList(1, offer.roles().size())) {
@@ -50,9 +50,9 @@ final class RolesDialog extends MajicDialog {
     }
 
     private static void row(JPanel content, String role, JComponent value) {
-        JLabel name = new JLabel(role);
+        JLabel name = new PlainLabel("role of " + role, role);
         name.putClientProperty("FlatLaf.style", "font: bold");
-        content.add(name, "aligny top, gaptop 4");
+        content.add(name, "aligny top, gaptop 4, wmin 0");
         content.add(value, "wmin 0, wrap");
     }
 

@@ -27,6 +27,9 @@ final class TrustDialog extends MajicDialog {
                     + " computer, not only move robots. MAJIC guards against accidents, not against malice. Agree only if you know"
                     + " where the file comes from. Your answer is remembered for exactly this file.";
 
+    /** As many letters of the title as fit into its width. */
+    private static final int LINE = 80;
+
     /**
      * The question, not yet shown.
      *
@@ -34,8 +37,8 @@ final class TrustDialog extends MajicDialog {
      */
     TrustDialog(Window owner, ActFile file, Runnable agreed) {
         super(owner, "Trust this code?");
-        JPanel facts = new JPanel(new MigLayout("insets 0, gap 12 6", "[right][520::, grow, fill]", ""));
-        facts.add(title(file), "spanx 2, growx, gapbottom 4, wrap");
+        JPanel facts = new JPanel(new MigLayout("insets 0, gap 12 6", "[right][520:600:, grow, fill]", ""));
+        facts.add(title(file.details().name()), "spanx 2, growx, wmin 0, gapbottom 4, wrap");
         row(facts, "File", file.label(), "trustFile");
         row(facts, "Author", author(file), "trustAuthor");
         lines(facts, "Signature", signature(file.signers()), "trustSignature");
@@ -56,10 +59,11 @@ final class TrustDialog extends MajicDialog {
         }));
     }
 
-    private static JLabel title(ActFile file) {
-        JLabel title = new JLabel("<html>" + Html.escaped(file.details().name())
-                + " brings code of its own, which nobody here has agreed to run.");
+    private static Paragraph title(String act) {
+        String words = act + " brings code of its own, which nobody here has agreed to run.";
+        Paragraph title = new Paragraph("trustTitle", 1 + words.length() / LINE, LINE / 2);
         title.putClientProperty("FlatLaf.styleClass", "h4");
+        title.show(words, false);
         return title;
     }
 

@@ -2,9 +2,11 @@ package majic.panel;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Insets;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import javax.swing.text.View;
 
 /**
  * A sentence across a panel while there is one to say, as high as its words need. An alarm stands out by weight and by
@@ -57,8 +59,10 @@ public final class Banner extends JTextArea {
 
     /** How high it must be for its words. */
     int heightIn(int width) {
-        setSize(width, Short.MAX_VALUE);
-        return getPreferredSize().height;
+        Insets insets = getInsets();
+        View words = getUI().getRootView(this);
+        words.setSize(Math.max(1, width - insets.left - insets.right), Short.MAX_VALUE);
+        return (int) Math.ceil(words.getPreferredSpan(View.Y_AXIS)) + insets.top + insets.bottom;
     }
 
     @Override

@@ -74,14 +74,17 @@ public final class Dashboard implements LayoutManager {
         return numbers.gap() / 2;
     }
 
+    /** With the gap below it; 0 while it says nothing. */
+    private int bannerHeight(int width) {
+        return banner == null || !banner.isVisible() ? 0 : banner.heightIn(width) + gap();
+    }
+
     private int placeBanner(Rectangle room) {
-        Banner shown = banner;
-        if (shown == null || !shown.isVisible()) {
-            return 0;
+        int used = bannerHeight(room.width);
+        if (banner != null && used > 0) {
+            banner.setBounds(room.x, room.y, room.width, used - gap());
         }
-        int height = shown.heightIn(room.width);
-        shown.setBounds(room.x, room.y, room.width, height);
-        return height + gap();
+        return used;
     }
 
     private int columnWidth(Rectangle room) {
@@ -109,9 +112,10 @@ public final class Dashboard implements LayoutManager {
 
     @Override
     public Dimension minimumLayoutSize(Container parent) {
-        boolean speaks = banner != null && banner.isVisible();
-        int high = column.leastHeight(column.goodWidth()) + (speaks ? 2 * numbers.gap() : 0);
-        return new Dimension(column.leastWidth() + LEAST_VIEW + 3 * gap(), Math.max(LEAST_VIEW, high) + 2 * gap());
+        int width = column.leastWidth() + LEAST_VIEW;
+        int height = Math.max(LEAST_VIEW, column.leastHeight(column.goodWidth()));
+        int above = bannerHeight(Math.max(width, parent.getWidth() - 2 * gap()));
+        return new Dimension(width + 3 * gap(), height + above + 2 * gap());
     }
 
     @Override

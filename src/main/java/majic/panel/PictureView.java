@@ -158,8 +158,11 @@ public final class PictureView extends JPanel {
     private void paintCaption(Graphics2D pen, Ink ink, Rectangle2D frame) {
         FontMetrics metrics = pen.getFontMetrics();
         double width = metrics.stringWidth(caption) + 2.0 * INSET;
+        if (width + INSET > frame.getWidth()) {
+            return;
+        }
         double height = metrics.getHeight();
-        double left = Math.max(frame.getX(), frame.getMaxX() - width - INSET);
+        double left = frame.getMaxX() - width - INSET;
         double top = frame.getMaxY() - height - INSET;
         pen.setColor(Ink.translucent(ink.paper(), 0.8));
         pen.fill(new RoundRectangle2D.Double(left, top, width, height, INSET, INSET));

@@ -61,8 +61,14 @@ final class OwnActs {
 
     /** An act with code; making it has loaded another copy of its class, which is forgotten. */
     OwnActs spy() throws IOException {
-        ActDetails details = new ActDetails("Spy", "1.0", "Mata Hari", "Looks around.");
-        Files.write(folder.resolve("Spy.act"), ActMaker.from(source("Spy", SPY)).make("Spy", details));
+        return spy("Spy");
+    }
+
+    /** The same under another name. */
+    OwnActs spy(String name) throws IOException {
+        ActDetails details = new ActDetails(name, "1.0", "Mata Hari", "Looks around.");
+        Files.write(
+                folder.resolve(name + ".act"), ActMaker.from(source("Spy", SPY)).make("Spy", details));
         System.clearProperty(FLAG);
         return this;
     }

@@ -37,7 +37,7 @@ import org.assertj.swing.edt.GuiActionRunner;
  * Without a display it cannot be opened, and the test fails. Touching Swing off its thread fails the test too.
  */
 final class TestWindow implements AutoCloseable {
-    private static final int PATIENCE_S = 10;
+    private static final int PATIENCE_S = 30;
 
     final ToyType type = new ToyType(BotType.Reach.TCP);
     final Settings settings = Settings.inMemory();

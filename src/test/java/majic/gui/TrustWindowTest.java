@@ -18,11 +18,13 @@ class TrustWindowTest {
     @TempDir
     private Path folder;
 
+    private static final String LONG_NAME = "Spy".repeat(20);
+
     private TestWindow window;
 
     @BeforeEach
     void open() throws IOException {
-        window = TestWindow.open(new OwnActs(folder).spy().acts());
+        window = TestWindow.open(new OwnActs(folder).spy().spy(LONG_NAME).acts());
         window.add("one");
     }
 
@@ -33,10 +35,14 @@ class TrustWindowTest {
     }
 
     private void load() {
+        load("Spy");
+    }
+
+    private void load(String act) {
         window.click("Load Act");
         window.awaitDialog("Load Act");
         window.click("OK");
-        window.select("acts", "Spy");
+        window.select("acts", act);
         window.click("Load Action");
     }
 
@@ -64,6 +70,13 @@ class TrustWindowTest {
         assertThat(window.text("trustPackages")).contains("java.lang", "majic.act");
         assertThat(window.text("trustConsequence")).contains("trusted code");
         assertThat(System.getProperty(OwnActs.FLAG)).isNull();
+    }
+
+    @Test
+    void aLongNameMovesNothingOffTheScreen() {
+        load(LONG_NAME);
+        assertThat(window.awaitDialog("Trust this code?").getWidth()).isLessThan(850);
+        assertThat(window.text("trustTitle")).startsWith(LONG_NAME).endsWith("nobody here has agreed to run.");
     }
 
     @Test

@@ -55,7 +55,8 @@ class ZoomableMapTest {
         mouse(MouseEvent.MOUSE_CLICKED, 100, 100, 2);
         assertThat(map.view().xMm()).isEqualTo(10_000);
         assertThat(map.view().pixel(0, 0).getY()).isCloseTo(300, within(1e-6));
-        assertThat(map.view().pixel(0, 15_000).getY()).isCloseTo(map.getComponent(0).getHeight(), within(1e-6));
+        assertThat(map.view().pixel(0, 15_000).getY())
+                .isCloseTo(map.getComponent(0).getHeight(), within(1e-6));
     }
 
     @Test

@@ -1,0 +1,28 @@
+package majic.gui;
+
+import java.awt.Component;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JList;
+import majic.bot.Member;
+
+/** Shows a behaviour in a list; pale if the robot cannot run it. Its name is never taken for HTML. */
+final class ActCell extends DefaultListCellRenderer {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Member member;
+
+    ActCell(Member member) {
+        this.member = member;
+        putClientProperty("html.disable", Boolean.TRUE);
+    }
+
+    @Override
+    public Component getListCellRendererComponent(
+            JList<?> list, Object value, int index, boolean selected, boolean focused) {
+        super.getListCellRendererComponent(list, value, index, selected, focused);
+        if (!selected && ((ActEntry) value).unfit(member).isPresent()) {
+            setForeground(Palette.mixed(0.5));
+        }
+        return this;
+    }
+}

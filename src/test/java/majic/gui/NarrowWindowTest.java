@@ -1,0 +1,61 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Rectangle;
+import javax.swing.JButton;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class NarrowWindowTest {
+    private final TestWindow window = TestWindow.open();
+
+    @BeforeEach
+    void shrink() {
+        window.run(() -> window.frame.setSize(700, 540));
+        window.await(
+                "a narrow window",
+                () -> window.find("messageArea", Component.class).getWidth() < 700);
+    }
+
+    @AfterEach
+    void close() {
+        window.close();
+    }
+
+    @Test
+    void everyButtonHasItsWordsAndStopIsWhole() {
+        assertThat(window.text("Save Session")).isEqualTo("Save Session");
+        assertThat(button("Save Session").getWidth())
+                .isGreaterThanOrEqualTo(button("Save Session").getPreferredSize().width);
+        assertThat(isWhole("stop")).isTrue();
+    }
+
+    @Test
+    void releaseIsWorthMoreThanTheWordsOnButtons() {
+        window.click("stop");
+        window.await("pictures alone", () -> button("Save Session").getText() == null);
+        assertThat(isWhole("stop")).isTrue();
+        assertThat(isWhole("release")).isTrue();
+
+        window.click("release");
+        window.await("words", () -> "Save Session".equals(button("Save Session").getText()));
+    }
+
+    private JButton button(String name) {
+        return window.find(name, JButton.class);
+    }
+
+    private boolean isWhole(String name) {
+        JButton button = button(name);
+        Rectangle bounds =
+                SwingUtilities.convertRectangle(button.getParent(), button.getBounds(), window.frame.getContentPane());
+        return new Rectangle(window.frame.getContentPane().getSize()).contains(bounds)
+                && button.getWidth() >= button.getPreferredSize().width;
+    }
+}
