@@ -22,7 +22,7 @@ class RolesWindowTest {
     @BeforeEach
     void open() throws IOException {
         window = TestWindow.open(new OwnActs(folder)
-                .script("Relay", "repeat", "1 move 100", "2 move 200", "wait", "end")
+                .script("Relay", "repeat", "1 move 100", "2 move 200", "wait", "wait 100ms", "end")
                 .script("Trio", "1 move 100", "2 move 100", "3 move 100")
                 .script("WithDog", "add sim:toy as 1", "add sim:aibo as 2", "1 move 100", "2 move 100")
                 .acts());
