@@ -122,10 +122,11 @@ final class Helm {
 
     MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
         return perform(until, permit, motion -> {
-            if (motion.pause(0)) {
-                driveOn(mmPerSec, degPerSec, seconds, motion);
+            if (!motion.pause(0)) {
+                return null;
             }
-            return null;
+            driveOn(mmPerSec, degPerSec, seconds, motion);
+            return bot.driven();
         });
     }
 

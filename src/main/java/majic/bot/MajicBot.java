@@ -430,6 +430,15 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     protected abstract void driveAt(double mmPerSec, double degPerSec);
 
     /**
+     * What {@link #driveAt} made of what was wanted last. It stands in the answer to a drive that was given a time.
+     *
+     * @return in words; null where the robot drives just what is wanted, or says so otherwise
+     */
+    protected @Nullable Value driven() {
+        return null;
+    }
+
+    /**
      * Sends the command to stand, at once, and does not wait for an answer. Called on any thread, with no other command
      * being sent meanwhile.
      */
