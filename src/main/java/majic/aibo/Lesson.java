@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import majic.bot.BotException;
 import majic.bot.CalibrateCommand;
 import majic.bot.CalibrateCommand.Trial;
 import majic.bot.Motion;
@@ -19,9 +18,6 @@ final class Lesson implements CalibrateCommand.Pupil {
 
     /** About a whole turn. */
     private static final int TURN_S = 10;
-
-    /** For putting a mark on the floor. */
-    private static final int MARKING_S = 5;
 
     private final Supplier<AiboSession> session;
     private final Function<Gait, Stride> stride;
@@ -51,38 +47,30 @@ final class Lesson implements CalibrateCommand.Pupil {
         Gait gait = Gait.of(direction);
         AiboSession open = session.get();
         open.feet().stand(motion);
-        open.say(announcement(gait));
-        motion.pause(MARKING_S);
+        letMark(gait, motion);
         Stride stride = this.stride.apply(gait);
         double amount = seconds(gait) * stride.unitsPerSecond();
         double covered = Math.abs(new Walker(open, motion).cover(stride, amount));
         double usualMs = covered * stride.usualMsPerUnit();
-        return new Trial(covered, unit(gait), measured -> learn(gait, usualMs, measured));
-    }
-
-    private static String announcement(Gait gait) {
-        return gait.isWalk()
-                ? "mark where its fore paws stand; in " + MARKING_S + " s it walks " + gait.key() + " for " + WALK_S
-                        + " s, about 1 m: keep the way free"
-                : "mark which way it looks; in " + MARKING_S + " s it turns " + gait.key() + " for " + TURN_S
-                        + " s, about a whole turn";
-    }
-
-    private String learn(Gait gait, double usualMs, double measured) {
-        double old = session.get().dog().calibration().msPerUnit(gait);
-        double now = usualMs / measured;
         Range sensible = Calibration.range(gait);
-        if (!sensible.contains(now)) {
-            throw new BotException(String.format(
-                    Locale.ROOT,
-                    "calibrate %s %.0f%s: no dog goes so far or so little in that time; between %.0f and %.0f %s would do",
-                    gait.key(),
-                    measured,
-                    unit(gait).symbol(),
-                    usualMs / sensible.max(),
-                    usualMs / sensible.min(),
-                    unit(gait).symbol()));
+        Range credible = new Range(usualMs / sensible.max(), usualMs / sensible.min());
+        return new Trial(covered, unit(gait), credible, measured -> learn(gait, usualMs / measured));
+    }
+
+    private static void letMark(Gait gait, Motion motion) {
+        if (gait.isWalk()) {
+            CalibrateCommand.letMark(
+                    motion,
+                    "where its fore paws stand",
+                    "walks " + gait.key() + " for " + WALK_S + " s, about 1 m: keep the way free");
+        } else {
+            CalibrateCommand.letMark(
+                    motion, "which way it looks", "turns " + gait.key() + " for " + TURN_S + " s, about a whole turn");
         }
+    }
+
+    private String learn(Gait gait, double now) {
+        double old = session.get().dog().calibration().msPerUnit(gait);
         learner.learn(gait, now);
         return String.format(
                 Locale.ROOT,

@@ -14,6 +14,10 @@ import java.util.regex.Pattern;
  */
 public final class CalibrateCommand {
     private static final String NAME = "calibrate";
+
+    /** For putting a mark on the floor, seconds. */
+    private static final int MARKING_S = 5;
+
     private static final Pattern MEASURED = Pattern.compile("(-?\\d+(?:\\.\\d+)?)(?: (\\S+))?");
 
     private final Pupil pupil;
@@ -29,7 +33,7 @@ public final class CalibrateCommand {
         List<String> directions();
 
         /**
-         * Moves the robot so that somebody can measure it. Says beforehand what to mark.
+         * Moves the robot so that somebody can measure it; before that calls {@link #letMark}.
          *
          * @param direction one of {@link #directions()}
          * @param motion for sending and waiting
@@ -43,10 +47,10 @@ public final class CalibrateCommand {
      *
      * @param believed how far it takes itself to have gone, positive, mm or degrees
      * @param unit of that
-     * @param lesson takes what was measured, positive, in that unit; keeps what follows and tells old and new, or throws
-     *     a {@link BotException} if it is absurd
+     * @param credible what can have been measured, in that unit; anything else is refused
+     * @param lesson takes what was measured; keeps what follows and tells old and new
      */
-    public record Trial(double believed, Unit unit, DoubleFunction<String> lesson) {}
+    public record Trial(double believed, Unit unit, Range credible, DoubleFunction<String> lesson) {}
 
     private CalibrateCommand(Pupil pupil) {
         this.pupil = pupil;
@@ -69,6 +73,19 @@ public final class CalibrateCommand {
                 String.join(", ", pupil.directions())
                         + ": moves and says what to measure; then the same with what you measured behind it",
                 new CalibrateCommand(pupil)::run);
+    }
+
+    /**
+     * Says what to mark and what will come, and leaves the time for it. For a {@link Pupil}, before it moves.
+     *
+     * @param motion the motion that is to begin
+     * @param mark what to mark: {@code where it stands}
+     * @param deed what it does then: {@code drives ahead for 10 s}
+     * @throws MotionStopped if somebody stops it meanwhile
+     */
+    public static void letMark(Motion motion, String mark, String deed) {
+        motion.say("mark " + mark + "; in " + MARKING_S + " s it " + deed);
+        motion.pause(MARKING_S);
     }
 
     private String run(List<Value> arguments, Motion motion) {
@@ -102,14 +119,29 @@ public final class CalibrateCommand {
             throw new BotException(
                     typed + " " + measured + ": nothing to measure yet; \"" + typed + "\" alone moves it first");
         }
+        return trial.lesson().apply(credible(trial, typed, measured));
+    }
+
+    private static double credible(Trial trial, String typed, String measured) {
         Matcher number = MEASURED.matcher(measured);
-        boolean fits = number.matches()
-                && (number.group(2) == null
-                        || number.group(2).equals(trial.unit().symbol()));
+        String unit = trial.unit().symbol();
+        boolean fits =
+                number.matches() && (number.group(2) == null || number.group(2).equals(unit));
         if (!fits || Double.parseDouble(number.group(1)) <= 0) {
-            throw new BotException(typed + " " + measured + ": type how far it went as a number above 0 in "
-                    + trial.unit().symbol() + ", without a sign");
+            throw new BotException(typed + " " + measured + ": type how far it went as a number above 0 in " + unit
+                    + ", without a sign");
         }
-        return trial.lesson().apply(Double.parseDouble(number.group(1)));
+        double amount = Double.parseDouble(number.group(1));
+        if (!trial.credible().contains(amount)) {
+            throw new BotException(String.format(
+                    Locale.ROOT,
+                    "%s %s: it cannot have gone so far or so little in that time; between %.0f and %.0f %s would do",
+                    typed,
+                    measured,
+                    trial.credible().min(),
+                    trial.credible().max(),
+                    unit));
+        }
+        return amount;
     }
 }

@@ -71,6 +71,11 @@ public final class Motion {
         return !guardReached;
     }
 
+    /** Says something to the person, in the robot's name. */
+    void say(String message) {
+        bot.notice(message);
+    }
+
     /**
      * Whether the guard ended the motion.
      *

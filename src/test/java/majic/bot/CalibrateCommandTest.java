@@ -27,7 +27,7 @@ class CalibrateCommandTest {
             @Override
             public Trial go(String direction, Motion motion) {
                 Unit unit = direction.equals("left") ? Unit.DEG : Unit.MM;
-                return new Trial(1000, unit, measured -> "learned " + learned.add(measured));
+                return new Trial(1000, unit, new Range(80, 3000), measured -> "learned " + learned.add(measured));
             }
         }));
         bot.connect();
@@ -75,6 +75,16 @@ class CalibrateCommandTest {
         assertThat(wrong)
                 .allSatisfy(value -> assertThatThrownBy(() -> calibrate("forward", value))
                         .hasMessageEndingWith("type how far it went as a number above 0 in mm, without a sign"));
+        assertThat(learned).isEmpty();
+    }
+
+    @Test
+    void refusesWhatNobodyCanHaveMeasured() {
+        calibrate("forward");
+
+        assertThatThrownBy(() -> calibrate("forward", Value.of(9410, Unit.MM)))
+                .hasMessage("calibrate forward 9410 mm: it cannot have gone so far or so little in that time; "
+                        + "between 80 and 3000 mm would do");
         assertThat(learned).isEmpty();
     }
 
