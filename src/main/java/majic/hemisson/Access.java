@@ -62,7 +62,7 @@ final class Access {
 
     /** Lets a module do its work. */
     void pause(double seconds) {
-        bot.pause(seconds);
+        bot.answers().pause(seconds);
     }
 
     /** The answer to a question, fresh if there is time to wait for it; null if there is not and it was not heard. */
@@ -70,7 +70,7 @@ final class Access {
     Reply reply(Question question) {
         boolean mayWait = Patience.isAllowed();
         Reply last = last(question, mayWait ? FRESH_NANOS : STALE_NANOS);
-        return last == null && mayWait ? bot.ask(question) : last;
+        return last == null && mayWait ? ask(question) : last;
     }
 
     /** What was heard of late. */
@@ -79,9 +79,14 @@ final class Access {
         return bot.overseer().senses().last(question, bot.nanos(), ageNanos);
     }
 
+    /** Asks something now and waits for the answer. */
+    Reply ask(Question question) {
+        return bot.answers().ask(question);
+    }
+
     /** Tells the robot something and waits until it has confirmed it. */
     void tell(Question order) {
-        bot.ask(order);
+        ask(order);
     }
 
     static Value count(int number) {

@@ -38,8 +38,17 @@ final class HemissonLights {
         } else if (!view.isConnected()) {
             motors.show(Kind.QUIET, "not driven");
         } else {
-            boolean still = view.wheels().isStill();
-            motors.show(still ? Kind.QUIET : Kind.GOOD, still ? "told to stand" : "told to move");
+            showMotorsOfOneInReach(view);
+        }
+    }
+
+    private void showMotorsOfOneInReach(HemissonView view) {
+        if (!view.state().moving()) {
+            motors.show(Kind.QUIET, "told to stand");
+        } else if (view.isRemoteControlled()) {
+            motors.show(Kind.GOOD, "told to move");
+        } else {
+            motors.show(Kind.WARNING, "moves by itself");
         }
     }
 

@@ -47,14 +47,21 @@ record HemissonView(
     record Line(
             Connection connection, LinkQuality quality, boolean missesAnswers, double silentS, boolean outOfControl) {
         static Line of(MajicHemisson bot) {
-            LinkQuality quality = bot.quality();
+            LinkQuality quality = bot.sessions().quality();
             return new Line(
                     bot.connection(),
                     quality,
                     quality.hasMissedSince(bot.nanos() - (long) (LATELY_S * 1e9)),
-                    bot.silentSeconds(),
-                    bot.isOutOfControl());
+                    bot.isConnected() ? bot.sessions().silentSeconds() : 0,
+                    isOutOfControl(bot));
         }
+    }
+
+    private static boolean isOutOfControl(MajicHemisson bot) {
+        Session open = bot.sessions().current();
+        return open != null
+                && (open.conversation().isUnreached()
+                        || (bot.isLost() && open.conversation().mayMove()));
     }
 
     static HemissonView of(MajicHemisson bot) {
@@ -62,7 +69,7 @@ record HemissonView(
                 Line.of(bot),
                 bot.overseer().seen(),
                 freshLight(bot),
-                bot.overseer().track().wheels(),
+                bot.overseer().reckoning().track().wheels(),
                 bot.state(),
                 bot.lamps().leds(),
                 bot.lamps().isBuzzing(),

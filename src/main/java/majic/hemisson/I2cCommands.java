@@ -52,9 +52,7 @@ final class I2cCommands {
     private String read(List<Value> values) {
         Question question = Bus.read(address(values.get(0)), octet(values.get(1)), (int)
                 values.get(2).number());
-        return access.bot().ask(question).numbers().stream()
-                .map(String::valueOf)
-                .collect(Collectors.joining(", "));
+        return access.ask(question).numbers().stream().map(String::valueOf).collect(Collectors.joining(", "));
     }
 
     private String write(List<Value> values, Motion motion) {

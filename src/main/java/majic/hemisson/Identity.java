@@ -33,6 +33,11 @@ record Identity(String version, List<Integer> switches, boolean tellsSpeeds) {
         return switches.isEmpty() || LISTENING_MODES.contains(switches);
     }
 
+    /** Whether its running mode may move it, and it cannot be asked whether it does. */
+    boolean mayMoveUntold() {
+        return !tellsSpeeds && !isRemoteControlled();
+    }
+
     /** The same robot after a restart, in the mode that its switches select now. */
     Identity restarted(List<Integer> newSwitches) {
         return new Identity(version, newSwitches, tellsSpeeds);

@@ -28,7 +28,7 @@ final class Lookout {
     Question next(long nowNanos, boolean inMotion, boolean checksSpeeds) {
         turn = (turn + 1) % ROUND;
         Question wanted = turn % 4 == 1 ? wanted(nowNanos, inMotion) : null;
-        Question usual = wanted == null ? usual(inMotion && checksSpeeds) : wanted;
+        Question usual = wanted == null ? usual(checksSpeeds) : wanted;
         boolean mightBeRefused = inMotion ? !senses.knows(usual) : senses.isRefused(usual);
         return mightBeRefused ? Question.PROXIMITY : usual;
     }

@@ -1,20 +1,15 @@
 package majic.hemisson;
 
-import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
-import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.CalibrateCommand;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
-import majic.bot.MotionStopped;
-import majic.bot.Pose;
-import majic.bot.Range;
 import majic.bot.Value;
 
 /**
@@ -28,24 +23,20 @@ public final class MajicHemisson extends MajicBot {
     /** What a person can do about a robot that moves and does not hear. */
     static final String HELP = "if it still moves, lift it, or press 5 on a TV remote control";
 
-    private static final double CRUISE_MM_PER_S = 42;
-    private static final double CRUISE_TURN_DEG_PER_S = 53;
-    private static final double NEAR_MM = 40;
-
-    /** The longest wait for an answer: two tries over Bluetooth, and somebody else's before it, seconds. */
-    private static final double LONGEST_ANSWER_S = 4;
-
     /** How often overdue answers are looked for, and how often a moving robot is asked what it sees, seconds. */
     private static final double TICK_S = 0.05;
 
     private final Calibration calibration;
     private final Sessions sessions;
+    private final Answers answers;
+    private final Standstill standstill;
     private final Overseer overseer;
     private final Lamps lamps = new Lamps(this);
     private final Spectator spectator = new Spectator(this);
     private final Access access = new Access(this);
     private volatile Identity identity = Identity.NOBODY;
     private volatile Modules modules = Modules.NONE;
+    private volatile Wheels driven = Wheels.STILL;
 
     /**
      * Makes a driver that lives by the system's clock and remembers nothing.
@@ -65,29 +56,16 @@ public final class MajicHemisson extends MajicBot {
      * @throws BotException if the address is none; the message says what one looks like
      */
     public MajicHemisson(String address, BotEnvironment environment) {
-        super(new HemissonType(), profileFor(SpeedTable.USUAL), environment);
+        super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
         this.sessions = new Sessions(address, time(), changes());
+        this.answers = new Answers(sessions, changes(), this::isConnected);
+        this.standstill = new Standstill(sessions, changes(), this::isConnected);
         this.calibration = new Calibration(settings(), address);
-        this.overseer = new Overseer(this, Track.standing(Pose.START, nanos(), calibration.table()));
-        profile(profileFor(calibration.table()));
+        this.overseer = new Overseer(this, calibration.table());
+        profile(HemissonProfile.of(calibration.table()));
         HemissonParameters.describe(table(), access);
         add(CalibrateCommand.of(new Lesson(this)));
         new I2cCommands(access).all().forEach(this::add);
-    }
-
-    private static BotProfile profileFor(SpeedTable table) {
-        double fastest = table.fastestMmPerSec();
-        double fastestSpin = table.spinDegPerSec(Wheels.MAX);
-        return new BotProfile(
-                Clearance.HULL_MM,
-                new Range(-fastest, fastest),
-                new Range(-fastestSpin, fastestSpin),
-                table.mmPerSec(SpeedTable.SLOWEST),
-                table.spinDegPerSec(SpeedTable.SLOWEST),
-                CRUISE_MM_PER_S,
-                CRUISE_TURN_DEG_PER_S,
-                NEAR_MM,
-                true);
     }
 
     @Override
@@ -127,11 +105,10 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected void shut() {
-        Session open = sessions.current();
-        if (open != null && !Farewell.say(open, changes())) {
-            say("it has not confirmed that it stands; " + HELP);
+        String unsettled = standstill.end();
+        if (unsettled != null) {
+            say(unsettled);
         }
-        sessions.end();
     }
 
     @Override
@@ -147,38 +124,27 @@ public final class MajicHemisson extends MajicBot {
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
         overseer.motion().drives(nanos());
-        Wheels wheels = calibration.table().curve(mmPerSec, degPerSec);
-        String failure = conversation().ask(Question.wheels(wheels)).failure();
+        driven = calibration.table().curve(mmPerSec, degPerSec);
+        String failure = conversation().ask(Question.wheels(driven)).failure();
         if (failure != null) {
             throw new MotionFailed(failure);
         }
     }
 
+    /** Motors take whole values, so it is seldom quite what was wanted. */
+    @Override
+    protected Value driven() {
+        return Value.text(calibration.table().words(driven));
+    }
+
     @Override
     protected void halt() {
-        Session open = sessions.current();
-        if (open != null) {
-            open.conversation().stop();
-        }
+        standstill.order();
     }
 
     @Override
     protected void confirmHalt() {
-        Session open = sessions.current();
-        if (open == null) {
-            return;
-        }
-        double patience = 2 * open.timeoutSeconds() + 0.9;
-        try {
-            changes().await(() -> open.conversation().isStanding() || !isConnected(), patience);
-            if (!open.conversation().isStanding()) {
-                throw isConnected()
-                        ? new BotException("the stop was not confirmed within " + patience + " s; " + HELP)
-                        : new LinkLost("the connection was lost before the stop was confirmed; " + HELP);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        standstill.confirm();
     }
 
     @Override
@@ -191,36 +157,13 @@ public final class MajicHemisson extends MajicBot {
         return sessions.conversation();
     }
 
-    /** Asks one question and waits for the answer, whoever else talks. */
-    Reply ask(Question question) {
-        Exchange exchange = conversation().ask(question);
-        await(exchange::isDone);
-        Reply reply = exchange.reply();
-        if (reply == null) {
-            String failure = exchange.failure();
-            throw new BotException(failure == null ? "no answer" : failure);
-        }
-        return reply;
+    /** Who waits for its answers. */
+    Answers answers() {
+        return answers;
     }
 
-    /** Waits for what an answer brings, as long as one may take with its repetition and others before it. */
-    void await(BooleanSupplier condition) {
-        try {
-            changes().await(() -> condition.getAsBoolean() || !isConnected(), LONGEST_ANSWER_S);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new MotionStopped("interrupted");
-        }
-    }
-
-    /** Lets time pass, unless the connection is lost. */
-    void pause(double seconds) {
-        try {
-            changes().await(() -> !isConnected(), seconds);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new MotionStopped("interrupted");
-        }
+    Sessions sessions() {
+        return sessions;
     }
 
     long nanos() {
@@ -243,14 +186,8 @@ public final class MajicHemisson extends MajicBot {
         lost(cause);
     }
 
-    void publishTrack(Track track) {
-        long now = nanos();
-        publish(new BotState(
-                track.at(now),
-                track.speedMmPerSec(),
-                track.turnDegPerSec(),
-                !track.wheels().isStill(),
-                now));
+    void tell(BotState state) {
+        publish(state);
     }
 
     Overseer overseer() {
@@ -278,8 +215,8 @@ public final class MajicHemisson extends MajicBot {
         try {
             calibration.learn(better);
         } finally {
-            overseer.use(better);
-            profile(profileFor(better));
+            overseer.reckoning().use(better);
+            profile(HemissonProfile.of(better));
         }
     }
 
@@ -298,24 +235,5 @@ public final class MajicHemisson extends MajicBot {
     /** Begins something that waits for the robot, on a thread of its own. */
     void aside(String what, Runnable task) {
         time().thread(name() + ": " + what, task).start();
-    }
-
-    /** Whether its wheels may turn though nobody can tell it anything: the link is lost, or it misses answers. */
-    boolean isOutOfControl() {
-        Session open = sessions.current();
-        return open != null
-                && (open.conversation().isUnreached()
-                        || (isLost() && open.conversation().mayMove()));
-    }
-
-    /** How long no question has been answered, seconds; 0 while none can be asked. */
-    double silentSeconds() {
-        Session open = sessions.current();
-        return open == null || !isConnected() ? 0 : open.conversation().silentSeconds();
-    }
-
-    /** How well the line works; nothing counted while there is none. */
-    LinkQuality quality() {
-        return sessions.quality();
     }
 }

@@ -29,15 +29,16 @@ final class OpenLoop {
         motion.send(bot::halt);
         bot.confirmHalt();
         failOn(watch.trouble());
-        return leg.covered((bot.overseer().track().sinceNanos() - start.middleNanos()) / 1e9);
+        return leg.covered((bot.overseer().reckoning().track().sinceNanos() - start.middleNanos()) / 1e9);
     }
 
     /** Looks where it stands now, so that a guard that holds already lets it stand. */
     private boolean mayBegin() {
         Proximity before = bot.overseer().seen();
         Exchange look = bot.conversation().ask(Question.PROXIMITY);
-        bot.await(
-                () -> look.failure() != null || (look.isDone() && bot.overseer().seen() != before));
+        bot.answers()
+                .await(() -> look.failure() != null
+                        || (look.isDone() && bot.overseer().seen() != before));
         motion.check();
         failOn(look.failure());
         return motion.pause(0);
@@ -50,7 +51,7 @@ final class OpenLoop {
             watch.begins(bot.nanos() + nanos(leg.seconds()));
             start[0] = bot.conversation().ask(Question.wheels(leg.wheels()));
         });
-        bot.await(start[0]::isDone);
+        bot.answers().await(start[0]::isDone);
         motion.check();
         failOn(start[0].failure());
         return start[0];

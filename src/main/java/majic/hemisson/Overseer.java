@@ -2,33 +2,31 @@ package majic.hemisson;
 
 import java.io.IOException;
 import java.util.List;
-import majic.bot.LinkLost;
-import majic.bot.Pose;
-import majic.hemisson.Question.Purpose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps an eye on the robot: asks what it sees all the while, more often while it moves, keeps the estimate of where it
- * is, notices missed answers, disobedience and silence. Called by the keeper and the reader; never waits.
+ * Keeps an eye on the robot: asks what it sees all the while, more often while it moves, and notices missed answers,
+ * disobedience and silence. Called by the keeper and the reader; never waits.
  */
 final class Overseer implements ConversationListener {
-    private static final double SILENCE_S = 2;
     private static final int IDLE_TICKS_PER_LOOK = 2;
 
     private final MajicHemisson bot;
     private final MotionWatch motion;
     private final Senses senses = new Senses();
     private final Lookout lookout = new Lookout(senses);
+    private final DeadReckoning reckoning;
+    private final LossOfLink loss;
     private volatile @Nullable Session session;
     private volatile @Nullable Exchange look;
-    private volatile Track track;
     private volatile boolean watching;
     private volatile boolean modeUnknown;
     private long ticks;
 
-    Overseer(MajicHemisson bot, Track track) {
+    Overseer(MajicHemisson bot, SpeedTable table) {
         this.bot = bot;
-        this.track = track;
+        this.reckoning = new DeadReckoning(bot, table);
+        this.loss = new LossOfLink(bot);
         this.motion = new MotionWatch(bot.nanos());
     }
 
@@ -40,17 +38,12 @@ final class Overseer implements ConversationListener {
         senses.forget();
         motion.begins(Long.MAX_VALUE);
         session = opened;
-        track = Track.standing(Pose.START, bot.nanos(), track.table());
+        reckoning.begin();
     }
 
     /** Begins to ask the robot what it sees. */
     void watch() {
         watching = true;
-    }
-
-    void use(SpeedTable table) {
-        long now = bot.nanos();
-        track = new Track(track.at(now), now, track.wheels(), table);
     }
 
     /** What it saw last; null before the first reading. */
@@ -63,8 +56,8 @@ final class Overseer implements ConversationListener {
         return senses;
     }
 
-    Track track() {
-        return track;
+    DeadReckoning reckoning() {
+        return reckoning;
     }
 
     MotionWatch motion() {
@@ -85,37 +78,69 @@ final class Overseer implements ConversationListener {
         endOverdueMotion(open.conversation());
         if (bot.isConnected()) {
             lookAround(open);
-            noticeSilence(open);
+            loss.noticeSilence(open);
         } else if (bot.isLost()) {
-            standAfterLoss(open);
+            loss.standAfter(open);
         }
     }
 
     @Override
     public void answered(Exchange exchange) {
         Reply reply = exchange.reply();
-        if (exchange.purpose() == Purpose.MOTION) {
-            follow(exchange.question().told(), exchange.middleNanos());
-        } else if (exchange.purpose() == Purpose.STOP) {
-            follow(Wheels.STILL, exchange.middleNanos());
-        } else if (exchange.purpose() == Purpose.ASK && reply != null) {
+        if (reply != null) {
             take(exchange, reply);
         }
         bot.raise();
     }
 
     private void take(Exchange exchange, Reply reply) {
+        switch (exchange.purpose()) {
+            case MOTION, STOP -> wasTold(exchange);
+            case VERIFY -> follow(exchange, reply);
+            case ASK -> learn(exchange, reply);
+        }
+    }
+
+    /** A running mode of the robot's own sets the wheels whatever they are told; where they go then is asked for. */
+    private void wasTold(Exchange exchange) {
+        Identity identity = bot.identity();
+        if (identity.isRemoteControlled() || !identity.tellsSpeeds()) {
+            reckoning.follow(exchange.question().told(), exchange.middleNanos());
+        }
+    }
+
+    private void learn(Exchange exchange, Reply reply) {
         Question question = exchange.question();
         if (!question.isLong() && reply.kind() == Reply.Kind.ANSWER) {
             senses.take(question, reply, bot.nanos());
-            bot.publishTrack(track);
+            reckoning.publish();
         }
         if (question == Question.SWITCHES && modeUnknown) {
             modeUnknown = false;
             learnMode(reply.numbers());
         }
-        if (exchange == look && question == Question.SPEEDS) {
-            checkSpeeds(reply);
+        if (question == Question.SPEEDS) {
+            checkSpeeds(exchange, reply);
+        }
+    }
+
+    /** Other speeds than were set come from the TV remote or from another running mode (sheet 7 and 8). */
+    private void checkSpeeds(Exchange exchange, Reply reply) {
+        Session open = session;
+        boolean obeys = Wheels.of(reply).equals(reckoning.track().wheels());
+        if (open != null && watching && !obeys && open.conversation().mayMove()) {
+            open.conversation().stop();
+            motion.meets("its wheels were set to " + reply.rest()
+                    + " by something else: a TV remote control, or a running mode "
+                    + "other than remote control (put all four switches to the side that reads 1 and restart it)");
+        }
+        follow(exchange, reply);
+    }
+
+    private void follow(Exchange exchange, Reply speeds) {
+        if (speeds.kind() == Reply.Kind.ANSWER
+                && !Wheels.of(speeds).equals(reckoning.track().wheels())) {
+            reckoning.follow(Wheels.of(speeds), exchange.middleNanos());
         }
     }
 
@@ -139,7 +164,7 @@ final class Overseer implements ConversationListener {
     public void wasReset() {
         motion.meets("it was switched on or reset meanwhile");
         modeUnknown = watching;
-        follow(Wheels.STILL, bot.nanos());
+        reckoning.follow(Wheels.STILL, bot.nanos());
         bot.lamps().forget();
         Session open = session;
         if (open != null && watching) {
@@ -161,14 +186,8 @@ final class Overseer implements ConversationListener {
     public void broken(IOException cause) {
         Session open = session;
         if (open != null && !open.isClosed()) {
-            lose(open, "connection lost: " + cause.getMessage(), "nothing in MAJIC can stop it now: ");
-            open.close();
+            loss.broken(open, cause);
         }
-    }
-
-    private void follow(Wheels wheels, long nanos) {
-        track = track.then(wheels, nanos);
-        bot.publishTrack(track);
     }
 
     private void endOverdueMotion(Conversation conversation) {
@@ -186,50 +205,6 @@ final class Overseer implements ConversationListener {
         if (turn && (last == null || last.isDone()) && !stopIsNear) {
             look = open.conversation()
                     .ask(lookout.next(bot.nanos(), moving, bot.identity().tellsSpeeds()));
-        }
-    }
-
-    /** Other speeds than were set come from the TV remote or from another running mode (sheet 7 and 8). */
-    private void checkSpeeds(Reply reply) {
-        Wheels told = track.wheels();
-        Session open = session;
-        if (open == null || reply.numbers().equals(List.of(told.left(), told.right()))) {
-            return;
-        }
-        open.conversation().stop();
-        motion.meets("its wheels were set to " + reply.rest()
-                + " by something else: a TV remote control, or a running mode "
-                + "other than remote control (put all four switches to the side that reads 1 and restart it)");
-    }
-
-    private void noticeSilence(Session open) {
-        double silence = open.conversation().silentSeconds();
-        if (silence < Math.max(SILENCE_S, 4 * open.timeoutSeconds())) {
-            return;
-        }
-        boolean moving = lose(
-                open,
-                "connection lost: no answer for " + Math.round(silence) + " s; the robot is off or has gone deaf: "
-                        + "switch it off, wait 5 s, switch it on and connect again",
-                "");
-        if (!moving) {
-            open.close();
-        }
-    }
-
-    private boolean lose(Session open, String how, String moved) {
-        boolean moving = open.conversation().mayMove();
-        bot.lose(new LinkLost(moving ? how + "; " + moved + MajicHemisson.HELP : how));
-        return moving;
-    }
-
-    /** A robot lost in motion is told to stand until it hears or the connection is given up. */
-    private void standAfterLoss(Session open) {
-        if (open.conversation().isStanding()) {
-            bot.say("it answers again and stands; connect again to go on");
-            open.close();
-        } else {
-            open.conversation().stop();
         }
     }
 }

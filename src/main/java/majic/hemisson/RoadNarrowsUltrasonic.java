@@ -35,7 +35,7 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
     private static List<Value> echoes(Access access) {
         access.tell(CENTIMETRES);
         access.tell(MEASURE);
-        String[] words = access.bot().ask(ALL).text().split(",");
+        String[] words = access.ask(ALL).text().split(",");
         List<Value> echoes = new ArrayList<>();
         for (int index = words.length - ECHOES; index < words.length; index++) {
             int cm = Integer.parseInt(words[index], HEX);

@@ -46,10 +46,10 @@ final class RobotParameters {
     private void describeLink() {
         table.add(
                 Parameter.number("roundTrip", Unit.MS, "from a question to its answer, a mean of the last ones"),
-                () -> Value.of(access.bot().quality().roundTripMs(), Unit.MS));
+                () -> Value.of(access.bot().sessions().quality().roundTripMs(), Unit.MS));
         table.add(
                 Parameter.number("missedAnswers", Unit.NONE, "that did not come in time, since it was connected"),
-                () -> Value.of(access.bot().quality().misses(), Unit.NONE));
+                () -> Value.of(access.bot().sessions().quality().misses(), Unit.NONE));
     }
 
     private void describeWhatItLacks() {

@@ -94,6 +94,12 @@ final class Sessions {
         return open.conversation();
     }
 
+    /** How long no question has been answered, seconds; 0 while there is nobody to ask. */
+    double silentSeconds() {
+        Session open = session;
+        return open == null ? 0 : open.conversation().silentSeconds();
+    }
+
     /** How well the line works; nothing counted while there is none. */
     LinkQuality quality() {
         Session open = session;

@@ -2,6 +2,7 @@ package majic.hemisson;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * How fast the wheels run for each motor value, and how far apart they are, for one robot. Nothing on the robot measures
@@ -106,6 +107,17 @@ record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double tr
         double right = speedMmPerSec + half;
         double slower = Math.min(1, fastestMmPerSec() / Math.max(1, Math.max(Math.abs(left), Math.abs(right))));
         return new Wheels(nearest(left * slower / leftFactor()), nearest(right * slower / rightFactor()));
+    }
+
+    /** What wheel values make of it, for people. */
+    String words(Wheels wheels) {
+        return String.format(
+                Locale.ROOT,
+                "motor values %d and %d: about %d mm/s, %d deg/s",
+                wheels.left(),
+                wheels.right(),
+                Math.round(speedMmPerSec(wheels)),
+                Math.round(turnDegPerSec(wheels)));
     }
 
     /** The path speed for wheel values, mm/s, ahead positive. */

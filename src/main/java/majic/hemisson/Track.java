@@ -1,5 +1,6 @@
 package majic.hemisson;
 
+import majic.bot.BotState;
 import majic.bot.Pose;
 
 /**
@@ -25,11 +26,8 @@ record Track(Pose from, long sinceNanos, Wheels wheels, SpeedTable table) {
         return new Track(at(nanos), Math.max(nanos, sinceNanos), next, table);
     }
 
-    double speedMmPerSec() {
-        return table.speedMmPerSec(wheels);
-    }
-
-    double turnDegPerSec() {
-        return table.turnDegPerSec(wheels);
+    /** What is to be told of it. */
+    BotState state(long nowNanos, boolean moving) {
+        return new BotState(at(nowNanos), table.speedMmPerSec(wheels), table.turnDegPerSec(wheels), moving, nowNanos);
     }
 }

@@ -120,7 +120,7 @@ final class Ultrasonic implements ExtensionModule {
             access.tell(PING);
         }
         access.pause(LISTENING_S);
-        return access.bot().ask(read);
+        return access.ask(read);
     }
 
     private static Value echo(List<Integer> bytes, int at) {

@@ -16,6 +16,11 @@ record Wheels(int left, int right) {
         right = Math.max(-MAX, Math.min(MAX, right));
     }
 
+    /** What the robot says its motors are set to. */
+    static Wheels of(Reply speeds) {
+        return new Wheels(speeds.numbers().get(0), speeds.numbers().get(1));
+    }
+
     boolean isStill() {
         return left == 0 && right == 0;
     }

@@ -65,6 +65,7 @@ class HemissonAdviceTest {
     void motorsAreSaidToBeToldNotToTurn() {
         assertThat(light("motors", Views.driving(new Wheels(3, 3)))).isEqualTo("GOOD told to move");
         assertThat(light("motors", Views.driving(Wheels.STILL))).isEqualTo("QUIET told to stand");
+        assertThat(light("motors", Views.dancing())).isEqualTo("WARNING moves by itself");
         assertThat(light("motors", Views.standing(Views.LOST_MOVING))).isEqualTo("ALARM may be moving");
     }
 

@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.util.List;
 import majic.bot.BotState;
 import majic.bot.MajicBot.Connection;
+import majic.bot.Pose;
 import majic.hemisson.HemissonView.Line;
 import org.jspecify.annotations.Nullable;
 
@@ -24,6 +25,10 @@ final class Views {
         return of(WELL, wheels, REMOTE, REMOTE);
     }
 
+    static HemissonView dancing() {
+        return of(WELL, new Wheels(9, 5), DANCE, DANCE);
+    }
+
     /** With switches as they were at its start and as they are. */
     static HemissonView withSwitches(List<Integer> atStart, List<Integer> now) {
         return of(WELL, Wheels.STILL, atStart, now);
@@ -35,7 +40,9 @@ final class Views {
     }
 
     private static HemissonView of(Line line, Wheels wheels, List<Integer> atStart, List<Integer> now) {
-        return new HemissonView(line, null, null, wheels, BotState.UNKNOWN, Leds.OFF, false, identity(atStart), now);
+        BotState state =
+                Track.standing(Pose.START, 0, SpeedTable.USUAL).then(wheels, 0).state(0, !wheels.isStill());
+        return new HemissonView(line, null, null, wheels, state, Leds.OFF, false, identity(atStart), now);
     }
 
     private static Identity identity(List<Integer> switches) {

@@ -1,0 +1,121 @@
+package majic.hemisson;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import majic.bot.BotEnvironment;
+import majic.bot.BotListener;
+import majic.bot.MajicBot;
+
+/** A driver and the robot that it drives, for one test. */
+final class DrivenHemisson implements AutoCloseable {
+    /** What a robot with nothing around it sees. */
+    static final String FAR = "n,004,004,004,004,004,004,060,080";
+
+    /** The same with something before it. */
+    static final String NEAR = "n,060,004,004,004,004,004,060,080";
+
+    private final List<String> notices = new CopyOnWriteArrayList<>();
+    private final ScriptedHemisson robot;
+    private final MajicHemisson bot;
+
+    DrivenHemisson() throws IOException {
+        robot = new ScriptedHemisson();
+        bot = new MajicHemisson(robot.address(), BotEnvironment.plain());
+        bot.addListener(new BotListener() {
+            @Override
+            public void notice(MajicBot who, String message) {
+                notices.add(message);
+            }
+        });
+    }
+
+    ScriptedHemisson robot() {
+        return robot;
+    }
+
+    MajicHemisson bot() {
+        return bot;
+    }
+
+    List<String> notices() {
+        return notices;
+    }
+
+    /** Does something to the robot as soon as it was told to drive. */
+    Thread onceItMoves(Runnable deed) {
+        Thread thread = new Thread(() -> {
+            await(() -> robot.count("D,3,3") == 1);
+            deed.run();
+        });
+        thread.start();
+        return thread;
+    }
+
+    void hangUp() {
+        try {
+            robot.hangUp();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    void switchOffAndOn() {
+        try {
+            robot.say("HemiOS V1.50 , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Hears everything, but answers nothing any more from the first motion on. */
+    void fallSilentWhenMoving() {
+        robot.answer('D', command -> {
+            robot.fallSilent(!command.equals("D,0,0"));
+            return "d";
+        });
+    }
+
+    /** What the robot heard behind the first motion. */
+    List<String> afterMotion() {
+        List<String> all = robot.commands();
+        return all.subList(all.indexOf("D,3,3") + 1, all.size());
+    }
+
+    /** When a command came first. */
+    long heardAt(String command) {
+        return robot.heard().stream()
+                .filter(heard -> heard.command().equals(command))
+                .findFirst()
+                .orElseThrow()
+                .nanos();
+    }
+
+    /** From a command to the next of another kind. */
+    long millisBetween(String first, String second) {
+        long from = heardAt(first);
+        return robot.heard().stream()
+                .filter(heard -> heard.command().equals(second) && heard.nanos() > from)
+                .mapToLong(heard -> (heard.nanos() - from) / 1_000_000)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    static void await(BooleanSupplier condition) {
+        try {
+            while (!condition.getAsBoolean()) {
+                BotEnvironment.plain().time().sleep(0.005);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        bot.close();
+        robot.close();
+    }
+}

@@ -1,0 +1,108 @@
+package majic.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A robot that misses answers, is reset, falls silent or is cut off, above all in motion. */
+@Timeout(20)
+class LostRobotTest {
+    private DrivenHemisson pair;
+    private ScriptedHemisson robot;
+    private MajicHemisson bot;
+
+    @BeforeEach
+    void makeBoth() throws Exception {
+        pair = new DrivenHemisson();
+        robot = pair.robot();
+        bot = pair.bot();
+    }
+
+    @AfterEach
+    void closeBoth() throws Exception {
+        pair.close();
+    }
+
+    @Test
+    void fromTheFirstMissedAnswerWhileItMovesItIsToldToStandAgainAndAgain() {
+        bot.connect();
+        pair.fallSilentWhenMoving();
+
+        assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(BotException.class);
+        DrivenHemisson.await(() -> robot.count("D,0,0") >= 4);
+
+        assertThat(pair.afterMotion())
+                .filteredOn(command -> command.startsWith("D"))
+                .containsOnly("D,0,0");
+        assertThat(pair.notices()).anyMatch(notice -> notice.contains("lift it"));
+    }
+
+    @Test
+    void afterAMissedAnswerTheStopIsVerifiedAndTheMotionFails() {
+        bot.connect();
+        robot.answer(
+                'N', command -> robot.count("D,3,3") == 1 && robot.count("D,0,0") == 1 ? "noise" : DrivenHemisson.FAR);
+
+        assertThatThrownBy(() -> bot.move(1000))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("missed");
+
+        assertThat(pair.afterMotion()).containsSubsequence("D,0,0", "E");
+        assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
+    void lastingSilenceIsExplained() {
+        bot.connect();
+        robot.fallSilent(true);
+
+        DrivenHemisson.await(() -> !bot.isConnected());
+
+        assertThatThrownBy(() -> bot.move(10)).isInstanceOf(LinkLost.class).hasMessageContaining("wait 5 s");
+    }
+
+    @Test
+    void aLinkCutWhileItMovesSaysWhatAPersonCanDo() {
+        bot.connect();
+        pair.onceItMoves(pair::hangUp);
+
+        assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(LinkLost.class).hasMessageContaining("lift it");
+    }
+
+    @Test
+    void connectsAnewAfterALostLink() throws Exception {
+        bot.connect();
+        robot.hangUp();
+        DrivenHemisson.await(() -> !bot.isConnected());
+
+        bot.connect();
+
+        bot.move(5);
+        assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
+    void aResetInMidMotionEndsIt() {
+        bot.connect();
+        pair.onceItMoves(pair::switchOffAndOn);
+
+        assertThatThrownBy(() -> bot.move(1000))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("reset");
+    }
+
+    @Test
+    void aStopInWhichTheConnectionIsLostIsNotConfirmed() {
+        bot.connect();
+        robot.answer('D', command -> robot.hangUpInsteadOfAnswering());
+
+        assertThatThrownBy(bot::stop).isInstanceOf(BotException.class).hasMessageContaining("lost");
+    }
+}
