@@ -20,7 +20,7 @@ final class LinearCamera implements ExtensionModule {
     private final Row thresholded;
     private final Dial exposure;
     private final Dial threshold;
-    private final Dial light;
+    private final LampSwitching lamp;
 
     /** A reading of all pixels. */
     private record Row(Question ask, Function<Reply, List<Integer>> values) {
@@ -48,12 +48,17 @@ final class LinearCamera implements ExtensionModule {
         }
     }
 
-    private LinearCamera(Row pixels, Row thresholded, Dial exposure, Dial threshold, Dial light) {
+    /** Adds the switch of its lamp. */
+    private interface LampSwitching {
+        void describe(ParameterTable table, Access access, Parameter parameter);
+    }
+
+    private LinearCamera(Row pixels, Row thresholded, Dial exposure, Dial threshold, LampSwitching lamp) {
         this.pixels = pixels;
         this.thresholded = thresholded;
         this.exposure = exposure;
         this.threshold = threshold;
-        this.light = light;
+        this.lamp = lamp;
     }
 
     static LinearCamera stock() {
@@ -62,7 +67,7 @@ final class LinearCamera implements ExtensionModule {
                 Row.registers(0x11),
                 Dial.register(ADDRESS, 0x21),
                 Dial.register(ADDRESS, 0x20),
-                Dial.register(ADDRESS, 0x30));
+                Dial.register(ADDRESS, 0x30)::describeSwitch);
     }
 
     static LinearCamera roadNarrows() {
@@ -71,7 +76,19 @@ final class LinearCamera implements ExtensionModule {
                 Row.roadNarrows('Q'),
                 Dial.roadNarrows('L', 'F', 'E'),
                 Dial.roadNarrows('L', 'U', 'T'),
-                Dial.register(ADDRESS, 0x30));
+                LinearCamera::roadNarrowsLamp);
+    }
+
+    /** There is a command to switch it, and none to ask for it. */
+    private static void roadNarrowsLamp(ParameterTable table, Access access, Parameter parameter) {
+        new UntoldSetting()
+                .describe(
+                        table,
+                        access,
+                        parameter,
+                        wish -> new UntoldSetting.Order(
+                                Question.ask("A,L,L," + (wish.isYes() ? 1 : 0), "a,L,L(,.*)?", Question.msFor(8)),
+                                wish));
     }
 
     @Override
@@ -88,7 +105,7 @@ final class LinearCamera implements ExtensionModule {
                 access,
                 Parameter.number("cameraThreshold", Unit.NONE, "from which value a pixel counts as bright")
                         .within(0, 255));
-        light.describeSwitch(table, access, Parameter.onOff("cameraLight", "the lamp of the camera"));
+        lamp.describe(table, access, Parameter.onOff("cameraLight", "the lamp of the camera"));
     }
 
     private static void row(ParameterTable table, Access access, String name, Row row, String help) {

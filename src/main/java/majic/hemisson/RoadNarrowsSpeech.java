@@ -1,30 +1,41 @@
 package majic.hemisson;
 
 import java.util.List;
+import java.util.Locale;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
+import majic.bot.Value;
 
-/** The speech module behind the RoadNarrows firmware, which takes any text (Hemisson sheet 10). */
+/** The speech module behind the RoadNarrows firmware, which takes any text and stored phrases (Hemisson sheet 10). */
 final class RoadNarrowsSpeech implements ExtensionModule {
-    private static final String SAY = "A,T,S,";
+    /** What a command of 50 characters leaves. */
+    private static final int LONGEST = Question.LONGEST_TEXT - "A,T,S,".length();
 
-    /** Between the commas of a command of 50 characters. */
-    private static final int LONGEST = Question.LONGEST_TEXT - SAY.length();
+    private static final Question BUSY = Question.ask("A,T,Q", "a,T,Q,[0-9A-Fa-f]{1,2}", Question.msFor(8));
 
     @Override
     public void describe(ParameterTable table, Access access) {
-        new Speech().describe(table, access);
+        table.add(
+                Speech.speaking(),
+                access.wanted(BUSY, reply -> Value.yesNo(!reply.rest().matches("T,Q,0+"))));
     }
 
     @Override
     public List<BotCommand> commands(Access access) {
         Parameter text = Parameter.text("text", "what to say, at most " + LONGEST + " letters");
-        return List.of(new BotCommand("say", List.of(text), false, "speaks a text", (values, motion) -> {
-            access.tell(Question.ask(SAY + spoken(values.get(0).toString()), "a,T,S(,.*)?", Question.msFor(8)));
-            return "speaks";
-        }));
+        return List.of(
+                Speech.phrase(number -> access.tell(order("C", String.format(Locale.ROOT, "%02d", number)))),
+                new BotCommand("say", List.of(text), false, "speaks a text", (values, motion) -> {
+                    access.tell(order("S", spoken(values.get(0).toString())));
+                    return "speaks";
+                }));
+    }
+
+    private static Question order(String command, String argument) {
+        return Question.ask(
+                "A,T," + command + "," + argument, "a,T," + command + "(,.*)?", Question.msFor(6 + argument.length()));
     }
 
     private static String spoken(String text) {

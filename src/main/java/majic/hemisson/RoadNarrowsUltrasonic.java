@@ -2,6 +2,7 @@ package majic.hemisson;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -18,9 +19,12 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
     private static final double MM_PER_CM = 10;
 
     private static final Question CENTIMETRES = Question.ask("A,U,U,C", "a,U,U(,.*)?", Question.msFor(8));
+    private static final Question LIGHT = Question.ask("A,U,L", "a,U,L,[0-9A-Fa-f]{1,4}", Question.msFor(10));
     private static final Question MEASURE = Question.ask("A,U,M", "a,U,M(,.*)?", MEASURING_MS);
     private static final Question ALL =
             Question.ask("A,U,A", "a,U,A(,[0-9A-Fa-f]{4}){" + ECHOES + "}", Question.msFor(5 + 5 * ECHOES));
+
+    private final UntoldSetting range = new UntoldSetting();
 
     @Override
     public void describe(ParameterTable table, Access access) {
@@ -30,6 +34,16 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
         table.add(
                 Parameter.list("ultrasonicEchoes", Unit.MM, "all echoes, nearest first; not while it moves"),
                 () -> Value.many(echoes(access)));
+        table.add(
+                Parameter.number("ultrasonicLight", Unit.NONE, "how bright its front is, 0 dark to 255"),
+                access.wanted(
+                        LIGHT,
+                        reply -> Access.count(Integer.parseInt(reply.rest().substring(4), HEX))));
+        range.describe(table, access, Ultrasonic.range().inWholes(), wish -> {
+            int mm = (int) wish.number();
+            String hex = String.format(Locale.ROOT, "A,U,R,%04X", mm);
+            return new UntoldSetting.Order(Question.ask(hex, "a,U,R(,.*)?", Question.msFor(10)), Value.of(mm, Unit.MM));
+        });
     }
 
     private static List<Value> echoes(Access access) {

@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import java.util.List;
+import java.util.function.IntConsumer;
 import majic.bot.BotCommand;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
@@ -17,7 +18,7 @@ final class Speech implements ExtensionModule {
     @Override
     public void describe(ParameterTable table, Access access) {
         table.add(
-                Parameter.yesNo("speaking", "whether its voice is busy"),
+                speaking(),
                 access.wanted(
                         Bus.read(ADDRESS, COMMAND, 1),
                         reply -> Value.yesNo(reply.numbers().get(0) == BUSY)));
@@ -25,12 +26,22 @@ final class Speech implements ExtensionModule {
 
     @Override
     public List<BotCommand> commands(Access access) {
+        return List.of(phrase(number -> access.tell(Bus.write(ADDRESS, COMMAND, number))));
+    }
+
+    /** Whether it speaks, however it is asked. */
+    static Parameter speaking() {
+        return Parameter.yesNo("speaking", "whether its voice is busy");
+    }
+
+    /** The command that has a stored phrase spoken, however that is done. */
+    static BotCommand phrase(IntConsumer speak) {
         Parameter number = Parameter.number("number", Unit.NONE, "which one")
                 .within(1, PHRASES)
                 .inWholes();
-        return List.of(new BotCommand("phrase", List.of(number), false, "speaks a stored phrase", (values, motion) -> {
-            access.tell(Bus.write(ADDRESS, COMMAND, (int) values.get(0).number()));
+        return new BotCommand("phrase", List.of(number), false, "speaks a stored phrase", (values, motion) -> {
+            speak.accept((int) values.get(0).number());
             return "speaks";
-        }));
+        });
     }
 }

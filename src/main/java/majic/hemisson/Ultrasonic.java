@@ -36,7 +36,7 @@ final class Ultrasonic implements ExtensionModule {
     private static final Question ALL = Bus.read(ADDRESS, ECHOES, 2 * MOST_ECHOES);
 
     private final PingAndListen pingAndListen = new PingAndListen();
-    private volatile @Nullable Double rangeMm;
+    private final UntoldSetting range = new UntoldSetting();
 
     /** Pings and reads in turn; while the sensor listens it is not to be pinged again, whoever wants to. */
     private static final class PingAndListen implements Look {
@@ -87,22 +87,17 @@ final class Ultrasonic implements ExtensionModule {
         table.add(
                 Parameter.list("ultrasonicEchoes", Unit.MM, "all echoes, nearest first; not while it moves"),
                 () -> measured(access, ALL, Ultrasonic::echoes));
-        table.add(
-                        Parameter.number("ultrasonicRange", Unit.MM, "how far it listens; the robot does not tell it")
-                                .within(RANGE_STEP_MM, RANGE_STEP_MM * 256),
-                        this::range)
-                .writes(values -> setRange(access, values.get(0).number()));
+        range.describe(table, access, range(), wish -> {
+            int steps = (int) Math.round(wish.number() / RANGE_STEP_MM) - 1;
+            return new UntoldSetting.Order(
+                    Bus.write(ADDRESS, ECHOES, steps), Value.of((steps + 1) * RANGE_STEP_MM, Unit.MM));
+        });
     }
 
-    private Value range() {
-        Double set = rangeMm;
-        return set == null ? Value.unknown("not set since it was connected") : Value.of(set, Unit.MM);
-    }
-
-    private void setRange(Access access, double mm) {
-        int steps = (int) Math.round(mm / RANGE_STEP_MM) - 1;
-        access.tell(Bus.write(ADDRESS, ECHOES, Math.max(0, steps)));
-        rangeMm = (Math.max(0, steps) + 1) * RANGE_STEP_MM;
+    /** How far the sensor can be told to listen. */
+    static Parameter range() {
+        return Parameter.number("ultrasonicRange", Unit.MM, "how far it listens; the robot does not tell it")
+                .within(RANGE_STEP_MM, RANGE_STEP_MM * 256);
     }
 
     /** Who asks again and again is served by the robot's watch. */

@@ -1,0 +1,28 @@
+package majic.hemisson;
+
+import java.util.function.Function;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Value;
+
+/** A setting of a module that the robot takes and does not tell; what it took last is kept here. Thread-safe. */
+final class UntoldSetting {
+    private volatile Value value = Value.unknown("not set since it was connected");
+
+    /** What a wish comes to. Immutable. */
+    record Order(Question question, Value value) {}
+
+    /**
+     * Adds it.
+     *
+     * @param order what is sent for a value, and what it comes to
+     */
+    void describe(ParameterTable table, Access access, Parameter parameter, Function<Value, Order> order) {
+        table.add(parameter, () -> value).writes(values -> take(access, order.apply(values.get(0))));
+    }
+
+    private void take(Access access, Order order) {
+        access.tell(order.question());
+        value = order.value();
+    }
+}
