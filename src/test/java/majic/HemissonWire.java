@@ -1,0 +1,82 @@
+package majic;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.AppenderBase;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.IntStream;
+import majic.bot.TimeSource;
+import org.slf4j.LoggerFactory;
+
+/** Records what a Hemisson's driver writes and hears, and when by the lab's clock, from what it logs of that. */
+final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoCloseable {
+    /** One command or one answer, without its end. */
+    record Said(long nanos, boolean byDriver, String text) {}
+
+    /** A command and its answer. */
+    record Exchange(Said command, Said answer) {
+        /** How long both take at 88 µs a character, ends included, ms. */
+        double lineMs() {
+            return (command.text().length() + 1 + answer.text().length() + 2) * 0.088;
+        }
+    }
+
+    private final Logger logger = (Logger) LoggerFactory.getLogger("majic.hemisson.Conversation");
+    private final Level before = logger.getLevel();
+    private final List<Said> all = new CopyOnWriteArrayList<>();
+    private final TimeSource time;
+
+    HemissonWire(TimeSource time) {
+        this.time = time;
+        logger.setLevel(Level.TRACE);
+        logger.setAdditive(false);
+        logger.addAppender(this);
+        start();
+    }
+
+    /** What was said from the first command that begins so to the first stop after it, both included. */
+    List<Said> motion(String begin) {
+        List<Said> said = List.copyOf(all);
+        int from = first(said, 0, begin);
+        return said.subList(from, first(said, from, "D,0,0") + 1);
+    }
+
+    /** What the driver said from a moment on. */
+    List<Said> commandsSince(long nanos) {
+        return all.stream()
+                .filter(said -> said.byDriver() && said.nanos() >= nanos)
+                .toList();
+    }
+
+    static List<Exchange> exchanges(List<Said> said) {
+        return IntStream.range(0, said.size() - 1)
+                .filter(at -> said.get(at).byDriver() && !said.get(at + 1).byDriver())
+                .mapToObj(at -> new Exchange(said.get(at), said.get(at + 1)))
+                .toList();
+    }
+
+    private static int first(List<Said> said, int from, String begin) {
+        return IntStream.range(from, said.size())
+                .filter(at -> said.get(at).byDriver() && said.get(at).text().startsWith(begin))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @Override
+    protected void append(ILoggingEvent written) {
+        String line = written.getFormattedMessage();
+        if (line.startsWith("> ") || line.startsWith("< ")) {
+            all.add(new Said(time.nanos(), line.startsWith(">"), line.substring(2)));
+        }
+    }
+
+    @Override
+    public void close() {
+        logger.detachAppender(this);
+        logger.setLevel(before);
+        logger.setAdditive(true);
+        stop();
+    }
+}
