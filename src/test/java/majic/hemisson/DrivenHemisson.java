@@ -78,6 +78,11 @@ final class DrivenHemisson implements AutoCloseable {
         });
     }
 
+    /** Whether the robot was told to drive, and has not heard a stop since. */
+    boolean isMoving() {
+        return robot.count("D,3,3") > 0 && !afterMotion().contains("D,0,0");
+    }
+
     /** What the robot heard behind the first motion. */
     List<String> afterMotion() {
         List<String> all = robot.commands();

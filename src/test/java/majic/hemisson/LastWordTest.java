@@ -10,7 +10,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
 /** A program of its own, ended by the system while its robot moves. */
-@Timeout(60)
+@Timeout(120)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has no pseudo-terminals that are serial ports")
 class LastWordTest {
     /** Drives a metre and never closes anything. */
@@ -32,7 +32,7 @@ class LastWordTest {
             robot.awaitMotion();
 
             program.destroy();
-            assertThat(program.waitFor(10, TimeUnit.SECONDS)).isTrue();
+            assertThat(program.waitFor(30, TimeUnit.SECONDS)).isTrue();
 
             robot.awaitStop();
             assertThat(robot.heard()).containsSubsequence("D,3,3", "D,0,0", "E");
