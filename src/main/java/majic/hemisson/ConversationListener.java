@@ -7,8 +7,12 @@ interface ConversationListener {
     /** An exchange came to its good end. */
     void answered(Exchange exchange);
 
-    /** A question was not answered, or was refused; it may be asked again. */
-    void missed(Exchange exchange);
+    /**
+     * A question was not answered, or was refused; it may be asked again.
+     *
+     * @param inMotion whether the robot may have been moving then; by now it may have been stopped
+     */
+    void missed(Exchange exchange, boolean inMotion);
 
     /** The robot was switched on or reset in mid session; it stands. */
     void wasReset();

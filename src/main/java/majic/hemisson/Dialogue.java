@@ -219,10 +219,11 @@ final class Dialogue {
         } else {
             open.failed(why);
         }
-        if (stillness.mayMove() || open.isOfStop()) {
+        boolean inMotion = stillness.mayMove();
+        if (inMotion || open.isOfStop()) {
             stop();
         }
-        return Outcome.missed(open);
+        return Outcome.missed(open, inMotion);
     }
 
     private boolean mayRepeat(Exchange open) {

@@ -19,6 +19,7 @@ record Outcome(Kind kind, @Nullable Exchange exchange) {
         NONE,
         ANSWERED,
         MISSED,
+        MISSED_IN_MOTION,
         RESET
     }
 
@@ -26,8 +27,8 @@ record Outcome(Kind kind, @Nullable Exchange exchange) {
         return new Outcome(Kind.ANSWERED, exchange);
     }
 
-    static Outcome missed(Exchange exchange) {
-        return new Outcome(Kind.MISSED, exchange);
+    static Outcome missed(Exchange exchange, boolean inMotion) {
+        return new Outcome(inMotion ? Kind.MISSED_IN_MOTION : Kind.MISSED, exchange);
     }
 
     void tell(ConversationListener listener) {
@@ -36,7 +37,7 @@ record Outcome(Kind kind, @Nullable Exchange exchange) {
         } else if (exchange != null && kind == Kind.ANSWERED) {
             listener.answered(exchange);
         } else if (exchange != null) {
-            listener.missed(exchange);
+            listener.missed(exchange, kind == Kind.MISSED_IN_MOTION);
         }
     }
 }

@@ -145,12 +145,11 @@ final class Overseer implements ConversationListener {
     }
 
     @Override
-    public void missed(Exchange exchange) {
+    public void missed(Exchange exchange, boolean inMotion) {
         if (exchange.isRefused()) {
             senses.refuse(exchange.question());
         }
-        Session open = session;
-        if (open != null && open.conversation().mayMove()) {
+        if (inMotion) {
             String failure = exchange.failure();
             if (motion.meets(failure == null ? "it missed an answer" : "it missed an answer: " + failure)) {
                 bot.say("it did not answer while moving; it is told to stand again and again; " + MajicHemisson.HELP);

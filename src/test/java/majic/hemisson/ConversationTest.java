@@ -108,7 +108,19 @@ class ConversationTest {
         pass(0.3);
 
         assertThat(link.commands()).containsExactly("D,3,3", "N", "D,0,0");
-        assertThat(told.all()).contains("missed N");
+        assertThat(told.all()).contains("missed N in motion");
+    }
+
+    @Test
+    void aMissInMotionIsToldAsOneThoughTheRobotStandsByThen() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.ask(Question.PROXIMITY);
+        link.answeredBy(command -> hear(command.equals("E") ? "e,00,00" : "d"));
+        pass(0.3);
+
+        assertThat(conversation.isStanding()).isTrue();
+        assertThat(told.all()).contains("missed N in motion");
     }
 
     @Test

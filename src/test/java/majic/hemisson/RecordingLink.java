@@ -3,12 +3,19 @@ package majic.hemisson;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import majic.link.Link;
 import majic.link.Traffic;
 
 /** A link that remembers what was written to it. */
 final class RecordingLink implements Link {
     private final List<String> commands = new ArrayList<>();
+    private Consumer<String> peer = command -> {};
+
+    /** Has somebody answer at once, before the writing has come to its end. */
+    void answeredBy(Consumer<String> whoever) {
+        peer = whoever;
+    }
 
     List<String> commands() {
         return commands;
@@ -26,7 +33,9 @@ final class RecordingLink implements Link {
 
     @Override
     public void write(byte[] message) {
-        commands.add(new String(message, StandardCharsets.ISO_8859_1).replace("\r", ""));
+        String command = new String(message, StandardCharsets.ISO_8859_1).replace("\r", "");
+        commands.add(command);
+        peer.accept(command);
     }
 
     @Override

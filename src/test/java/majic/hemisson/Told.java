@@ -18,8 +18,8 @@ final class Told implements ConversationListener {
     }
 
     @Override
-    public void missed(Exchange exchange) {
-        all.add("missed " + exchange.question().text());
+    public void missed(Exchange exchange, boolean inMotion) {
+        all.add("missed " + exchange.question().text() + (inMotion ? " in motion" : ""));
     }
 
     @Override
