@@ -1,7 +1,6 @@
 package majic.bot;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
@@ -27,6 +26,8 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     private final ParameterTable parameters = new ParameterTable();
     private final List<BotCommand> commands = new CopyOnWriteArrayList<>();
     private final Listeners listeners = new Listeners(this);
+    private final ConnectionLife life =
+            new ConnectionLife(now -> tell(listener -> listener.connectionChanged(this, now)));
     private final Signal changes;
     private final Keeper keeper;
     private final Helm helm;
@@ -36,8 +37,6 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     private volatile Pace pace;
     private volatile String name;
     private volatile @Nullable Member member;
-    private volatile Connection connection = Connection.NEW;
-    private volatile @Nullable LinkLost lostBecause;
     private volatile BotState state = BotState.UNKNOWN;
 
     /** How a robot's connection stands. */
@@ -81,23 +80,16 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      *     what to try, and the robot is in state {@link Connection#LOST}
      */
     public final void connect() {
-        synchronized (this) {
-            if (connection != Connection.NEW && connection != Connection.LOST) {
-                throw new BotException(name + " is " + connection.name().toLowerCase(Locale.ROOT));
-            }
-            if (connection == Connection.NEW) {
-                keeper.start(type.name());
-            }
-            lostBecause = null;
-            become(Connection.CONNECTING);
+        if (life.begin(name)) {
+            keeper.start(type.name());
         }
         try {
             open();
         } catch (RuntimeException | Error e) {
-            endConnecting(Connection.LOST);
+            life.end(Connection.LOST);
             throw e;
         }
-        if (!endConnecting(Connection.CONNECTED)) {
+        if (!life.end(Connection.CONNECTED)) {
             shut();
         }
         requireConnected();
@@ -167,11 +159,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      */
     public final void sendStop() {
         changes.raise();
-        LinkLost cause = lostBecause;
-        if (cause != null) {
-            throw new LinkLost(cause.getMessage(), cause);
-        }
-        if (connection == Connection.CONNECTING || connection == Connection.LOST) {
+        refuseLost();
+        Connection now = life.now();
+        if (now == Connection.CONNECTING || now == Connection.LOST) {
             throw new BotException(name + " is not connected; nobody can tell it to stand");
         }
         if (isConnected()) {
@@ -264,14 +254,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      */
     @Override
     public final void close() {
-        Connection before;
-        synchronized (this) {
-            before = connection;
-            if (before == Connection.CLOSED) {
-                return;
-            }
-            helm.permits().latch(() -> new BotException(name + " is closed"));
-            become(Connection.CLOSED);
+        Connection before = life.close(() -> helm.permits().latch(() -> new BotException(name + " is closed")));
+        if (before == Connection.CLOSED) {
+            return;
         }
         keeper.close();
         changes.raise();
@@ -347,7 +332,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @return the state now
      */
     public final Connection connection() {
-        return connection;
+        return life.now();
     }
 
     /**
@@ -356,7 +341,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @return true while connected
      */
     public final boolean isConnected() {
-        return connection == Connection.CONNECTED;
+        return life.now() == Connection.CONNECTED;
     }
 
     /**
@@ -594,15 +579,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @param cause how it was lost
      */
     protected final void lost(LinkLost cause) {
-        synchronized (this) {
-            if (connection != Connection.CONNECTED && connection != Connection.CONNECTING) {
-                return;
-            }
-            lostBecause = cause;
-            helm.lost(cause);
-            become(Connection.LOST);
+        if (life.lose(cause, () -> helm.lost(cause))) {
+            changes.raise();
         }
-        changes.raise();
     }
 
     /**
@@ -649,7 +628,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     /** How the connection was lost; empty also after an attempt to connect that came to nothing. */
     final Optional<String> lostReason() {
-        return Optional.ofNullable(lostBecause).map(LinkLost::getMessage);
+        return Optional.ofNullable(life.lostBecause()).map(LinkLost::getMessage);
     }
 
     final long readings() {
@@ -657,12 +636,16 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     final void requireConnected() {
-        LinkLost cause = lostBecause;
+        refuseLost();
+        if (!isConnected()) {
+            throw new BotException(name + " is not connected");
+        }
+    }
+
+    private void refuseLost() {
+        LinkLost cause = life.lostBecause();
         if (cause != null) {
             throw new LinkLost(cause.getMessage(), cause);
-        }
-        if (connection != Connection.CONNECTED) {
-            throw new BotException(name + " is not connected");
         }
     }
 
@@ -684,19 +667,6 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
                     parameter + ": " + name + " has no such parameter" + Suggestion.didYouMean(parameter, names));
         }
         return entry;
-    }
-
-    /** Takes the outcome of connecting; false if the robot was closed meanwhile, and then stays so. */
-    private synchronized boolean endConnecting(Connection now) {
-        if (connection == Connection.CONNECTING) {
-            become(now);
-        }
-        return connection != Connection.CLOSED;
-    }
-
-    private void become(Connection now) {
-        connection = now;
-        tell(listener -> listener.connectionChanged(this, now));
     }
 
     private void tell(Consumer<BotListener> news) {

@@ -1,0 +1,61 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import majic.bot.MajicBot.Connection;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Who hears that a connection changes may do what he likes, and hears of every change in its order. */
+@Timeout(20)
+class ConnectionNewsTest implements BotListener {
+    private final FakeBot bot = FakeBot.on(TimeSource.system());
+    private final List<Connection> heard = new CopyOnWriteArrayList<>();
+    private volatile Runnable whenLost = () -> {};
+
+    @BeforeEach
+    void connect() {
+        bot.connect();
+        bot.addListener(this);
+    }
+
+    @AfterEach
+    void close() {
+        bot.close();
+    }
+
+    @Override
+    public void connectionChanged(MajicBot changed, Connection connection) {
+        if (connection == Connection.LOST) {
+            whenLost.run();
+        }
+        heard.add(connection);
+    }
+
+    @Test
+    void aListenerMayWaitForSomebodyWhoClosesTheRobot() {
+        whenLost = () -> CompletableFuture.runAsync(bot::close, task -> new Thread(task).start())
+                .orTimeout(10, TimeUnit.SECONDS)
+                .join();
+
+        bot.cut();
+
+        assertThat(heard).containsExactly(Connection.LOST, Connection.CLOSED);
+    }
+
+    @Test
+    void aListenerMayConnectAgainAtOnce() {
+        whenLost = bot::connect;
+
+        bot.cut();
+
+        assertThat(heard).containsExactly(Connection.LOST, Connection.CONNECTING, Connection.CONNECTED);
+        assertThat(bot.isConnected()).isTrue();
+    }
+}
