@@ -6,23 +6,28 @@ import majic.bot.BotControl;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.MotionReport;
+import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.Permit;
 import majic.bot.Value;
 
-/** A robot on loan. Once the leave is revoked every use of it throws, and nothing reaches the robot any more. */
+/**
+ * A robot on loan. Once the leave is revoked every use of it throws, and nothing reaches the robot any more. A stop by
+ * the borrower ends what he has begun, and takes nobody else's leave. Thread-safe.
+ */
 final class Lease implements BotControl {
     private final Permit permit;
-    private final BotControl robot;
+    private final MajicBot robot;
+    private Permit round = new Permit();
 
     Lease(MajicBot robot, Permit permit) {
         this.permit = permit;
-        this.robot = robot.control(permit);
+        this.robot = robot;
     }
 
-    private BotControl robot() {
+    private synchronized BotControl robot() {
         permit.check();
-        return robot;
+        return robot.control(permit.and(round));
     }
 
     @Override
@@ -47,7 +52,16 @@ final class Lease implements BotControl {
 
     @Override
     public void stop() {
-        robot().stop();
+        endRound();
+        if (robot.isConnected()) {
+            robot.sendStop();
+        }
+    }
+
+    private synchronized void endRound() {
+        permit.check();
+        round.revoke(() -> new MotionStopped("stopped"));
+        round = new Permit();
     }
 
     @Override

@@ -1,8 +1,8 @@
 package majic.bot;
 
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.Stream;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,19 +17,16 @@ public final class Member {
     private final int number;
     private final MajicBot bot;
     private final Lane lane;
-    private @Nullable Owner owner;
-    private @Nullable Loan loan;
+    private final Tenure tenure;
     private int stopsUnderWay;
     private boolean gone;
-
-    /** Somebody the owner gave the robot to for a while, by which leave, and the orders he gives. */
-    private record Loan(Owner to, Permit lease, Lane lane) {}
 
     Member(Team team, int number, MajicBot bot) {
         this.team = team;
         this.number = number;
         this.bot = bot;
         this.lane = new Lane(team, number, bot, () -> mayWork(null));
+        this.tenure = new Tenure(number);
     }
 
     /**
@@ -65,7 +62,7 @@ public final class Member {
      * @return who it is lent to, otherwise its owner; null if nobody
      */
     public synchronized @Nullable Owner owner() {
-        return loan != null ? loan.to : owner;
+        return tenure.holder();
     }
 
     /**
@@ -74,7 +71,7 @@ public final class Member {
      * @return true when the queue is empty, no order or stop is under way, and it is not lent to anybody
      */
     public synchronized boolean isIdle() {
-        return loan == null && lane.isIdle() && stopsUnderWay == 0;
+        return tenure.loan() == null && lane.isIdle() && stopsUnderWay == 0;
     }
 
     /**
@@ -84,7 +81,8 @@ public final class Member {
      * @return true when no order of his, and no stop, is under way
      */
     public synchronized boolean isIdle(@Nullable Owner by) {
-        return loan != null && loan.to == by ? loan.lane.isIdle() && stopsUnderWay == 0 : isIdle();
+        Loan his = tenure.loanTo(by);
+        return his != null ? his.lane().isIdle() && stopsUnderWay == 0 : isIdle();
     }
 
     /**
@@ -116,7 +114,8 @@ public final class Member {
     }
 
     private Lane laneOf(@Nullable Owner by) {
-        return loan != null && loan.to == by ? loan.lane : lane;
+        Loan his = tenure.loanTo(by);
+        return his != null ? his.lane() : lane;
     }
 
     /**
@@ -129,7 +128,8 @@ public final class Member {
     }
 
     private Permit leaveOf(@Nullable Owner by) {
-        return loan != null && loan.to == by ? bot.permit().and(loan.lease) : bot.permit();
+        Loan his = tenure.loanTo(by);
+        return his != null ? his.leave(bot) : bot.permit();
     }
 
     /**
@@ -145,34 +145,12 @@ public final class Member {
         }
         if (moves) {
             team.checkLatch();
-            inTheWayOf(by).ifPresent(other -> {
-                throw other.inTheWay(number);
-            });
-            checkStillIts(by);
+            tenure.check(by);
         }
         if (!hasRoom(by)) {
             throw new BotException(number + ": its queue is full (" + QUEUE_DEPTH + " commands); wait, or \"" + number
                     + " stop\" empties it");
         }
-    }
-
-    /** Whoever was ended, or has given the robot back, may hear of it later than others do. */
-    private void checkStillIts(@Nullable Owner by) {
-        boolean has = by == null || owner == by || (loan != null && loan.to == by);
-        if (!has || (by != null && by.isDismissed())) {
-            throw new MotionStopped("stopped");
-        }
-    }
-
-    /** The owner's own orders wait for their turn while the robot is lent; everybody else's are refused. */
-    private Optional<Owner> inTheWayOf(@Nullable Owner by) {
-        if (loan != null && loan.to == by) {
-            return Optional.empty();
-        }
-        if (owner != null && owner != by) {
-            return Optional.of(owner());
-        }
-        return owner == null && loan != null ? Optional.of(loan.to) : Optional.empty();
     }
 
     /**
@@ -220,10 +198,7 @@ public final class Member {
      */
     public void claim(Owner newOwner) {
         synchronized (this) {
-            inTheWayOf(newOwner).ifPresent(other -> {
-                throw other.inTheWay(number);
-            });
-            owner = newOwner;
+            tenure.claim(newOwner);
         }
         team.tell(listener -> listener.ownerChanged(this));
     }
@@ -235,10 +210,9 @@ public final class Member {
      */
     public void free(Owner oldOwner) {
         synchronized (this) {
-            if (owner != oldOwner) {
+            if (!tenure.free(oldOwner)) {
                 return;
             }
-            owner = null;
         }
         team.changes().raise();
         team.tell(listener -> listener.ownerChanged(this));
@@ -256,16 +230,12 @@ public final class Member {
     public void lend(Owner to, Permit lease, @Nullable Owner by) {
         Loan begun = new Loan(to, lease, new Lane(team, number, bot, () -> mayWork(to)));
         synchronized (this) {
-            Owner other = owner();
-            if (other != null && (other != by || loan != null)) {
-                throw other.inTheWay(number);
-            }
-            if (!lane.isAtRest()) {
+            if (tenure.holder() == by && !lane.isAtRest()) {
                 throw new BotException(number + " is still busy; \"" + number + " wait\" lets it finish first");
             }
-            loan = begun;
+            tenure.lend(begun, by);
         }
-        begun.lane.start("robot " + number + " " + to.name());
+        begun.lane().start("robot " + number + " " + to.name());
         team.tell(listener -> listener.ownerChanged(this));
     }
 
@@ -278,14 +248,13 @@ public final class Member {
     public void takeBack(Owner from) {
         Loan ended;
         synchronized (this) {
-            if (loan == null || loan.to != from) {
-                return;
-            }
-            ended = loan;
-            loan = null;
+            ended = tenure.takeBack(from);
         }
-        ended.lane.close();
-        ended.lane.drop().forEach(pending -> pending.end(Answer.Outcome.NOT_RUN));
+        if (ended == null) {
+            return;
+        }
+        ended.lane().close();
+        ended.lane().drop().forEach(pending -> pending.end(Answer.Outcome.NOT_RUN));
         lane.wake();
         team.changes().raise();
         team.tell(listener -> listener.ownerChanged(this));
@@ -313,15 +282,15 @@ public final class Member {
 
     /** After a lost link nothing resumes by itself, not even when somebody has connected the robot again. */
     void linkLost(String reason) {
-        Owner ended;
+        Loan ended;
         synchronized (this) {
-            if (loan == null) {
+            ended = tenure.loan();
+            if (ended == null) {
                 return;
             }
-            ended = loan.to;
-            loan.lease.revoke(() -> new LinkLost(reason));
+            ended.end(() -> new LinkLost(reason));
         }
-        end(ended);
+        end(ended.to());
     }
 
     void start() {
@@ -330,31 +299,37 @@ public final class Member {
 
     /** Empties the queue and forbids the worker to go on until {@link #stopEnded}. */
     void stopBegins(@Nullable Owner by) {
-        List<Lane> lanes;
-        List<List<Pending>> dropped;
+        Map<Lane, List<Pending>> dropped = new LinkedHashMap<>();
         List<Owner> ended;
         synchronized (this) {
             stopsUnderWay++;
-            if (team.isLatched()) {
-                bot.latch();
+            Loan his = team.isLatched() ? null : tenure.loanTo(by);
+            if (his != null) {
+                dropped.put(his.lane(), his.stop());
+                ended = List.of();
             } else {
-                bot.revokeMotions();
+                ended = revoke(by);
+                lanes().forEach(all -> dropped.put(all, all.drop()));
             }
-            if (loan != null && loan.to != by) {
-                loan.lease.revoke(() -> new MotionStopped("stopped"));
-            }
-            lanes = lanes();
-            dropped = lanes.stream().map(Lane::drop).toList();
-            ended = Stream.of(Optional.ofNullable(loan).map(Loan::to), Optional.ofNullable(owner))
-                    .flatMap(Optional::stream)
-                    .filter(holder -> holder != by)
-                    .toList();
-            ended.forEach(Owner::dismiss);
         }
-        for (int index = 0; index < lanes.size(); index++) {
-            lanes.get(index).tellDropped(dropped.get(index), "stopped");
-        }
+        dropped.forEach((from, orders) -> from.tellDropped(orders, "stopped"));
         ended.forEach(this::end);
+    }
+
+    /** Ends everybody's leave to move it, and tells who has to be ended but for the one who says so. */
+    private List<Owner> revoke(@Nullable Owner by) {
+        if (team.isLatched()) {
+            bot.latch();
+        } else {
+            bot.revokeMotions();
+        }
+        Loan loan = tenure.loan();
+        if (loan != null && !loan.isTo(by)) {
+            loan.end(() -> new MotionStopped("stopped"));
+        }
+        List<Owner> ended = tenure.but(by);
+        ended.forEach(Owner::dismiss);
+        return ended;
     }
 
     /** Allows motion again, unless STOP came anew meanwhile. */
@@ -386,11 +361,12 @@ public final class Member {
     }
 
     private synchronized List<Lane> lanes() {
-        return loan == null ? List.of(lane) : List.of(lane, loan.lane);
+        Loan loan = tenure.loan();
+        return loan == null ? List.of(lane) : List.of(lane, loan.lane());
     }
 
     private synchronized boolean mayWork(@Nullable Owner by) {
-        return stopsUnderWay == 0 && (loan == null || loan.to == by);
+        return stopsUnderWay == 0 && (tenure.loan() == null || tenure.loanTo(by) != null);
     }
 
     void close() {

@@ -14,6 +14,7 @@ import majic.bot.BotException;
 import majic.bot.FakeBot;
 import majic.bot.Member;
 import majic.bot.Order;
+import majic.bot.Owner;
 import majic.bot.SteppedTime;
 import majic.bot.Team;
 import majic.bot.TeamListener;
@@ -277,5 +278,31 @@ class ActRunTest implements TeamListener {
         team.stop(List.of(first), null);
         awaitIdle();
         assertThat(said).contains("1 act: stopped");
+    }
+
+    @Test
+    void itsOwnStopEndsNothingThatSomebodyElseOrdered() throws InterruptedException {
+        Owner script = new Owner(Owner.Kind.SCRIPT, "script", () -> {});
+        ActRun run = alone(new MajicAct() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            protected void behave() {
+                bot.drive(100, 0);
+                bot.stop();
+                bot.move(50);
+            }
+        });
+        first.claim(script);
+        first.submit(
+                new Order("act", true, robot -> {
+                    run.run(script);
+                    return List.of("act: done");
+                }),
+                script);
+        first.submit(new Order("turn 90", true, robot -> List.of("turn 90: " + robot.turn(90))), script);
+        awaitIdle();
+        assertThat(said).anyMatch(line -> line.startsWith("1 turn 90: 90 deg"));
+        assertThat(leader.sent()).containsSubsequence("drive 100 0", "halt", "move 50", "turn 90");
     }
 }

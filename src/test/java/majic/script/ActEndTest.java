@@ -70,4 +70,13 @@ class ActEndTest {
         desk.prompt.awaitAll();
         assertThatItStands();
     }
+
+    @Test
+    void itsOwnStopEndsNothingThatSomebodyElseOrdered() throws Exception {
+        String stops = file("me drive 100 0 for 30s", "wait 1s", "me stop", "me move 50");
+        assertThat(desk.runPipe("repeat 2", "1 act " + stops, "1 turn 90", "end"))
+                .noneMatch(line -> line.contains("not run") || line.contains("failed"))
+                .contains("1 drive 100 0 for 30s: stopped");
+        assertThat(driver.sent()).containsSubsequence("move 50", "turn 90", "move 50", "turn 90");
+    }
 }

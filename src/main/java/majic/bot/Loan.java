@@ -1,0 +1,51 @@
+package majic.bot;
+
+import java.util.List;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot in the hands of somebody its owner gave it to for a while: by which leave, and the orders he gives. Guarded by
+ * the lock of the robot's {@link Member}.
+ */
+final class Loan {
+    private final Owner to;
+    private final Permit lease;
+    private final Lane lane;
+    private Permit round = new Permit();
+
+    Loan(Owner to, Permit lease, Lane lane) {
+        this.to = to;
+        this.lease = lease;
+        this.lane = lane;
+    }
+
+    Owner to() {
+        return to;
+    }
+
+    Lane lane() {
+        return lane;
+    }
+
+    boolean isTo(@Nullable Owner somebody) {
+        return to == somebody;
+    }
+
+    /** What his orders are carried out by. */
+    Permit leave(MajicBot bot) {
+        return bot.permit().and(lease).and(round);
+    }
+
+    /** Ends what he has ordered so far, because he says so himself; he may order anew. */
+    List<Pending> stop() {
+        round.revoke(() -> new MotionStopped("stopped"));
+        round = new Permit();
+        return lane.drop();
+    }
+
+    /** Takes the lease back, and with it the leave to move any robot that was lent by the same. */
+    void end(Supplier<? extends BotException> reason) {
+        lease.revoke(reason);
+    }
+}

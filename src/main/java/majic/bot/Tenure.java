@@ -1,0 +1,114 @@
+package majic.bot;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/** Who has one robot: its owner, and the one it is lent to. Guarded by the lock of the robot's {@link Member}. */
+final class Tenure {
+    private final int robot;
+    private @Nullable Owner owner;
+    private @Nullable Loan loan;
+
+    /**
+     * Nobody's.
+     *
+     * @param robot its number
+     */
+    Tenure(int robot) {
+        this.robot = robot;
+    }
+
+    /** Who it is lent to, otherwise its owner; null if nobody has it. */
+    @Nullable
+    Owner holder() {
+        return loan != null ? loan.to() : owner;
+    }
+
+    @Nullable
+    Loan loan() {
+        return loan;
+    }
+
+    /** The loan, if it is to him; null otherwise. */
+    @Nullable
+    Loan loanTo(@Nullable Owner somebody) {
+        return loan != null && loan.isTo(somebody) ? loan : null;
+    }
+
+    /** Owner and borrower, but for one who is not meant. */
+    List<Owner> but(@Nullable Owner somebody) {
+        return Stream.of(Optional.ofNullable(loan).map(Loan::to), Optional.ofNullable(owner))
+                .flatMap(Optional::stream)
+                .filter(holder -> holder != somebody)
+                .toList();
+    }
+
+    /**
+     * Goes on only for who may order it to move now. The owner's own orders wait for their turn while the robot is lent;
+     * everybody else's are refused.
+     *
+     * @throws BotException if another one is in the way
+     * @throws MotionStopped if he was ended or has given it back, and may not have heard of it yet
+     */
+    void check(@Nullable Owner by) {
+        refuseOthers(by);
+        boolean has = by == null || owner == by || loanTo(by) != null;
+        if (!has || (by != null && by.isDismissed())) {
+            throw new MotionStopped("stopped");
+        }
+    }
+
+    private void refuseOthers(@Nullable Owner by) {
+        if (loanTo(by) != null) {
+            return;
+        }
+        Owner inTheWay = owner == null || owner != by ? holder() : null;
+        if (inTheWay != null) {
+            throw inTheWay.inTheWay(robot);
+        }
+    }
+
+    /**
+     * Becomes somebody's.
+     *
+     * @throws BotException if it is somebody else's
+     */
+    void claim(Owner newOwner) {
+        refuseOthers(newOwner);
+        owner = newOwner;
+    }
+
+    /** Is given back; false if it is not his. */
+    boolean free(Owner oldOwner) {
+        boolean his = owner == oldOwner;
+        if (his) {
+            owner = null;
+        }
+        return his;
+    }
+
+    /**
+     * Is lent.
+     *
+     * @throws BotException if it is somebody else's, or lent already
+     */
+    void lend(Loan begun, @Nullable Owner by) {
+        Owner holder = holder();
+        if (holder != null && (holder != by || loan != null)) {
+            throw holder.inTheWay(robot);
+        }
+        loan = begun;
+    }
+
+    /** Ends a loan; null if he has it not. */
+    @Nullable
+    Loan takeBack(Owner from) {
+        Loan ended = loanTo(from);
+        if (ended != null) {
+            loan = null;
+        }
+        return ended;
+    }
+}
