@@ -3,16 +3,11 @@ package majic.bot;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.Collection;
-import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.Set;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,10 +24,8 @@ public final class Team implements AutoCloseable {
     static final Logger LOG = System.getLogger(Team.class.getName());
 
     private final TimeSource time;
-    private final int maxBots;
     private final Signal changes;
-    private final SortedMap<Integer, Member> members = new TreeMap<>();
-    private final Set<Integer> usedNumbers = new HashSet<>();
+    private final Roster roster;
     private final List<TeamListener> listeners = new CopyOnWriteArrayList<>();
     private volatile boolean latched;
 
@@ -53,8 +46,8 @@ public final class Team implements AutoCloseable {
      */
     public Team(TimeSource time, int maxBots) {
         this.time = time;
-        this.maxBots = maxBots;
         this.changes = time.signal();
+        this.roster = new Roster(maxBots);
     }
 
     /**
@@ -66,44 +59,21 @@ public final class Team implements AutoCloseable {
      * @throws BotException if the number is taken or out of range, or the team is full; the robot was not taken in
      */
     public Member add(MajicBot bot, OptionalInt wanted) {
-        Member member;
-        synchronized (members) {
-            int number = wanted.isPresent() ? checkFree(wanted.getAsInt()) : lowestFree();
-            usedNumbers.add(number);
-            member = new Member(this, number, bot);
-            bot.join(member, "robot " + number + " (" + bot.type().label() + ")");
-            members.put(number, member);
-            if (latched) {
-                bot.latch();
-            }
-        }
-        bot.addListener(new NoticeRelay(member));
+        Member member = roster.add(wanted, number -> place(number, bot));
+        bot.addListener(new MemberNews(this, member));
         member.start();
         tell(listener -> listener.added(member));
         return member;
     }
 
-    private int checkFree(int number) {
-        if (number < 1 || number > maxBots) {
-            throw new BotException(number + ": robots have numbers from 1 to " + maxBots);
+    /** Either STOP sees the new robot among the others, or this sees that STOP is latched. */
+    private Member place(int number, MajicBot bot) {
+        Member member = new Member(this, number, bot);
+        bot.join(member, "robot " + number + " (" + bot.type().label() + ")");
+        if (latched) {
+            bot.latch();
         }
-        if (members.containsKey(number)) {
-            throw new BotException(number + ": there is a robot " + number + " already");
-        }
-        return number;
-    }
-
-    private int lowestFree() {
-        for (int number = 1; number <= maxBots; number++) {
-            if (!usedNumbers.contains(number)) {
-                return number;
-            }
-        }
-        throw new BotException(
-                members.size() < maxBots
-                        ? "all numbers up to " + maxBots
-                                + " were used; add the robot \"as\" the number of a removed one"
-                        : "the team is full (" + maxBots + " robots); remove one first");
+        return member;
     }
 
     /**
@@ -113,13 +83,7 @@ public final class Team implements AutoCloseable {
      * @throws BotException what {@link #add} would throw now
      */
     public void checkRoom(OptionalInt wanted) {
-        synchronized (members) {
-            if (wanted.isPresent()) {
-                checkFree(wanted.getAsInt());
-            } else {
-                lowestFree();
-            }
-        }
+        roster.number(wanted);
     }
 
     /**
@@ -131,10 +95,7 @@ public final class Team implements AutoCloseable {
     public void remove(int number) {
         Member member = member(number);
         member.stopBegins(null);
-        boolean ours;
-        synchronized (members) {
-            ours = members.remove(number, member);
-        }
+        boolean ours = roster.remove(member);
         member.close();
         member.stopEnded();
         if (ours) {
@@ -150,13 +111,7 @@ public final class Team implements AutoCloseable {
      * @throws BotException if there is none; the message lists those there are
      */
     public Member member(int number) {
-        synchronized (members) {
-            Member member = members.get(number);
-            if (member == null) {
-                throw new BotException(number + ": there is no robot " + number + " (" + roll() + ")");
-            }
-            return member;
-        }
+        return roster.member(number);
     }
 
     /**
@@ -165,9 +120,7 @@ public final class Team implements AutoCloseable {
      * @return a snapshot, by number
      */
     public List<Member> members() {
-        synchronized (members) {
-            return List.copyOf(members.values());
-        }
+        return roster.all();
     }
 
     /**
@@ -186,12 +139,7 @@ public final class Team implements AutoCloseable {
      * @return as {@link #roll()} for the whole team
      */
     public static String roll(List<Member> all) {
-        return all.isEmpty()
-                ? "no robots yet; add one"
-                : all.stream()
-                        .map(member ->
-                                member.number() + " " + member.bot().type().label())
-                        .collect(Collectors.joining(", ", "robots: ", ""));
+        return Roster.words(all);
     }
 
     /**
@@ -284,9 +232,7 @@ public final class Team implements AutoCloseable {
         latched = true;
         List<Member> all = members();
         all.forEach(member -> member.stopBegins(null));
-        synchronized (members) {
-            members.clear();
-        }
+        roster.clear();
         AtomicInteger open = new AtomicInteger(all.size());
         for (Member member : all) {
             Runnable close = () -> {
@@ -337,34 +283,5 @@ public final class Team implements AutoCloseable {
             }
         };
         member.bot().time().aside("stopping robot " + member.number(), send);
-    }
-
-    /** Hands a robot's own words on, with its number in front. */
-    private final class NoticeRelay implements BotListener {
-        private final Member member;
-
-        NoticeRelay(Member member) {
-            this.member = member;
-        }
-
-        @Override
-        public void notice(MajicBot bot, String message) {
-            tell(listener -> listener.noticed(member.number(), member.number() + ": " + message));
-        }
-
-        @Override
-        public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
-            if (connection == MajicBot.Connection.LOST) {
-                bot.lostReason().ifPresent(this::lost);
-            } else if (connection == MajicBot.Connection.CONNECTED) {
-                tell(listener -> listener.regained(member));
-            }
-            changes.raise();
-        }
-
-        private void lost(String reason) {
-            member.linkLost(reason);
-            tell(listener -> listener.lost(member, reason));
-        }
     }
 }

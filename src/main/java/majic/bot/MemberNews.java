@@ -1,0 +1,32 @@
+package majic.bot;
+
+/** Hands on to the team's listeners what one of its robots says and what becomes of its link. */
+final class MemberNews implements BotListener {
+    private final Team team;
+    private final Member member;
+
+    MemberNews(Team team, Member member) {
+        this.team = team;
+        this.member = member;
+    }
+
+    @Override
+    public void notice(MajicBot bot, String message) {
+        team.tell(listener -> listener.noticed(member.number(), member.number() + ": " + message));
+    }
+
+    @Override
+    public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
+        if (connection == MajicBot.Connection.LOST) {
+            bot.lostReason().ifPresent(this::lost);
+        } else if (connection == MajicBot.Connection.CONNECTED) {
+            team.tell(listener -> listener.regained(member));
+        }
+        team.changes().raise();
+    }
+
+    private void lost(String reason) {
+        member.linkLost(reason);
+        team.tell(listener -> listener.lost(member, reason));
+    }
+}

@@ -1,0 +1,105 @@
+package majic.bot;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.IntFunction;
+import java.util.stream.Collectors;
+
+/** The robots of a team by number, and which number the next one gets. Thread-safe. */
+final class Roster {
+    private final int maxBots;
+    private final SortedMap<Integer, Member> members = new TreeMap<>();
+    private final Set<Integer> usedNumbers = new HashSet<>();
+
+    Roster(int maxBots) {
+        this.maxBots = maxBots;
+    }
+
+    /**
+     * Takes in a robot.
+     *
+     * @param wanted its number; empty for the lowest that was never used
+     * @param making makes the member of that number; nobody sees the robots meanwhile
+     * @throws BotException if the number is taken or out of range, or there is no room
+     */
+    synchronized Member add(OptionalInt wanted, IntFunction<Member> making) {
+        int number = number(wanted);
+        usedNumbers.add(number);
+        Member member = making.apply(number);
+        members.put(number, member);
+        return member;
+    }
+
+    /**
+     * The number that a robot would get.
+     *
+     * @throws BotException as {@link #add}
+     */
+    synchronized int number(OptionalInt wanted) {
+        return wanted.isPresent() ? checkFree(wanted.getAsInt()) : lowestFree();
+    }
+
+    private int checkFree(int number) {
+        if (number < 1 || number > maxBots) {
+            throw new BotException(number + ": robots have numbers from 1 to " + maxBots);
+        }
+        if (members.containsKey(number)) {
+            throw new BotException(number + ": there is a robot " + number + " already");
+        }
+        return number;
+    }
+
+    private int lowestFree() {
+        for (int number = 1; number <= maxBots; number++) {
+            if (!usedNumbers.contains(number)) {
+                return number;
+            }
+        }
+        throw new BotException(
+                members.size() < maxBots
+                        ? "all numbers up to " + maxBots
+                                + " were used; add the robot \"as\" the number of a removed one"
+                        : "the team is full (" + maxBots + " robots); remove one first");
+    }
+
+    /** Lets a robot go; false if it has gone already. */
+    synchronized boolean remove(Member member) {
+        return members.remove(member.number(), member);
+    }
+
+    synchronized void clear() {
+        members.clear();
+    }
+
+    /**
+     * A robot by its number.
+     *
+     * @throws BotException if there is none; the message lists those there are
+     */
+    synchronized Member member(int number) {
+        Member member = members.get(number);
+        if (member == null) {
+            throw new BotException(number + ": there is no robot " + number + " (" + words(all()) + ")");
+        }
+        return member;
+    }
+
+    /** A snapshot, by number. */
+    synchronized List<Member> all() {
+        return List.copyOf(members.values());
+    }
+
+    /** Who some robots are, for instance {@code robots: 1 Aibo, 2 Pioneer}. */
+    static String words(List<Member> robots) {
+        return robots.isEmpty()
+                ? "no robots yet; add one"
+                : robots.stream()
+                        .map(member ->
+                                member.number() + " " + member.bot().type().label())
+                        .collect(Collectors.joining(", ", "robots: ", ""));
+    }
+}
