@@ -1,10 +1,7 @@
 package majic.script;
 
 import java.util.Collection;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Objects;
-import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import majic.bot.Answer;
@@ -30,8 +27,7 @@ final class Execution {
     private final Tally lines;
     private final Tally own = new Tally();
     private final @Nullable Owner owner;
-    private final boolean lent;
-    private final Set<Member> used = new LinkedHashSet<>();
+    private final Holdings holdings;
     private final long stopsBefore;
     private final boolean latchedBefore;
     private volatile boolean ended;
@@ -54,7 +50,7 @@ final class Execution {
         this.manner = manner;
         this.lines = lines;
         this.owner = act;
-        this.lent = act != null;
+        this.holdings = new Holdings(team, act, act != null);
         this.stopsBefore = stopsBefore;
         this.latchedBefore = session.team().isLatched();
     }
@@ -66,7 +62,7 @@ final class Execution {
         this.manner = Manner.IN_TURN;
         this.lines = line.lines;
         this.owner = new Owner(Owner.Kind.SCRIPT, script, this::end);
-        this.lent = false;
+        this.holdings = new Holdings(team, owner, false);
         this.stopsBefore = line.stopsBefore;
         this.latchedBefore = line.team.isLatched();
     }
@@ -153,14 +149,7 @@ final class Execution {
 
     /** Takes robots into a script. */
     void claim(Collection<Member> members) {
-        if (owner != null) {
-            for (Member member : members) {
-                if (!lent) {
-                    member.claim(owner);
-                }
-                used.add(member);
-            }
-        }
+        holdings.claim(members);
     }
 
     /** Gives an order to each of some robots, or to none. */
@@ -263,7 +252,7 @@ final class Execution {
 
     /** The robots that a plain {@code wait} waits for. */
     Collection<Member> everybody() {
-        return owner == null ? team.members() : Set.copyOf(used);
+        return owner == null ? team.members() : holdings.all();
     }
 
     /** Waits for all orders of a script. */
@@ -277,20 +266,12 @@ final class Execution {
      */
     void stopAllUsed() {
         ended = true;
-        Member failed = own.trouble().map(Tally.Trouble::robot).orElse(null);
-        List<Member> busy = used.stream()
-                .filter(member -> member != failed && !member.isIdle(owner) && !member.isStopping())
-                .toList();
-        if (!team.isLatched() && !busy.isEmpty()) {
-            team.stop(busy, owner);
-        }
+        holdings.stopBusy(own.trouble().map(Tally.Trouble::robot).orElse(null));
     }
 
     /** Gives the robots of a script back. */
     void freeAll() {
-        if (owner != null) {
-            used.forEach(member -> member.free(Objects.requireNonNull(owner)));
-        }
+        holdings.free();
     }
 
     void checkAlive() {

@@ -1,0 +1,71 @@
+package majic.script;
+
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import majic.bot.Member;
+import majic.bot.Owner;
+import majic.bot.Team;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The robots that a script has to itself: those it has commanded so far. A behaviour has them on loan, and neither takes
+ * nor gives back any; a line has none. Used by one thread.
+ */
+final class Holdings {
+    private final Team team;
+    private final @Nullable Owner owner;
+    private final boolean lent;
+    private final Set<Member> used = new LinkedHashSet<>();
+
+    /**
+     * None as yet.
+     *
+     * @param owner who has them; null for a line
+     * @param lent whether they were given to him
+     */
+    Holdings(Team team, @Nullable Owner owner, boolean lent) {
+        this.team = team;
+        this.owner = owner;
+        this.lent = lent;
+    }
+
+    /** A snapshot. */
+    Set<Member> all() {
+        return Set.copyOf(used);
+    }
+
+    /**
+     * Takes robots, which may be his already.
+     *
+     * @throws majic.bot.BotException if one is somebody else's; those before it were taken
+     */
+    void claim(Collection<Member> members) {
+        if (owner == null) {
+            return;
+        }
+        for (Member member : members) {
+            if (!lent) {
+                member.claim(owner);
+            }
+            used.add(member);
+        }
+    }
+
+    /** Stops those that still do something, but for one, and those that a stop is on its way to. */
+    void stopBusy(@Nullable Member exempt) {
+        Collection<Member> busy = used.stream()
+                .filter(member -> member != exempt && !member.isIdle(owner) && !member.isStopping())
+                .toList();
+        if (!team.isLatched() && !busy.isEmpty()) {
+            team.stop(busy, owner);
+        }
+    }
+
+    /** Gives them all back. */
+    void free() {
+        if (owner != null) {
+            used.forEach(member -> member.free(owner));
+        }
+    }
+}
