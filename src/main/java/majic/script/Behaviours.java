@@ -51,11 +51,7 @@ final class Behaviours {
      */
     void check(Command.Act act, Member me, Selection selection) {
         Token at = act.name().at();
-        try {
-            cast(at.text(), find(act.name()).roles(), me, others(act, selection));
-        } catch (BotException e) {
-            throw new ScriptException(at, String.valueOf(e.getMessage()));
-        }
+        ScriptException.placed(at, () -> cast(at.text(), find(act.name()).roles(), me, others(act, selection)));
     }
 
     /** Runs a behaviour in the robot's turn; the order lasts as long as it does. */

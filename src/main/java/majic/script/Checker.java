@@ -1,11 +1,9 @@
 package majic.script;
 
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import majic.bot.BotException;
 import majic.bot.Member;
 import org.jspecify.annotations.Nullable;
 
@@ -13,10 +11,9 @@ import org.jspecify.annotations.Nullable;
  * Looks through a script for what cannot work with the robots that are there, before anything of it runs. Behind an
  * {@code add} or {@code run} robots may be others by then, so what is wrong only for want of a robot is left for later.
  */
-final class Checker implements Statement.Visitor<@Nullable Void> {
+final class Checker extends Inspection {
     private final Session session;
     private final Selection selection;
-    private final List<Mistake> mistakes = new ArrayList<>();
     private final Set<Member> limitsSet = new HashSet<>();
     private boolean teamMayChange;
 
@@ -28,8 +25,8 @@ final class Checker implements Statement.Visitor<@Nullable Void> {
     /** Everything wrong in a script, in its order. */
     static List<Mistake> check(List<Statement> script, Session session, Selection selection) {
         Checker checker = new Checker(session, selection);
-        script.forEach(checker::attempt);
-        return checker.mistakes;
+        checker.walk(script);
+        return checker.mistakes();
     }
 
     /** What is wrong with one command, if anything. */
@@ -37,44 +34,10 @@ final class Checker implements Statement.Visitor<@Nullable Void> {
         return check(List.of(statement), session, selection).stream().findFirst();
     }
 
-    private void attempt(Statement statement) {
-        try {
-            statement.accept(this);
-        } catch (ScriptException e) {
-            mistakes.add(e.mistake());
-        } catch (BotException e) {
-            mistakes.add(new ScriptException(statement.at(), String.valueOf(e.getMessage())).mistake());
-        }
-    }
-
     @Override
-    public @Nullable Void repeat(Statement.Repeat repeat) {
-        repeat.body().forEach(this::attempt);
-        return null;
-    }
-
-    @Override
-    public @Nullable Void whileLoop(Statement.While loop) {
-        head(loop.condition());
-        loop.body().forEach(this::attempt);
-        return null;
-    }
-
-    @Override
-    public @Nullable Void choice(Statement.If choice) {
-        head(choice.condition());
-        choice.body().forEach(this::attempt);
-        choice.otherwise().forEach(this::attempt);
-        return null;
-    }
-
-    private void head(Condition condition) {
-        try {
-            if (!teamMayChange) {
-                Comparing.check(condition, selection, null);
-            }
-        } catch (ScriptException e) {
-            mistakes.add(e.mistake());
+    void inspect(Condition condition) {
+        if (!teamMayChange) {
+            Comparing.check(condition, selection, null);
         }
     }
 

@@ -1,8 +1,9 @@
 package majic.script;
 
+import static majic.script.ScriptException.placed;
+
 import java.util.List;
 import java.util.Locale;
-import majic.bot.BotException;
 import majic.bot.Checks;
 import majic.bot.MajicBot;
 import majic.bot.Member;
@@ -42,21 +43,21 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
     public @Nullable Void move(Command.Move move) {
         until(move.until());
         if (!limitMayChange) {
-            attempt(move.distance().at(), () -> Checks.move(bot, number(move.distance())));
+            placed(move.distance().at(), () -> Checks.move(bot, number(move.distance())));
         }
         return null;
     }
 
     @Override
     public @Nullable Void turn(Command.Turn turn) {
-        attempt(turn.angle().at(), () -> Checks.turn(number(turn.angle())));
+        placed(turn.angle().at(), () -> Checks.turn(number(turn.angle())));
         return until(turn.until());
     }
 
     @Override
     public @Nullable Void drive(Command.Drive drive) {
         double seconds = drive.seconds().orElse(1);
-        attempt(drive.speed().at(), () -> Checks.drive(bot, number(drive.speed()), number(drive.rate()), seconds));
+        placed(drive.speed().at(), () -> Checks.drive(bot, number(drive.speed()), number(drive.rate()), seconds));
         return until(drive.until());
     }
 
@@ -77,7 +78,7 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
         if (!parameter(set.parameter()).writable()) {
             throw new ScriptException(set.parameter(), set.parameter().text() + ": can be read but not set");
         }
-        attempt(
+        placed(
                 at,
                 () -> bot.checkSet(
                         set.parameter().text(),
@@ -133,7 +134,7 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
         if (!isCommand(own.at().text())) {
             throw new ScriptException(own.at(), Help.noSuchCommand(own.at().text(), bot));
         }
-        attempt(
+        placed(
                 place,
                 () -> Checks.run(
                         bot,
@@ -155,11 +156,7 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
     }
 
     private Parameter parameter(Token name) {
-        try {
-            return bot.parameter(name.text());
-        } catch (BotException e) {
-            throw new ScriptException(name, String.valueOf(e.getMessage()));
-        }
+        return placed(name, () -> bot.parameter(name.text()));
     }
 
     private void readable(Token name) {
@@ -170,13 +167,5 @@ final class CommandCheck implements Command.Visitor<@Nullable Void> {
 
     private static double number(Literal literal) {
         return literal.value().number();
-    }
-
-    private static void attempt(Token at, Runnable check) {
-        try {
-            check.run();
-        } catch (BotException e) {
-            throw new ScriptException(at, String.valueOf(e.getMessage()));
-        }
     }
 }

@@ -7,7 +7,7 @@ import majic.bot.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Finds the robots that a script gives orders to, as far as they are there; those it only reads do not count. */
-final class Commanded implements Statement.Visitor<@Nullable Void> {
+final class Commanded extends Walk {
     private final Selection selection;
     private final Set<Member> found = new LinkedHashSet<>();
 
@@ -17,7 +17,7 @@ final class Commanded implements Statement.Visitor<@Nullable Void> {
 
     static Set<Member> in(List<Statement> script, Selection selection) {
         Commanded commanded = new Commanded(selection);
-        script.forEach(statement -> statement.accept(commanded));
+        commanded.walk(script);
         return commanded.found;
     }
 
@@ -29,25 +29,6 @@ final class Commanded implements Statement.Visitor<@Nullable Void> {
                 || command instanceof Command.Set
                 || command instanceof Command.Act
                 || command instanceof Command.Own;
-    }
-
-    @Override
-    public @Nullable Void repeat(Statement.Repeat repeat) {
-        repeat.body().forEach(statement -> statement.accept(this));
-        return null;
-    }
-
-    @Override
-    public @Nullable Void whileLoop(Statement.While loop) {
-        loop.body().forEach(statement -> statement.accept(this));
-        return null;
-    }
-
-    @Override
-    public @Nullable Void choice(Statement.If choice) {
-        choice.body().forEach(statement -> statement.accept(this));
-        choice.otherwise().forEach(statement -> statement.accept(this));
-        return null;
     }
 
     @Override

@@ -3,7 +3,6 @@ package majic.script;
 import java.util.Arrays;
 import java.util.List;
 import majic.bot.BotControl;
-import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.Member;
@@ -116,10 +115,7 @@ final class Orders {
     }
 
     private static String name(Token parameter, MajicBot bot) {
-        try {
-            return bot.parameter(parameter.text()).name();
-        } catch (BotException e) {
-            throw new ScriptException(parameter, String.valueOf(e.getMessage()));
-        }
+        return ScriptException.placed(
+                parameter, () -> bot.parameter(parameter.text()).name());
     }
 }

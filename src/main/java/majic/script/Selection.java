@@ -94,11 +94,7 @@ final class Selection {
     }
 
     private Member member(Token at, int number) {
-        try {
-            return byNumber.apply(number);
-        } catch (BotException e) {
-            throw new ScriptException(at, String.valueOf(e.getMessage()));
-        }
+        return ScriptException.placed(at, () -> byNumber.apply(number));
     }
 
     private static boolean isChosen(Robots.Item item, Member member) {

@@ -1,5 +1,7 @@
 package majic.script;
 
+import static majic.script.ScriptException.placed;
+
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -17,11 +19,7 @@ record SessionCheck(Session session, Selection selection) implements SessionComm
         if (session.comings().isHere(text(add.address()), add.number())) {
             return null;
         }
-        try {
-            session.team().checkRoom(add.number());
-        } catch (BotException e) {
-            throw new ScriptException(add.address().at(), String.valueOf(e.getMessage()));
-        }
+        placed(add.address().at(), () -> session.team().checkRoom(add.number()));
         return null;
     }
 
@@ -49,16 +47,8 @@ record SessionCheck(Session session, Selection selection) implements SessionComm
 
     @Override
     public @Nullable Void trust(SessionCommand.Trust trust) {
-        attempt(trust.act().at(), () -> session.behaviours().acts().find(text(trust.act())));
+        placed(trust.act().at(), () -> session.behaviours().acts().find(text(trust.act())));
         return null;
-    }
-
-    private static void attempt(Token at, Runnable check) {
-        try {
-            check.run();
-        } catch (BotException e) {
-            throw new ScriptException(at, String.valueOf(e.getMessage()));
-        }
     }
 
     @Override
@@ -129,14 +119,12 @@ record SessionCheck(Session session, Selection selection) implements SessionComm
     }
 
     private void address(Literal literal) {
-        try {
+        placed(literal.at(), () -> {
             BotAddress address = BotAddress.parse(text(literal));
             if (!address.scheme().equals(BotAddress.SIMULATED)) {
                 session.factory().type(address.scheme());
             }
-        } catch (BotException e) {
-            throw new ScriptException(literal.at(), String.valueOf(e.getMessage()));
-        }
+        });
     }
 
     /** What was written, without quotes, even if it looks like a number. */

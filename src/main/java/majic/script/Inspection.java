@@ -1,0 +1,42 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.List;
+import majic.bot.BotException;
+
+/** Goes through a script and collects all that is wrong in it, instead of ending with the first mistake. */
+abstract class Inspection extends Walk {
+    private final List<Mistake> mistakes = new ArrayList<>();
+
+    /** What is wrong so far, in its order. */
+    final List<Mistake> mistakes() {
+        return mistakes;
+    }
+
+    /**
+     * Looks at the condition of a block.
+     *
+     * @throws ScriptException if it is wrong; the block behind it is looked at all the same
+     */
+    abstract void inspect(Condition condition);
+
+    @Override
+    final void visit(Statement statement) {
+        try {
+            super.visit(statement);
+        } catch (ScriptException e) {
+            mistakes.add(e.mistake());
+        } catch (BotException e) {
+            mistakes.add(new ScriptException(statement.at(), String.valueOf(e.getMessage())).mistake());
+        }
+    }
+
+    @Override
+    final void head(Condition condition) {
+        try {
+            inspect(condition);
+        } catch (ScriptException e) {
+            mistakes.add(e.mistake());
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package majic.script;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** Goes through all commands of a script, one behind the other, into every block. Runs none of them. */
+abstract class Walk implements Statement.Visitor<@Nullable Void> {
+    /** Goes through some statements. */
+    final void walk(List<Statement> statements) {
+        statements.forEach(this::visit);
+    }
+
+    /** Looks at one statement, and at those in it; who overrides it has to let it do so. */
+    void visit(Statement statement) {
+        statement.accept(this);
+    }
+
+    /** Looks at what a block begins with; nothing unless overridden. */
+    void head(Condition condition) {}
+
+    @Override
+    public final @Nullable Void repeat(Statement.Repeat repeat) {
+        walk(repeat.body());
+        return null;
+    }
+
+    @Override
+    public final @Nullable Void whileLoop(Statement.While loop) {
+        head(loop.condition());
+        walk(loop.body());
+        return null;
+    }
+
+    @Override
+    public final @Nullable Void choice(Statement.If choice) {
+        head(choice.condition());
+        walk(choice.body());
+        walk(choice.otherwise());
+        return null;
+    }
+}
