@@ -77,6 +77,7 @@ public final class ActRun {
     public void run(@Nullable Owner by) {
         List<Member> lent = new ArrayList<>();
         try {
+            leave.check();
             for (Member member : members.values()) {
                 member.lend(owner, cast.lease(), by);
                 lent.add(member);

@@ -77,8 +77,19 @@ final class Cast {
         }
     }
 
-    /** Halts all robots side by side, and blocks as long as the slowest link takes. */
+    /**
+     * Halts all robots side by side, and blocks as long as the slowest link takes: also on a thread that is interrupted,
+     * as acts often are, since whoever gets a robot next must not be halted in another's place.
+     */
     void halt() {
+        boolean interrupted = Thread.interrupted();
+        haltAll();
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void haltAll() {
         List<MajicBot> all = new ArrayList<>(robots.values());
         AtomicInteger moving = new AtomicInteger(all.size() - 1);
         Signal halted = clock().signal();

@@ -224,13 +224,13 @@ public final class Member {
      * @param to who gets it
      * @param lease the leave that his orders are carried out by, for as long as it holds; a stop revokes it
      * @param by the owner, who stays that; null if it has none
-     * @throws BotException if it is somebody else's, or lent already, or still carries out an order, other than the one
-     *     that lends it
+     * @throws BotException if it is somebody else's, or lent already, or a stop is on its way to it, or it still carries
+     *     out an order, other than the one that lends it
      */
     public void lend(Owner to, Permit lease, @Nullable Owner by) {
         Loan begun = new Loan(to, lease, new Lane(team, number, bot, () -> mayWork(to)));
         synchronized (this) {
-            if (tenure.holder() == by && !lane.isAtRest()) {
+            if (tenure.holder() == by && (stopsUnderWay > 0 || !lane.isAtRest())) {
                 throw new BotException(number + " is still busy; \"" + number + " wait\" lets it finish first");
             }
             tenure.lend(begun, by);

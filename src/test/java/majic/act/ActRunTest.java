@@ -63,7 +63,7 @@ class ActRunTest implements TeamListener {
     }
 
     /** Two robots drive side by side, for ever. */
-    private static final class Pair extends MajicAct {
+    private static class Pair extends MajicAct {
         private static final long serialVersionUID = 1;
 
         @Override
@@ -304,5 +304,32 @@ class ActRunTest implements TeamListener {
         awaitIdle();
         assertThat(said).anyMatch(line -> line.startsWith("1 turn 90: 90 deg"));
         assertThat(leader.sent()).containsSubsequence("drive 100 0", "halt", "move 50", "turn 90");
+    }
+
+    @Test
+    void itsRobotsStandBeforeAnybodyElseHasThem() throws InterruptedException {
+        leader.standAfter(1);
+        follower.standAfter(1);
+        order(both(new Pair() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            protected void behave() {
+                bot.drive(100, 0);
+                interrupt();
+            }
+        }));
+        awaitIdle();
+        assertThat(leader.sent()).endsWith("stands");
+        assertThat(follower.sent()).endsWith("stands");
+    }
+
+    @Test
+    void aRobotThatIsJustBeingStoppedIsNotTaken() throws InterruptedException {
+        follower.standAfter(1);
+        team.stop(List.of(second), null);
+        order(pair());
+        time.sleep(0.5);
+        assertThat(said).contains("1 act: failed: 2 is still busy; \"2 wait\" lets it finish first");
     }
 }

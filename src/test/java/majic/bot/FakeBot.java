@@ -23,6 +23,7 @@ public final class FakeBot extends MajicBot {
     private volatile double connectSeconds;
     private volatile boolean stuck;
     private volatile boolean haltsBadly;
+    private volatile double confirmSeconds;
     private volatile Pose pose = Pose.START;
     private volatile Runnable lineIsSlow = () -> {};
     private volatile Runnable toldAhead = () -> {};
@@ -137,6 +138,11 @@ public final class FakeBot extends MajicBot {
         toldAhead = told;
     }
 
+    /** Makes it take a while until a stop is confirmed. */
+    public void standAfter(double seconds) {
+        confirmSeconds = seconds;
+    }
+
     /** Makes stopping fail as no driver should. */
     public void breakDownWhenHalted() {
         haltsBadly = true;
@@ -216,8 +222,20 @@ public final class FakeBot extends MajicBot {
 
     @Override
     protected void confirmHalt() {
+        if (confirmSeconds > 0) {
+            confirmSlowly();
+        }
         if (stuck) {
             throw new LinkLost("takes no more data");
+        }
+    }
+
+    private void confirmSlowly() {
+        try {
+            time().sleep(confirmSeconds);
+            sent.add("stands");
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
     }
 
