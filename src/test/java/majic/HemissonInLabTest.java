@@ -4,9 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Map;
 import java.util.Random;
-import java.util.Set;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.Guard;
@@ -14,7 +12,6 @@ import majic.bot.LinkLost;
 import majic.bot.Settings;
 import majic.bot.TimeSource;
 import majic.hemisson.MajicHemisson;
-import majic.link.Links;
 import majicsim.Lab;
 import majicsim.LabOptions;
 import majicsim.world.Pose;
@@ -26,14 +23,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The Hemisson's driver against the lab's Hemisson, on the lab's stepped clock. */
+/** The Hemisson's driver against the lab's Hemisson, on the lab's stepped time. */
 @Timeout(120)
 class HemissonInLabTest {
     private static final double HULL_MM = 60;
     private static final double ROOM_MM = 10;
 
+    private SimulatedLab simulated;
     private Lab lab;
-    private LabClock clock;
+    private TimeSource time;
     private TimeSource.Membership membership;
     private MajicHemisson bot;
 
@@ -41,8 +39,7 @@ class HemissonInLabTest {
     void closeAll() {
         bot.close();
         membership.close();
-        clock.close();
-        lab.close();
+        simulated.close();
     }
 
     @ParameterizedTest
@@ -95,10 +92,10 @@ class HemissonInLabTest {
         after(1, () -> lab.faults("hemisson").outage(outageSeconds));
 
         assertThatThrownBy(() -> bot.move(1500)).isInstanceOf(BotException.class);
-        clock.sleep(outageSeconds + 2);
+        time.sleep(outageSeconds + 2);
 
         Pose standing = pose();
-        clock.sleep(1);
+        time.sleep(1);
         assertThat(pose()).isEqualTo(standing);
     }
 
@@ -123,14 +120,14 @@ class HemissonInLabTest {
         bot.connect();
 
         Pose standing = pose();
-        clock.sleep(1);
+        time.sleep(1);
         assertThat(pose()).isEqualTo(standing);
     }
 
     private void after(double seconds, Runnable fault) {
-        clock.thread("fault", () -> {
+        time.thread("fault", () -> {
                     try {
-                        clock.sleep(seconds);
+                        time.sleep(seconds);
                         fault.run();
                     } catch (InterruptedException e) {
                         Thread.currentThread().interrupt();
@@ -175,25 +172,12 @@ class HemissonInLabTest {
     }
 
     private void open(LabOptions options) throws Exception {
-        lab = Lab.open(options);
-        Map<String, String> addresses = lab.addresses();
-        Quietness quiet = new Quietness(Links::traffic, lab::lines, Set.copyOf(addresses.values()));
-        clock = new LabClock(
-                new LabClock.Steps() {
-                    @Override
-                    public void step() {
-                        lab.step();
-                    }
-
-                    @Override
-                    public long nanos() {
-                        return lab.nanos();
-                    }
-                },
-                Pacing.stepped(quiet));
-        membership = clock.join();
-        clock.start();
-        bot = new MajicHemisson("tcp://" + addresses.get("hemisson"), new BotEnvironment(clock, Settings.inMemory()));
+        simulated = SimulatedLab.stepped(options);
+        lab = simulated.simulators();
+        time = simulated.time();
+        membership = time.join();
+        String address = simulated.address("hemisson").orElseThrow().rest();
+        bot = new MajicHemisson(address, new BotEnvironment(time, Settings.inMemory()));
         bot.connect();
     }
 }
