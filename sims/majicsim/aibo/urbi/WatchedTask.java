@@ -18,6 +18,7 @@ final class WatchedTask extends Task {
 
     private final Task body;
     private final Watch watch;
+    private boolean holds;
 
     private WatchedTask(Context context, Statement body, Watch watch) {
         super(context);
@@ -42,10 +43,23 @@ final class WatchedTask extends Task {
     protected boolean advance() {
         switch (watch.verdict(elapsedMs())) {
             case STOP -> body.kill();
-            case HOLD -> body.freeze();
-            case RUN -> body.thaw();
+            case HOLD -> hold();
+            case RUN -> letGo();
         }
         return body.step();
+    }
+
+    private void hold() {
+        holds |= !body.isFrozen();
+        body.freeze();
+    }
+
+    /** What somebody else froze, by its tag, stays so. */
+    private void letGo() {
+        if (holds) {
+            holds = false;
+            body.thaw();
+        }
     }
 
     @Override

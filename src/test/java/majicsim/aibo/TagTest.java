@@ -60,6 +60,29 @@ class TagTest {
     }
 
     @Test
+    void whatIsFrozenUnderATimeOutStaysSo() {
+        client.ask("n = 0; timeout(10s) f: loop { n++; wait(100) },", 100);
+        client.say("freeze f;");
+        String frozen = client.ask("n;").get(0);
+
+        assertThat(client.ask("n;", 1000)).containsExactly(frozen);
+
+        client.say("unfreeze f;");
+        client.ask("", 1000);
+        assertThat(client.ask("n;")).doesNotContain(frozen);
+    }
+
+    @Test
+    void aConditionHoldsACommandAndLetsItGo() {
+        client.ask("h = 1; n = 0; freezeif (h == 1) f: loop { n++; wait(100) },", 500);
+        assertThat(client.ask("n;")).containsExactly("[notag] 0.000000");
+
+        client.ask("h = 0;", 500);
+
+        assertThat(client.ask("n;")).doesNotContain("[notag] 0.000000");
+    }
+
+    @Test
     void aBlockedTagIsRefusedSilentlyUntilItIsUnblocked() {
         assertThat(client.ask("block b; b+report: 1; 2;")).containsExactly("[notag] 2.000000");
         assertThat(client.ask("unblock b; b: 1;")).containsExactly("[b] 1.000000");
