@@ -32,7 +32,7 @@ class HemissonPictures {
                     "1 move 200",
                     "1 turn -60",
                     "1 move 3000 until distanceFront < 40",
-                    "1 move 3000 until distanceFront < 40");
+                    "1 move 3000 until distanceFront < 18");
             bot.set("ledLeft", List.of(ON));
             bot.set("beep", List.of(ON));
             lab.team().time().sleep(2);

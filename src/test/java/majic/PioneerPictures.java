@@ -25,10 +25,14 @@ class PioneerPictures {
             new MajicParser(lab.session(), false).parseText("1 drive 300 25 for 9s");
             double heading = bot.state().pose().headingDeg();
             assertThat(lab.await(() -> bot.state().turnRateDegPerSec() > 20
-                            && Math.abs(bot.state().pose().headingDeg() - heading) > 100))
+                            && turnedDeg(heading, bot.state().pose().headingDeg()) > 100))
                     .isTrue();
             PanelPicture.save(large, false, "pioneer.png");
             PanelPicture.save(small, true, "pioneer-small.png");
         }
+    }
+
+    private static double turnedDeg(double from, double to) {
+        return Math.abs(Math.IEEEremainder(to - from, 360));
     }
 }
