@@ -61,6 +61,9 @@ final class Furnisher {
                     HemissonRobot::body,
                     new Door(options.ports().hemisson(), Clients.ONE));
             addPty(hemisson);
+            for (int number = 2; number <= options.pioneers(); number++) {
+                add("pioneer" + number, this::pioneer, PioneerRobot::body, new Door(0, Clients.ONE));
+            }
             return List.copyOf(stations);
         } catch (IllegalArgumentException e) {
             stations.forEach(Station::close);

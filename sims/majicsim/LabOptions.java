@@ -14,6 +14,7 @@ import majicsim.world.Room;
  * @param jitter whether exchanges take 5 to 50 ms, and the Hemisson's line has its true speed; without effect in an exact lab
  * @param pioneerModel which Pioneer stands in it, a name as {@link PioneerRobot#modelNamed} gives it back
  * @param hemisson which Hemisson stands in it
+ * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; where there are more, they stand behind the others
  */
 public record LabOptions(
         Room room,
@@ -22,13 +23,20 @@ public record LabOptions(
         LabPorts ports,
         boolean jitter,
         String pioneerModel,
-        HemissonOptions hemisson) {
+        HemissonOptions hemisson,
+        int pioneers) {
+    /** How many Pioneers a lab has at most. */
+    public static final int MOST_PIONEERS = 9;
+
     /**
-     * Checks the model.
+     * Checks the model and the number.
      *
-     * @throws IllegalArgumentException if there is no such Pioneer; the message lists those there are
+     * @throws IllegalArgumentException if there is no such Pioneer, or not that many; the message lists those there are
      */
     public LabOptions {
+        if (pioneers < 1 || pioneers > MOST_PIONEERS) {
+            throw new IllegalArgumentException("a lab has 1 to " + MOST_PIONEERS + " Pioneers, not " + pioneers);
+        }
         pioneerModel = PioneerRobot.modelNamed(pioneerModel);
     }
 
@@ -57,7 +65,7 @@ public record LabOptions(
      * @return noisy options
      */
     public LabOptions withNoise(long newSeed) {
-        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel, hemisson);
+        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel, hemisson, pioneers);
     }
 
     /**
@@ -67,7 +75,7 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withRoom(Room newRoom) {
-        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel, hemisson);
+        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers);
     }
 
     /**
@@ -77,7 +85,7 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withPorts(LabPorts newPorts) {
-        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel, hemisson);
+        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel, hemisson, pioneers);
     }
 
     /**
@@ -88,7 +96,7 @@ public record LabOptions(
      * @throws IllegalArgumentException if there is no such Pioneer; the message lists those there are
      */
     public LabOptions withPioneer(String newModel) {
-        return new LabOptions(room, exact, seed, ports, jitter, newModel, hemisson);
+        return new LabOptions(room, exact, seed, ports, jitter, newModel, hemisson, pioneers);
     }
 
     /**
@@ -98,11 +106,22 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withHemisson(HemissonOptions newHemisson) {
-        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, newHemisson);
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, newHemisson, pioneers);
+    }
+
+    /**
+     * The same lab with further Pioneers: "pioneer2", "pioneer3" and so on, on free ports.
+     *
+     * @param count how many in all, 1 to {@value #MOST_PIONEERS}
+     * @return the options
+     * @throws IllegalArgumentException if there cannot be that many
+     */
+    public LabOptions withPioneers(int count) {
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, count);
     }
 
     private static LabOptions standard(boolean exact, LabPorts ports) {
         return new LabOptions(
-                Room.standard(), exact, 1, ports, !exact, PioneerRobot.STANDARD_MODEL, HemissonOptions.standard());
+                Room.standard(), exact, 1, ports, !exact, PioneerRobot.STANDARD_MODEL, HemissonOptions.standard(), 1);
     }
 }

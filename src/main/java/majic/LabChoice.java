@@ -87,19 +87,27 @@ final class LabChoice {
             })
     private String hemissonModel = KTEAM;
 
+    @Option(
+            names = "--pioneers",
+            scope = ScopeType.INHERIT,
+            paramLabel = "N",
+            description = "How many Pioneers stand in the lab, 1 to " + LabOptions.MOST_PIONEERS
+                    + " (1); the others are sim:pioneer2, sim:pioneer3 …")
+    private int pioneers = 1;
+
     /** Whether any lab but the usual one is chosen. */
     boolean isGiven() {
         boolean ports = aiboPort != LabPorts.AIBO || pioneerPort != LabPorts.PIONEER || hemissonPort != 0;
         boolean model = !pioneerModel.equalsIgnoreCase(PioneerRobot.STANDARD_MODEL);
         boolean hemisson = !hemissonModel.equalsIgnoreCase(KTEAM);
-        return exact || seed != 1 || world != null || speed != 1 || ports || model || hemisson;
+        return exact || seed != 1 || world != null || speed != 1 || ports || model || hemisson || pioneers != 1;
     }
 
     /** What a lab of this choice is opened with. */
     LabOptions options() throws IOException {
         Room room = world == null ? Room.standard() : Room.load(world);
         LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort));
-        return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson());
+        return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson(), pioneers());
     }
 
     /** Its speed, checked. */
@@ -122,6 +130,13 @@ final class LabChoice {
         } catch (IllegalArgumentException e) {
             throw new UsageException("--pioneer-model " + pioneerModel + ": " + e.getMessage());
         }
+    }
+
+    private int pioneers() {
+        if (pioneers < 1 || pioneers > LabOptions.MOST_PIONEERS) {
+            throw new UsageException("--pioneers " + pioneers + ": outside 1 … " + LabOptions.MOST_PIONEERS);
+        }
+        return pioneers;
     }
 
     private HemissonOptions hemisson() {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import majic.bot.BotAddress;
@@ -20,8 +21,8 @@ import majicsim.world.Point;
 
 /** A simulated lab inside this program: its simulators, and the clock that their robots' drivers share with them. */
 final class SimulatedLab implements LabAccess, AutoCloseable {
-    /** In the order they are numbered. */
-    private static final List<String> ROBOTS = List.of("aibo", "pioneer", "hemisson");
+    /** What tells a further robot of a type from the first: {@code pioneer2}. */
+    private static final Pattern COUNT = Pattern.compile("\\d+$");
 
     private final Lab lab;
     private final LabClock clock;
@@ -81,12 +82,13 @@ final class SimulatedLab implements LabAccess, AutoCloseable {
 
     @Override
     public List<String> robots() {
-        return ROBOTS;
+        return List.copyOf(lab.truePoses().keySet());
     }
 
     @Override
-    public Optional<BotAddress> address(String type) {
-        return Optional.ofNullable(lab.addresses().get(type)).map(where -> new BotAddress(type, "tcp://" + where));
+    public Optional<BotAddress> address(String robot) {
+        String type = COUNT.matcher(robot).replaceFirst("");
+        return Optional.ofNullable(lab.addresses().get(robot)).map(where -> new BotAddress(type, "tcp://" + where));
     }
 
     @Override

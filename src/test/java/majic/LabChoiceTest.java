@@ -11,6 +11,7 @@ import majicsim.hemisson.ModuleKind;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
 class LabChoiceTest {
@@ -37,6 +38,22 @@ class LabChoiceTest {
         assertThatThrownBy(choice::options)
                 .isInstanceOf(UsageException.class)
                 .hasMessageStartingWith("--pioneer-model r2d2: there is no Pioneer model 'r2d2'; known are p3dx, ");
+    }
+
+    @Test
+    void thePioneersAreCounted() throws IOException {
+        line.parseArgs("--pioneers", "3");
+        assertThat(choice.options().pioneers()).isEqualTo(3);
+        assertThat(choice.isGiven()).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0", "10", "-1"})
+    void aNumberOfPioneersThatCannotBeIsRefused(String count) {
+        line.parseArgs("--pioneers", count);
+        assertThatThrownBy(choice::options)
+                .isInstanceOf(UsageException.class)
+                .hasMessage("--pioneers " + count + ": outside 1 … 9");
     }
 
     @Test

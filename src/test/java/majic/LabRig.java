@@ -60,6 +60,11 @@ public final class LabRig implements AutoCloseable {
         return new LabRig(LabOptions.exactOnFreePorts());
     }
 
+    /** A lab of one's own choice, nobody connected yet. */
+    static LabRig of(LabOptions options) {
+        return new LabRig(options);
+    }
+
     /** As {@link #exact()}, with this Pioneer and its extras, as {@code p3dx-sh+gripper}. */
     public static LabRig exactWithPioneer(String model) {
         return new LabRig(LabOptions.exactOnFreePorts().withPioneer(model));

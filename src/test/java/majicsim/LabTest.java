@@ -55,6 +55,19 @@ class LabTest {
     }
 
     @Test
+    void furtherPioneersStandApartFromTheRest() throws IOException {
+        try (Lab many = Lab.open(LabOptions.exactOnFreePorts().withPioneers(3))) {
+            assertThat(many.addresses()).containsKeys("pioneer", "pioneer2", "pioneer3");
+            assertThat(many.truePoses().keySet())
+                    .containsExactly("aibo", "pioneer", "hemisson", "pioneer2", "pioneer3");
+            assertThat(many.truePoses()
+                            .get("pioneer2")
+                            .distanceTo(many.truePoses().get("pioneer3")))
+                    .isGreaterThan(600);
+        }
+    }
+
+    @Test
     void aNoisyLabWithTheSameSeedIsTheSameLabAgain() throws IOException {
         Pose first = poseAfterDriving(7);
         assertThat(poseAfterDriving(7)).isEqualTo(first);

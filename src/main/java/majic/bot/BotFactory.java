@@ -1,15 +1,19 @@
 package majic.bot;
 
 import java.util.Collection;
+import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.WeakHashMap;
 import org.jspecify.annotations.Nullable;
 
 /** Makes robots from the addresses users type. Thread-safe. */
 public final class BotFactory {
     private final List<BotType> types;
     private final Settings settings;
+    private final Map<MajicBot, String> inLab = Collections.synchronizedMap(new WeakHashMap<>());
     private volatile @Nullable LabAccess lab;
 
     /**
@@ -73,7 +77,19 @@ public final class BotFactory {
         BotAddress real = running.address(address.rest())
                 .orElseThrow(() -> new BotException(address + ": the lab has no " + address.rest() + " (it has "
                         + String.join(", ", running.robots()) + ")"));
-        return type(real.scheme()).create(real.rest(), environment(running.time()));
+        MajicBot bot = type(real.scheme()).create(real.rest(), environment(running.time()));
+        inLab.put(bot, address.rest());
+        return bot;
+    }
+
+    /**
+     * Which of the lab's robots one is.
+     *
+     * @param bot a robot
+     * @return its name in the lab it was made for; empty if it was made for none
+     */
+    public Optional<String> nameInLab(MajicBot bot) {
+        return Optional.ofNullable(inLab.get(bot));
     }
 
     private BotEnvironment environment(TimeSource time) {

@@ -54,17 +54,18 @@ public interface LabAccess {
     /**
      * The robots in the lab.
      *
-     * @return the names of their types, in the order they are to be numbered
+     * @return their names, which are those of their types, with a number behind where there are several ({@code
+     *     pioneer2}); in the order they are to be numbered
      */
     List<String> robots();
 
     /**
-     * Where the lab's robot of a type listens.
+     * Where a robot of the lab listens.
      *
-     * @param type the type's name
+     * @param robot its name
      * @return its address as a user could type it, or empty if the lab has none
      */
-    Optional<BotAddress> address(String type);
+    Optional<BotAddress> address(String robot);
 
     /**
      * The clock of the lab, for drivers of its robots.
@@ -76,7 +77,7 @@ public interface LabAccess {
     /**
      * Where the robots really are, in the room's frame.
      *
-     * @return by name of the type, in the lab's order
+     * @return by name of the robot, in the lab's order
      */
     Map<String, Pose> truePoses();
 

@@ -102,7 +102,7 @@ final class MapFeed implements TeamListener, AutoCloseable {
             guessed |= !start.inLab;
             robots.add(robot(member, start, truths));
             if (start.inLab) {
-                strangers.remove(member.bot().type().name());
+                strangers.remove(nameInLab(member));
             }
         }
         return new MapScene(
@@ -119,7 +119,7 @@ final class MapFeed implements TeamListener, AutoCloseable {
                 .toList();
     }
 
-    private static MapScene.Robot robot(Member member, Start start, Map<String, Pose> truths) {
+    private MapScene.Robot robot(Member member, Start start, Map<String, Pose> truths) {
         Pose believed = Frames.at(start.origin, member.bot().state().pose());
         start.trail.add(believed);
         return new MapScene.Robot(
@@ -127,9 +127,13 @@ final class MapFeed implements TeamListener, AutoCloseable {
                 member.bot().type().label(),
                 member.bot().profile().bodyMm(),
                 believed,
-                start.inLab ? truths.get(member.bot().type().name()) : null,
+                start.inLab ? truths.get(nameInLab(member)) : null,
                 start.trail,
                 member.bot().isConnected());
+    }
+
+    private String nameInLab(Member member) {
+        return factory.nameInLab(member.bot()).orElse("");
     }
 
     private Start start(Member member) {
@@ -139,7 +143,7 @@ final class MapFeed implements TeamListener, AutoCloseable {
     private Start startOf(Member member) {
         Pose truth = factory.lab()
                 .filter(lab -> lab.time() == member.time())
-                .map(lab -> lab.truePoses().get(member.bot().type().name()))
+                .map(lab -> lab.truePoses().get(nameInLab(member)))
                 .orElse(null);
         if (truth == null) {
             return new Start(new Pose(0, (1 - member.number()) * GUESSED_APART_MM, 0), false, new Trail());

@@ -96,9 +96,14 @@ final class BehaviourInspection extends Inspection {
             throw new ScriptException(line.at(), "add: a behaviour is given its robots; leave the line out");
         }
         BotAddress address = BotAddress.parse(SessionCheck.text(add.address()));
-        types.put(
-                add.number().getAsInt(),
-                address.scheme().equals(BotAddress.SIMULATED) ? address.rest() : address.scheme());
+        types.put(add.number().getAsInt(), type(address));
+    }
+
+    /** Where a lab has several robots of a type, they have numbers: {@code sim:pioneer2}. */
+    private static String type(BotAddress address) {
+        return address.scheme().equals(BotAddress.SIMULATED)
+                ? address.rest().replaceFirst("\\d+$", "")
+                : address.scheme();
     }
 
     private void robots(Robots robots) {
