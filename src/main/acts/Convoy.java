@@ -1,21 +1,29 @@
+import java.util.ArrayList;
 import java.util.List;
 import majic.act.MajicAct;
 import majic.act.Role;
 import majic.bot.BotControl;
+import majic.bot.BotException;
 import majic.bot.Value;
 
 /**
- * One robot leads, another follows straight behind it at the distance that counts as near for it, by its own sensors.
- * The leader stands when something is near ahead of it, or when who follows has lost sight of it.
+ * One robot leads, others follow in a row straight behind it, each at the distance that counts as near for it, by its own
+ * sensors. All go as fast as the slowest. The leader stands when something is near ahead of it, or when one of those who
+ * follow has lost sight of who goes ahead.
  */
 public final class Convoy extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final double STEP_S = 0.2;
     private static final double CATCHING_UP = 1.5;
 
+    /** Who sees less far ahead than that has run into the robot before it, before it stands. */
+    private static final double SHORTEST_SIGHT_MM = 100;
+
+    private transient List<Integer> lost = List.of();
+
     @Override
     public List<Role> roles() {
-        return List.of(seeing(Role.ME), seeing("follower"));
+        return List.of(seeing(Role.ME), seeing("follower").orMore());
     }
 
     private static Role seeing(String name) {
@@ -24,15 +32,39 @@ public final class Convoy extends MajicAct {
 
     @Override
     protected void behave() {
+        List<BotControl> followers = robots("follower");
+        followers.forEach(follower -> checkSight(follower, followers.indexOf(follower) + 1));
         double pace = number(bot, "cruise");
-        for (boolean together = true; isBlind(bot) || hasRoom(bot); pause(STEP_S)) {
-            if (together != follow(robot("follower"), pace)) {
-                together = !together;
-                say(together ? "together again" : "the follower sees nobody ahead");
-            }
-            bot.drive(together && !isBlind(bot) ? pace : 0, 0);
+        for (BotControl follower : followers) {
+            pace = Math.min(pace, number(follower, "cruise"));
+        }
+        while (followers.stream().anyMatch(Convoy::isBlind)) {
+            pause(STEP_S);
+        }
+        for (; isBlind(bot) || hasRoom(bot); pause(STEP_S)) {
+            tell(follow(followers, pace));
+            bot.drive(lost.isEmpty() && !isBlind(bot) ? pace : 0, 0);
         }
         say("something is in the way");
+    }
+
+    private static void checkSight(BotControl follower, int number) {
+        double sight = number(follower, "near");
+        if (sight < SHORTEST_SIGHT_MM) {
+            throw new BotException("follower " + number + " sees too little: its near is " + Math.round(sight)
+                    + " mm, and whoever follows needs " + Math.round(SHORTEST_SIGHT_MM) + " mm");
+        }
+    }
+
+    /** Those that see nobody ahead, counted from 1. */
+    private static List<Integer> follow(List<BotControl> followers, double pace) {
+        List<Integer> blind = new ArrayList<>();
+        for (int index = 0; index < followers.size(); index++) {
+            if (!follow(followers.get(index), pace)) {
+                blind.add(index + 1);
+            }
+        }
+        return blind;
     }
 
     /** As fast as the leader at the right distance, not at all at half of it; stands, and says no, without a sight. */
@@ -42,6 +74,13 @@ public final class Convoy extends MajicAct {
         double share = sees ? (number(robot, "distanceFront") - half) / half : 0;
         robot.drive(pace * Math.max(0, Math.min(share, CATCHING_UP)), 0);
         return sees;
+    }
+
+    private void tell(List<Integer> blind) {
+        if (!blind.equals(lost)) {
+            lost = blind;
+            say(blind.isEmpty() ? "together again" : "follower " + blind.get(0) + " sees nobody ahead");
+        }
     }
 
     private static boolean hasRoom(BotControl robot) {

@@ -9,6 +9,7 @@ import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import majic.bot.LabAccess;
 import majic.bot.Pose;
+import majicsim.LabOptions;
 import org.junit.jupiter.api.Named;
 
 /** The labs in which every shipped behaviour has to prove itself, and what is measured there. */
@@ -24,6 +25,15 @@ final class ActLabs {
                 Stream.of(Named.of("an exact lab", LabRig::exact)),
                 LongStream.rangeClosed(1, SEEDS)
                         .mapToObj(seed -> Named.of("noisy lab " + seed, () -> LabRig.noisy(seed))));
+    }
+
+    /** The same labs, each with two Pioneers. */
+    static Stream<Named<Supplier<LabRig>>> labsWithTwoPioneers() {
+        LabOptions two = LabOptions.exactOnFreePorts().withPioneers(2);
+        return Stream.concat(
+                Stream.of(Named.of("an exact lab", () -> LabRig.of(two))),
+                LongStream.rangeClosed(1, SEEDS)
+                        .mapToObj(seed -> Named.of("noisy lab " + seed, () -> LabRig.of(two.withNoise(seed)))));
     }
 
     /** A lab with one robot connected, as number 1. */

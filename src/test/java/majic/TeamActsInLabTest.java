@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -66,12 +68,51 @@ class TeamActsInLabTest {
             rig.lab().time().sleep(12);
             Map<String, List<Pose>> ways = ActLabs.watch(rig, 25);
 
-            List<Pose> behind = ways.get("pioneer");
-            assertThat(ways.get("aibo").stream()
-                            .mapToDouble(leader -> leader.distanceMm(
-                                    behind.get(ways.get("aibo").indexOf(leader)))))
-                    .allMatch(apart -> apart > 830 && apart < 1030);
+            assertThat(apart(ways, "aibo", "pioneer")).allMatch(mm -> mm > 830 && mm < 1030);
             assertThat(rig.truePose("aibo").distanceMm(start)).isGreaterThan(2000);
+        }
+    }
+
+    static Stream<Named<Supplier<LabRig>>> labsWithTwoPioneers() {
+        return ActLabs.labsWithTwoPioneers();
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labsWithTwoPioneers")
+    void allWhoFollowInAConvoyKeepTheirDistance(Supplier<LabRig> lab) throws InterruptedException {
+        try (LabRig rig = lab.get()) {
+            ActLabs.place(rig, "hemisson", new Pose(0, -1200, 0));
+            ActLabs.place(rig, "aibo", new Pose(-500, 0, 0));
+            ActLabs.place(rig, "pioneer", new Pose(-1400, 0, 0));
+            ActLabs.place(rig, "pioneer2", new Pose(-2400, 0, 0));
+            List.of("aibo", "pioneer", "pioneer2").forEach(rig::add);
+            rig.say("1 act Convoy with 2,3");
+            rig.lab().time().sleep(12);
+            Map<String, List<Pose>> ways = ActLabs.watch(rig, 20);
+
+            assertThat(apart(ways, "aibo", "pioneer")).allMatch(mm -> mm > 830 && mm < 1030);
+            assertThat(rig.said()).noneMatch(line -> line.contains("sees nobody"));
+            assertThat(apart(ways, "pioneer", "pioneer2")).allMatch(mm -> mm > 1000 && mm < 1150);
+            assertThat(ActLabs.bumps(rig).values()).containsOnly(0);
+        }
+    }
+
+    /** From middle to middle of two robots, mm, each second. */
+    private static List<Double> apart(Map<String, List<Pose>> ways, String ahead, String behind) {
+        List<Pose> after = ways.get(behind);
+        return IntStream.range(0, after.size())
+                .mapToObj(second -> ways.get(ahead).get(second).distanceMm(after.get(second)))
+                .toList();
+    }
+
+    @Test
+    void whoSeesTooLittleToFollowIsRefusedAndNobodyMoves() throws InterruptedException {
+        try (LabRig rig = LabRig.exact().withAllRobots()) {
+            Map<String, Pose> before = rig.lab().truePoses();
+            assertThat(rig.run("2 act Convoy with 1,3"))
+                    .containsExactly("2 act Convoy with 1,3: failed: follower 2 sees too little: its near is 40 mm, and"
+                            + " whoever follows needs 100 mm");
+            assertThat(rig.lab().truePoses()).isEqualTo(before);
         }
     }
 
@@ -92,7 +133,7 @@ class TeamActsInLabTest {
         try (LabRig rig = convoy(lab)) {
             rig.lab().time().sleep(12);
             ActLabs.place(rig, "aibo", new Pose(0, 2500, 0));
-            ActLabs.awaitSaid(rig, "1: Convoy: the follower sees nobody ahead");
+            ActLabs.awaitSaid(rig, "1: Convoy: follower 1 sees nobody ahead");
             rig.lab().time().sleep(1);
             Map<String, Pose> then = rig.lab().truePoses();
             rig.lab().time().sleep(3);

@@ -35,7 +35,7 @@ public final class ActRun {
 
     private final MajicAct act;
     private final String name;
-    private final Map<String, Member> members;
+    private final List<Member> members;
     private final Cast cast;
     private final Signal changes;
     private final Owner owner;
@@ -50,17 +50,18 @@ public final class ActRun {
      *
      * @param act fresh
      * @param name what messages call it
-     * @param members a robot for each of its roles, {@value Role#ME} the first
+     * @param members at least one robot for each of its roles, {@value Role#ME} the first
      * @param leave of all these robots, from when the act was ordered: it may take its time to be loaded, and whoever
      *     stops one of them meanwhile has stopped the act
      */
-    public ActRun(MajicAct act, String name, Map<String, Member> members, Permit leave) {
+    public ActRun(MajicAct act, String name, Map<String, List<Member>> members, Permit leave) {
         this.act = act;
         this.name = name;
         this.leave = leave;
-        this.members = new LinkedHashMap<>(members);
-        Map<String, MajicBot> robots = new LinkedHashMap<>();
-        members.forEach((role, member) -> robots.put(role, member.bot()));
+        this.members = members.values().stream().flatMap(List::stream).toList();
+        Map<String, List<MajicBot>> robots = new LinkedHashMap<>();
+        members.forEach(
+                (role, its) -> robots.put(role, its.stream().map(Member::bot).toList()));
         this.cast = new Cast(robots);
         this.changes = cast.clock().signal();
         this.owner = new Owner(Owner.Kind.ACT, name, this::end);
@@ -78,7 +79,7 @@ public final class ActRun {
         List<Member> lent = new ArrayList<>();
         try {
             leave.check();
-            for (Member member : members.values()) {
+            for (Member member : members) {
                 member.lend(owner, cast.lease(), by);
                 lent.add(member);
             }
@@ -178,7 +179,7 @@ public final class ActRun {
     }
 
     private void tell(String words) {
-        members.values().iterator().next().tell(owner, words);
+        members.get(0).tell(owner, words);
     }
 
     /** Where the act is heard. */

@@ -2,7 +2,6 @@ package majic.act;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,32 +22,34 @@ final class Cast {
 
     private final Permit lease = new Permit();
     private final AtomicBoolean takenBack = new AtomicBoolean();
-    private final Map<String, MajicBot> robots;
-    private final Map<String, BotControl> leases = new LinkedHashMap<>();
+    private final List<MajicBot> all;
+    private final Map<String, List<BotControl>> leases = new LinkedHashMap<>();
 
     /**
      * Robots lent from now on.
      *
-     * @param robots by role, {@value Role#ME} among them
+     * @param robots by role, at least one each; {@value Role#ME} is the first
      */
-    Cast(Map<String, MajicBot> robots) {
-        this.robots = new LinkedHashMap<>(robots);
-        robots.forEach((role, robot) -> leases.put(role, new Lease(robot, lease)));
+    Cast(Map<String, List<MajicBot>> robots) {
+        this.all = robots.values().stream().flatMap(List::stream).toList();
+        robots.forEach((role, its) -> leases.put(
+                role,
+                its.stream().map(robot -> (BotControl) new Lease(robot, lease)).toList()));
     }
 
     /** What the act's own robot goes by. */
     TimeSource clock() {
-        return robots.get(Role.ME).time();
+        return all.get(0).time();
     }
 
-    /** The robot that has a role, as long as it is lent. */
-    BotControl robot(String role) {
-        BotControl lease = leases.get(role);
-        if (lease == null) {
+    /** The robots that have a role, as long as they are lent; at least one. */
+    List<BotControl> robots(String role) {
+        List<BotControl> its = leases.get(role);
+        if (its == null) {
             throw new BotException(
                     "the act has no robot called " + role + " (it has " + String.join(", ", leases.keySet()) + ")");
         }
-        return lease;
+        return its;
     }
 
     /**
@@ -90,7 +91,6 @@ final class Cast {
     }
 
     private void haltAll() {
-        List<MajicBot> all = new ArrayList<>(robots.values());
         AtomicInteger moving = new AtomicInteger(all.size() - 1);
         Signal halted = clock().signal();
         for (MajicBot robot : all.subList(1, all.size())) {

@@ -95,11 +95,22 @@ public abstract class MajicAct extends Thread implements Serializable {
      * @throws BotException if the act has no such role, or no robots yet
      */
     protected final BotControl robot(String role) {
+        return robots(role).get(0);
+    }
+
+    /**
+     * All robots of a role that {@link Role#orMore() may be several}.
+     *
+     * @param role the act's word for it
+     * @return at least one, in the order they were named; of no use any more once the act has ended
+     * @throws BotException if the act has no such role, or no robots yet
+     */
+    protected final List<BotControl> robots(String role) {
         Cast robots = cast;
         if (robots == null) {
             throw new BotException("an act has no robots before it is started");
         }
-        return robots.robot(role);
+        return robots.robots(role);
     }
 
     /**
@@ -130,7 +141,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         wanted.get(0).unfit(robot.type().name(), robot.parameters()).ifPresent(why -> {
             throw new BotException("the robot " + why);
         });
-        start(new Cast(Map.of(Role.ME, robot)), new Audience() {
+        start(new Cast(Map.of(Role.ME, List.of(robot))), new Audience() {
             @Override
             public void said(String words) {
                 LOG.log(Level.INFO, "{0}: {1}", getName(), words);
@@ -155,7 +166,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         joined = begun;
         cast = robots;
         audience = listening;
-        bot = robots.robot(Role.ME);
+        bot = robots.robots(Role.ME).get(0);
         if (calledOff) {
             robots.revoke();
         }

@@ -14,23 +14,28 @@ import org.jspecify.annotations.Nullable;
  * @param name the act's word for it, letters and digits; {@value #ME} is the robot the act is loaded onto
  * @param types the types of robots that will do, as in addresses; empty for any
  * @param parameters the parameters it must have
+ * @param several whether further robots may play it too; of use for the last role of an act
  */
-public record Role(String name, List<String> types, List<String> parameters) {
+public record Role(String name, List<String> types, List<String> parameters, boolean several) {
     /** The role of the robot that an act is loaded onto. */
     public static final String ME = "me";
 
-    private static final Pattern TEXT = Pattern.compile("(\\w+)(?: (\\w+(?:\\|\\w+)*))?(?: \\((\\w+(?:,\\w+)*)\\))?");
+    private static final Pattern TEXT =
+            Pattern.compile("(\\w+)(\\+?)(?: (\\w+(?:\\|\\w+)*))?(?: \\((\\w+(?:,\\w+)*)\\))?");
 
     /**
      * Keeps copies of the lists.
      *
-     * @throws IllegalArgumentException if a name is not letters and digits
+     * @throws IllegalArgumentException if a name is not letters and digits, or several robots shall be {@value #ME}
      */
     public Role {
         types = types.stream().map(type -> type.toLowerCase(Locale.ROOT)).toList();
         parameters = List.copyOf(parameters);
         if (!TEXT.matcher(textOf(name, types, parameters)).matches()) {
             throw new IllegalArgumentException("a role is named in letters and digits, with types and parameters");
+        }
+        if (several && name.equals(ME)) {
+            throw new IllegalArgumentException("an act is loaded onto one robot, so " + ME + " is not several");
         }
     }
 
@@ -41,7 +46,7 @@ public record Role(String name, List<String> types, List<String> parameters) {
      * @return a role with no further needs
      */
     public static Role any(String name) {
-        return new Role(name, List.of(), List.of());
+        return new Role(name, List.of(), List.of(), false);
     }
 
     /**
@@ -51,7 +56,7 @@ public record Role(String name, List<String> types, List<String> parameters) {
      * @return a role with the same parameters
      */
     public Role types(String... wanted) {
-        return new Role(name, List.of(wanted), parameters);
+        return new Role(name, List.of(wanted), parameters, several);
     }
 
     /**
@@ -61,7 +66,17 @@ public record Role(String name, List<String> types, List<String> parameters) {
      * @return a role for the same types
      */
     public Role with(String... wanted) {
-        return new Role(name, types, List.of(wanted));
+        return new Role(name, types, List.of(wanted), several);
+    }
+
+    /**
+     * This role, for one robot or as many as the user assigns. Only the last role of an act can be of this kind.
+     *
+     * @return a role with the same needs
+     * @throws IllegalArgumentException if it is {@value #ME}
+     */
+    public Role orMore() {
+        return new Role(name, types, parameters, true);
     }
 
     /**
@@ -93,17 +108,18 @@ public record Role(String name, List<String> types, List<String> parameters) {
         if (!parts.matches()) {
             throw new IllegalArgumentException("'" + text + "' is not a role, as in: me aibo|pioneer (distanceFront)");
         }
-        return new Role(parts.group(1), listed(parts.group(2), "\\|"), listed(parts.group(3), ","));
+        boolean several = !parts.group(2).isEmpty();
+        return new Role(parts.group(1), listed(parts.group(3), "\\|"), listed(parts.group(4), ","), several);
     }
 
     private static List<String> listed(@Nullable String text, String separator) {
         return text == null ? List.of() : List.of(text.split(separator));
     }
 
-    /** The role as one reads and types it: {@code me aibo|pioneer (distanceFront,bumped)}. */
+    /** The role as one reads and types it: {@code me aibo|pioneer (distanceFront,bumped)}; {@code follower+} for several. */
     @Override
     public String toString() {
-        return textOf(name, types, parameters);
+        return textOf(several ? name + "+" : name, types, parameters);
     }
 
     private static String textOf(String name, List<String> types, List<String> parameters) {

@@ -1,20 +1,30 @@
 package majic.gui;
 
+import java.awt.Window;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
 import majic.act.Role;
 import majic.bot.Member;
 import net.miginfocom.swing.MigLayout;
 
-/** The robots that can play one role, to choose from, and below why the others cannot. */
+/** The robots that can play one role, to choose one from, or several where the role takes more; below, why others cannot. */
 final class RoleChoice extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private final MemberChoice choice;
+    private final transient Role role;
+    private final transient List<Member> fit;
+    private final transient List<MemberChoice> choices = new ArrayList<>();
+    private final JPanel rows =
+            new JPanel(new MigLayout("insets 0, gap 4 4, wrap 3, hidemode 3", "[grow, fill][][]", ""));
+    private final JButton more = MajicDialog.button("One more", this::addOne);
+    private final JButton fewer = MajicDialog.button("One fewer", this::removeOne);
 
     /**
      * A choice that begins with a robot nobody has taken yet, where there is one.
@@ -23,26 +33,61 @@ final class RoleChoice extends JPanel {
      */
     RoleChoice(Role role, LoadTarget target, List<Member> members, Set<Member> taken) {
         super(new MigLayout("insets 0, gap 0 4, wrap 1", "[grow, fill]", ""));
-        List<Member> fit = members.stream()
+        this.role = role;
+        fit = members.stream()
                 .filter(member -> RoleFit.unfit(role, member, target).isEmpty())
                 .toList();
-        choice = new MemberChoice(
-                fit, fit.stream().filter(member -> !taken.contains(member)).findFirst());
-        choice.setName("role " + role.name());
         if (fit.isEmpty()) {
             JLabel nobody = new JLabel("No robot here can play this part.");
             nobody.setForeground(Palette.error());
             add(nobody);
         } else {
-            add(choice, "wmin 0");
+            add(rows, "wmin 0");
+            add(taken);
         }
+        more.setVisible(role.several());
+        fewer.setVisible(role.several());
         add(why(role, target, members), "wmin 0");
     }
 
-    Optional<Member> chosen() {
-        return choice.getSelectedItem() instanceof MemberChoice.Entry entry
-                ? Optional.of(entry.member())
-                : Optional.empty();
+    /** Those that are to play it, in the order they stand; none if nobody can. */
+    List<Member> chosen() {
+        return choices.stream().map(MemberChoice::chosen).toList();
+    }
+
+    private void addOne() {
+        add(Set.copyOf(chosen()));
+    }
+
+    /** One more that begins with a robot of no other part. */
+    private void add(Set<Member> taken) {
+        Optional<Member> free =
+                fit.stream().filter(member -> !taken.contains(member)).findFirst();
+        MemberChoice choice = new MemberChoice(fit, free);
+        choice.setName("role " + role.name() + (choices.isEmpty() ? "" : " " + (choices.size() + 1)));
+        boolean first = choices.isEmpty();
+        choices.add(choice);
+        rows.add(choice, first ? "wmin 0" : "wmin 0, wrap");
+        if (first) {
+            rows.add(more);
+            rows.add(fewer);
+        }
+        changed();
+    }
+
+    private void removeOne() {
+        rows.remove(choices.remove(choices.size() - 1));
+        changed();
+    }
+
+    private void changed() {
+        more.setEnabled(choices.size() < fit.size());
+        fewer.setEnabled(choices.size() > 1);
+        Window window = SwingUtilities.getWindowAncestor(this);
+        if (window != null) {
+            window.setMinimumSize(null);
+            window.pack();
+        }
     }
 
     private static Paragraph why(Role role, LoadTarget target, List<Member> members) {

@@ -11,7 +11,8 @@ final class RoleFit {
     /** What a role asks for: {@code an aibo or pioneer with distanceFront}. */
     static String wanted(Role role) {
         String types = role.types().isEmpty() ? "any robot" : String.join(" or ", role.types());
-        return types + (role.parameters().isEmpty() ? "" : " with " + String.join(", ", role.parameters()));
+        String needs = role.parameters().isEmpty() ? "" : " with " + String.join(", ", role.parameters());
+        return types + needs + (role.several() ? "; one or more" : "");
     }
 
     /** Why a robot cannot be the one a behaviour is loaded onto, as a sentence; empty if it can. */

@@ -39,13 +39,13 @@ final class RolesDialog extends MajicDialog {
         LinkedHashSet<Member> taken = new LinkedHashSet<>();
         for (Role role : offer.roles().subList(1, offer.roles().size())) {
             RoleChoice choice = new RoleChoice(role, target, members, taken);
-            choice.chosen().ifPresent(taken::add);
+            taken.addAll(choice.chosen());
             choices.add(choice);
             row(content, role.name(), choice);
         }
         content.add(outcome, "spanx 2, growx, wmin 0");
         JButton load = button("Load Action", this::load);
-        load.setEnabled(choices.stream().allMatch(choice -> choice.chosen().isPresent()));
+        load.setEnabled(choices.stream().allMatch(choice -> !choice.chosen().isEmpty()));
         fill(content, load, closing("Cancel"));
     }
 

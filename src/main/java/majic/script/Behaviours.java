@@ -2,7 +2,6 @@ package majic.script;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -51,7 +50,8 @@ final class Behaviours {
      */
     void check(Command.Act act, Member me, Selection selection) {
         Token at = act.name().at();
-        ScriptException.placed(at, () -> cast(at.text(), find(act.name()).roles(), me, others(act, selection)));
+        ScriptException.placed(
+                at, () -> Casting.cast(at.text(), find(act.name()).roles(), me, others(act, selection)));
     }
 
     /** Runs a behaviour in the robot's turn; the order lasts as long as it does. */
@@ -61,7 +61,7 @@ final class Behaviours {
         Permit leave = leave(me, others);
         return new Order(text, true, robot -> {
             Found found = find(act.name());
-            Map<String, Member> cast = cast(act.name().text(), found.roles(), me, others);
+            Map<String, List<Member>> cast = Casting.cast(act.name().text(), found.roles(), me, others);
             long began = me.time().nanos();
             run(found, cast, leave, execution);
             return List.of(text
@@ -77,7 +77,7 @@ final class Behaviours {
         return all;
     }
 
-    private void run(Found found, Map<String, Member> cast, Permit leave, Execution execution) {
+    private void run(Found found, Map<String, List<Member>> cast, Permit leave, Execution execution) {
         MajicAct act = found.fresh().get();
         ActRun run = new ActRun(act, found.name(), cast, leave);
         if (act instanceof ScriptAct script) {
@@ -145,39 +145,6 @@ final class Behaviours {
     private static List<Member> others(Command.Act act, Selection selection) {
         Robots others = act.others();
         return others == null ? List.of() : selection.members(others);
-    }
-
-    private static Map<String, Member> cast(String act, List<Role> roles, Member me, List<Member> others) {
-        Map<String, Member> cast = new LinkedHashMap<>();
-        List<Member> given = new ArrayList<>(List.of(me));
-        given.addAll(others);
-        if (given.size() != roles.size()) {
-            throw new BotException(act + ": " + wanted(roles, me));
-        }
-        for (int index = 0; index < roles.size(); index++) {
-            Member member = given.get(index);
-            roles.get(index)
-                    .unfit(member.bot().type().name(), member.bot().parameters())
-                    .ifPresent(why -> {
-                        throw new BotException(act + ": robot " + member.number() + " " + why);
-                    });
-            if (cast.containsValue(member)) {
-                throw new BotException(act + ": robot " + member.number() + " cannot play two parts");
-            }
-            cast.put(roles.get(index).name(), member);
-        }
-        return cast;
-    }
-
-    private static String wanted(List<Role> roles, Member me) {
-        if (roles.size() == 1) {
-            return "needs no further robot than the one it runs on";
-        }
-        List<Role> further = roles.subList(1, roles.size());
-        String numbers = String.join(",", further.stream().map(role -> "N").toList());
-        return "needs " + further.size() + " more ("
-                + String.join(", ", further.stream().map(Role::toString).toList()) + "): " + me.number()
-                + " act NAME with " + numbers;
     }
 
     private Found find(Literal name) {

@@ -2,6 +2,7 @@ package majic.script;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import majic.act.MajicAct;
@@ -77,9 +78,11 @@ public final class ScriptAct extends MajicAct {
         return Behaviour.of(title, text).roles();
     }
 
-    /** Tells it where it runs, before it is started. */
-    void enter(Session session, Owner act, Map<String, Member> cast) {
-        stage = new Stage(session, act, cast);
+    /** Tells it where it runs, before it is started; a robot for each role. */
+    void enter(Session session, Owner act, Map<String, List<Member>> cast) {
+        Map<String, Member> one = new LinkedHashMap<>();
+        cast.forEach((role, robots) -> one.put(role, robots.get(0)));
+        stage = new Stage(session, act, one);
     }
 
     @Override

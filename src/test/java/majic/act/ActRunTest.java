@@ -95,14 +95,44 @@ class ActRunTest implements TeamListener {
     }
 
     private ActRun both(MajicAct act) {
-        Map<String, Member> cast = new LinkedHashMap<>();
-        cast.put(Role.ME, first);
-        cast.put("second", second);
+        Map<String, List<Member>> cast = new LinkedHashMap<>();
+        cast.put(Role.ME, List.of(first));
+        cast.put("second", List.of(second));
         return new ActRun(act, "Pair", cast, first.leave().and(second.leave()));
     }
 
+    /** Sends all who follow away. */
+    private static final class Scatter extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public List<Role> roles() {
+            return List.of(Role.any(Role.ME), Role.any("follower").orMore());
+        }
+
+        @Override
+        protected void behave() {
+            robots("follower").forEach(robot -> robot.move(300));
+        }
+    }
+
+    @Test
+    void severalRobotsPlayARoleThatTakesMore() throws InterruptedException {
+        FakeBot last = FakeBot.on(time);
+        last.connect();
+        Member third = team.add(last, OptionalInt.empty());
+        Map<String, List<Member>> cast = new LinkedHashMap<>();
+        cast.put(Role.ME, List.of(first));
+        cast.put("follower", List.of(second, third));
+        order(new ActRun(new Scatter(), "Scatter", cast, first.leave()));
+        awaitIdle();
+        assertThat(List.of(follower, last))
+                .allSatisfy(robot -> assertThat(robot.sent()).startsWith("move 300"));
+        assertThat(said).contains("1 act: done");
+    }
+
     private ActRun alone(MajicAct act) {
-        return new ActRun(act, "Alone", Map.of(Role.ME, first), first.leave());
+        return new ActRun(act, "Alone", Map.of(Role.ME, List.of(first)), first.leave());
     }
 
     private void awaitIdle() throws InterruptedException {
@@ -199,7 +229,7 @@ class ActRunTest implements TeamListener {
             Deaf deaf = new Deaf();
             member.submit(
                     new Order("act", true, control -> {
-                        new ActRun(deaf, "Deaf", Map.of(Role.ME, member), member.leave()).run(null);
+                        new ActRun(deaf, "Deaf", Map.of(Role.ME, List.of(member)), member.leave()).run(null);
                         return List.of();
                     }),
                     null);

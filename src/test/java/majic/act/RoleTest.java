@@ -20,6 +20,8 @@ class RoleTest {
                 "leader pioneer",
                 "me aibo|pioneer",
                 "follower2 (bumped)",
+                "follower+",
+                "others+ aibo|pioneer (bumped)",
                 "me aibo|pioneer (distanceFront,bumped)"
             })
     void isReadFromItsOwnText(String text) {
@@ -27,7 +29,7 @@ class RoleTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "me and you", "me aibo,pioneer", "me (", "me ()", "me aibo|", "me aibo\nx"})
+    @ValueSource(strings = {"", "me and you", "me aibo,pioneer", "me (", "me ()", "me aibo|", "me aibo\nx", "me+", "+"})
     void refusesWhatIsNoRole(String text) {
         assertThatThrownBy(() -> Role.parse(text)).isInstanceOf(IllegalArgumentException.class);
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.act.ActDetails;
+import majic.act.ActFile;
 import majic.act.ActMaker;
 import majic.act.ActTrust;
 import majic.act.Acts;
@@ -37,14 +38,33 @@ final class OwnActs {
             }
             """;
 
+    private static final String TOGETHER = """
+            import java.util.List;
+            import majic.act.MajicAct;
+            import majic.act.Role;
+
+            public class Together extends MajicAct {
+                @Override
+                public List<Role> roles() {
+                    return List.of(Role.any(Role.ME), Role.any("follower").orMore());
+                }
+
+                @Override
+                protected void behave() {
+                    robots("follower").forEach(robot -> robot.move(30));
+                }
+            }
+            """;
+
     private final Path folder;
+    private final ActTrust trust = new ActTrust(Settings.inMemory());
 
     OwnActs(Path folder) {
         this.folder = folder;
     }
 
     Acts acts() {
-        return new Acts(folder, new ActTrust(Settings.inMemory()));
+        return new Acts(folder, trust);
     }
 
     /** A script as an act, known by its name. */
@@ -70,6 +90,14 @@ final class OwnActs {
         Files.write(
                 folder.resolve(name + ".act"), ActMaker.from(source("Spy", SPY)).make("Spy", details));
         System.clearProperty(FLAG);
+        return this;
+    }
+
+    /** An act with a role for as many as one likes, agreed to. */
+    OwnActs convoy() throws IOException {
+        byte[] file = ActMaker.from(source("Together", TOGETHER)).make("Together", ActDetails.named("Together"));
+        Files.write(folder.resolve("Together.act"), file);
+        trust.agree(ActFile.of("Together", file));
         return this;
     }
 

@@ -18,11 +18,12 @@ class RolesWindowTest {
     private Path folder;
 
     private TestWindow window;
+    private OwnActs own;
 
     @BeforeEach
     void open() throws IOException {
-        window = TestWindow.open(new OwnActs(folder)
-                .script("Relay", "repeat", "1 move 100", "2 move 200", "wait", "wait 100ms", "end")
+        own = new OwnActs(folder);
+        window = TestWindow.open(own.script("Relay", "repeat", "1 move 100", "2 move 200", "wait", "wait 100ms", "end")
                 .script("Trio", "1 move 100", "2 move 100", "3 move 100")
                 .script("WithDog", "add sim:toy as 1", "add sim:aibo as 2", "1 move 100", "2 move 100")
                 .acts());
@@ -69,6 +70,35 @@ class RolesWindowTest {
         window.click("Load Action");
         window.await("the words", () -> window.text("rolesOutcome").startsWith("One robot cannot play two parts"));
         assertThat(window.parser.commands()).isEmpty();
+    }
+
+    @Test
+    void aRoleThatTakesMoreIsPlayedByAsManyAsChosen() throws IOException {
+        own.convoy();
+        window.add("one");
+        ToyBot two = window.add("two");
+        ToyBot three = window.add("three");
+        choose("Together");
+        window.push("One more");
+        window.await("one more", () -> window.isShowing("role follower 2"));
+        assertThat(window.isEnabled("One more")).isFalse();
+        window.push("Load Action");
+        window.await("both to move", () -> two.told.contains("move 30") && three.told.contains("move 30"));
+        assertThat(window.parser.commands()).containsExactly("1 act Together with 2,3");
+    }
+
+    @Test
+    void oneFewerIsBackAtOne() throws IOException {
+        own.convoy();
+        window.add("one");
+        window.add("two");
+        window.add("three");
+        choose("Together");
+        window.push("One more");
+        window.await("one more", () -> window.isShowing("role follower 2"));
+        window.push("One fewer");
+        window.await("one fewer", () -> !window.isShowing("role follower 2"));
+        assertThat(window.isEnabled("One fewer")).isFalse();
     }
 
     @Test

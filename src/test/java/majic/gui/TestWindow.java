@@ -188,6 +188,12 @@ final class TestWindow implements AutoCloseable {
         robot.waitForIdle();
     }
 
+    /** Presses a button without the mouse, where it may still be on its way to another place. */
+    void push(String name) {
+        AbstractButton button = awaitShowing(name, AbstractButton.class);
+        run(button::doClick);
+    }
+
     /** Does something on the event dispatch thread. */
     void run(Runnable action) {
         GuiActionRunner.execute(action::run);

@@ -1,0 +1,61 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import majic.act.Role;
+import majic.bot.BotException;
+import majic.bot.Member;
+
+/** Gives the robots of a line their parts in a behaviour, in the order they are named. */
+final class Casting {
+    private Casting() {}
+
+    /**
+     * Who plays what.
+     *
+     * @param act what messages call the behaviour
+     * @param me the robot it is loaded onto
+     * @param others the further robots
+     * @return at least one robot for each role, in the order of the roles
+     * @throws BotException if they are too few, too many, or cannot play their parts
+     */
+    static Map<String, List<Member>> cast(String act, List<Role> roles, Member me, List<Member> others) {
+        List<Member> given = new ArrayList<>(List.of(me));
+        given.addAll(others);
+        Role last = roles.get(roles.size() - 1);
+        if (given.size() < roles.size() || (given.size() > roles.size() && !last.several())) {
+            throw new BotException(act + ": " + wanted(roles, me));
+        }
+        Map<String, List<Member>> cast = new LinkedHashMap<>();
+        for (int index = 0; index < given.size(); index++) {
+            Role role = roles.get(Math.min(index, roles.size() - 1));
+            Member member = given.get(index);
+            check(act, role, member);
+            if (given.indexOf(member) < index) {
+                throw new BotException(act + ": robot " + member.number() + " cannot play two parts");
+            }
+            cast.computeIfAbsent(role.name(), key -> new ArrayList<>()).add(member);
+        }
+        return cast;
+    }
+
+    private static void check(String act, Role role, Member member) {
+        role.unfit(member.bot().type().name(), member.bot().parameters()).ifPresent(why -> {
+            throw new BotException(act + ": robot " + member.number() + " " + why);
+        });
+    }
+
+    private static String wanted(List<Role> roles, Member me) {
+        if (roles.size() == 1) {
+            return "needs no further robot than the one it runs on";
+        }
+        List<Role> further = roles.subList(1, roles.size());
+        boolean several = further.get(further.size() - 1).several();
+        String numbers = String.join(",", further.stream().map(role -> "N").toList());
+        return "needs " + further.size() + (several ? " or more others (" : " more (")
+                + String.join(", ", further.stream().map(Role::toString).toList()) + "): " + me.number()
+                + " act NAME with " + numbers + (several ? ",…" : "");
+    }
+}
