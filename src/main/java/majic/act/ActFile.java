@@ -191,6 +191,20 @@ public final class ActFile {
     }
 
     /**
+     * The files it brings beside classes, for these to read.
+     *
+     * @return their paths in it, sorted
+     */
+    public List<String> resources() {
+        return contents.entries().keySet().stream()
+                .filter(path -> !path.startsWith("META-INF/"))
+                .filter(path -> !path.equals(ActContents.DATA))
+                .filter(path -> ActNames.classAt(path).isEmpty())
+                .sorted()
+                .toList();
+    }
+
+    /**
      * The packages its classes use. What they find by name at run time is not among them.
      *
      * @return their names, sorted, but for the file's own

@@ -104,8 +104,10 @@ public final class ActMaker {
             }
             NeededClasses needed = NeededClasses.of(actClass, pool, ActFile.MAJIC);
             Suitability.check(needed.parsed().get(actClass), needed.parsed(), ActFile.MAJIC);
-            MajicAct act = FreshAct.of(actClass, new ActClassLoader(actClass, byPath(needed.code()), ActFile.MAJIC));
-            return tried(pack(act, Family.of(actClass, needed.parsed(), ActFile.MAJIC), details, needed.code()));
+            Map<String, byte[]> files = byPath(needed.code());
+            files.putAll(pool.beside(needed.code().keySet()));
+            MajicAct act = FreshAct.of(actClass, new ActClassLoader(actClass, files, ActFile.MAJIC));
+            return tried(pack(act, Family.of(actClass, needed.parsed(), ActFile.MAJIC), details, files));
         } catch (IOException e) {
             throw new ActException(actClass + " " + e.getMessage(), e);
         }
@@ -128,10 +130,10 @@ public final class ActMaker {
         }
     }
 
-    private static byte[] pack(MajicAct act, Family family, ActDetails details, Map<String, byte[]> code)
+    private static byte[] pack(MajicAct act, Family family, ActDetails details, Map<String, byte[]> files)
             throws IOException {
         ActManifest manifest = new ActManifest(act.getClass().getName(), details, majicVersion(), FreshAct.roles(act));
-        return ActWriter.pack(manifest, code, SavedAct.of(act, family));
+        return ActWriter.pack(manifest, files, SavedAct.of(act, family));
     }
 
     private static byte[] tried(byte[] file) {

@@ -20,6 +20,7 @@ final class ActSheet {
                         "signed by: " + signers(file.signers()),
                         "SHA-256: " + file.sha256(),
                         "classes in it: " + orElse(String.join(", ", file.classes()), "none; it needs no consent"),
+                        "other files in it: " + orElse(String.join(", ", file.resources()), "none"),
                         "packages they use: " + orElse(String.join(", ", file.packages()), "none"))
                 .map(Printable::of)
                 .toList();

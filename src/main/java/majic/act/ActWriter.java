@@ -19,16 +19,16 @@ final class ActWriter {
      * Packs a file.
      *
      * @param manifest what it says of itself
-     * @param classes the classes it brings, by name
+     * @param files the classes it brings, and what lies beside them, by path
      * @param data the object stream of the act
      */
-    static byte[] pack(ActManifest manifest, Map<String, byte[]> classes, byte[] data) {
+    static byte[] pack(ActManifest manifest, Map<String, byte[]> files, byte[] data) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ZipOutputStream out = new ZipOutputStream(bytes)) {
             put(out, ActManifest.PATH, manifest.bytes());
             put(out, ActContents.DATA, data);
-            for (Map.Entry<String, byte[]> one : new TreeMap<>(classes).entrySet()) {
-                put(out, ActNames.pathOf(one.getKey()), one.getValue());
+            for (Map.Entry<String, byte[]> one : new TreeMap<>(files).entrySet()) {
+                put(out, one.getKey(), one.getValue());
             }
         } catch (IOException e) {
             throw new IllegalStateException("memory takes what is written to it", e);

@@ -17,7 +17,9 @@ final class BoundedZip {
     static final int MAX_FILE_BYTES = 16 << 20;
 
     private static final int MAX_ENTRIES = 2_000;
-    private static final int MAX_ENTRY_BYTES = 4 << 20;
+    /** How large one entry may be. */
+    static final int MAX_ENTRY_BYTES = 4 << 20;
+
     private static final int MAX_UNPACKED_BYTES = 32 << 20;
 
     private static final int DIRECTORY_END = 0x06054b50;

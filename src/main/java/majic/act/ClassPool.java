@@ -4,10 +4,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
@@ -17,10 +20,18 @@ import org.jspecify.annotations.Nullable;
  * @param label what to call it in errors
  * @param named the classes that were given, by name; one of them may be the act
  * @param root where further classes are looked for; null for nowhere
+ * @param others what else lies in the folder or jar and an act might read, by path
  */
 record ClassPool(
-        String label, Map<String, byte[]> named, @Nullable Path root) {
+        String label, Map<String, byte[]> named, @Nullable Path root, Map<String, Content> others) {
+    /** A file that is read only if it is needed. */
+    interface Content {
+        byte[] read() throws IOException;
+    }
+
     private static final int MAX_CLASSES = 2_000;
+    private static final Pattern NOT_FOR_ACTS =
+            Pattern.compile("META-INF/.*|(.*/)?\\..*|.*\\.(class|java|jar|act)|" + ActContents.DATA);
 
     /**
      * Opens what the user gave.
@@ -38,9 +49,9 @@ record ClassPool(
                 return ofClass(label, given.toAbsolutePath());
             }
             if (kind.endsWith(".java")) {
-                return new ClassPool(label, JavaSource.compile(given), null);
+                return new ClassPool(label, JavaSource.compile(given), null, Map.of());
             }
-            return new ClassPool(label, classesAmong(BoundedZip.unpack(Files.readAllBytes(given))), null);
+            return ofJar(label, BoundedZip.unpack(Files.readAllBytes(given)));
         } catch (NoSuchFileException e) {
             throw new ActException("there is no file " + given, e);
         } catch (Unfit e) {
@@ -61,23 +72,56 @@ record ClassPool(
         for (int i = 0; i < path.getNameCount() && root != null; i++) {
             root = root.getParent();
         }
-        return new ClassPool(label, Map.of(name, bytes), root);
+        return new ClassPool(label, Map.of(name, bytes), root, Map.of());
     }
 
     private static ClassPool ofFolder(String label, Path folder) throws IOException {
-        Map<String, byte[]> files = new HashMap<>();
+        Map<String, byte[]> classes = new HashMap<>();
+        Map<String, Content> others = new HashMap<>();
         try (Stream<Path> found = Files.walk(folder)) {
-            List<Path> classes = found.filter(file -> file.toString().endsWith(".class"))
-                    .limit(MAX_CLASSES + 1)
-                    .toList();
-            if (classes.size() > MAX_CLASSES) {
-                throw new Unfit("has more than " + MAX_CLASSES + " classes; name the act's own class file");
-            }
-            for (Path file : classes) {
-                files.put(folder.relativize(file).toString().replace('\\', '/'), Files.readAllBytes(file));
+            for (Path file : found.filter(Files::isRegularFile).toList()) {
+                String path = folder.relativize(file).toString().replace('\\', '/');
+                if (path.endsWith(".class")) {
+                    checkCount(classes.size());
+                    classes.put(path, Files.readAllBytes(file));
+                } else if (isForActs(path)) {
+                    others.put(path, () -> readFile(file));
+                }
             }
         }
-        return new ClassPool(label, classesAmong(files), null);
+        return new ClassPool(label, classesAmong(classes), null, others);
+    }
+
+    private static void checkCount(int classes) throws Unfit {
+        if (classes == MAX_CLASSES) {
+            throw new Unfit("has more than " + MAX_CLASSES + " classes; name the act's own class file");
+        }
+    }
+
+    private static byte[] readFile(Path file) throws IOException {
+        if (Files.size(file) > BoundedZip.MAX_ENTRY_BYTES) {
+            throw new Unfit("has beside it the file " + file.getFileName() + ", which is larger than "
+                    + (BoundedZip.MAX_ENTRY_BYTES >> 20) + " MB; move it elsewhere");
+        }
+        return Files.readAllBytes(file);
+    }
+
+    private static ClassPool ofJar(String label, Map<String, byte[]> entries) {
+        Map<String, Content> others = new HashMap<>();
+        entries.forEach((path, bytes) -> {
+            if (isForActs(path)) {
+                others.put(path, () -> bytes);
+            }
+        });
+        return new ClassPool(label, classesAmong(entries), null, others);
+    }
+
+    private static boolean isForActs(String path) {
+        return !NOT_FOR_ACTS.matcher(path).matches();
+    }
+
+    private static String folderOf(String path) {
+        return path.substring(0, path.lastIndexOf('/') + 1);
     }
 
     private static Map<String, byte[]> classesAmong(Map<String, byte[]> files) {
@@ -86,6 +130,19 @@ record ClassPool(
                 .filter(name -> !path.startsWith("META-INF/") && !name.endsWith("module-info"))
                 .ifPresent(name -> classes.put(name, bytes)));
         return classes;
+    }
+
+    /** The files that lie in one folder of a folder or jar with some classes, by path: texts or pictures that these may read. */
+    Map<String, byte[]> beside(Collection<String> classes) throws IOException {
+        Set<String> folders =
+                classes.stream().map(name -> folderOf(ActNames.pathOf(name))).collect(Collectors.toSet());
+        Map<String, byte[]> beside = new HashMap<>();
+        for (Map.Entry<String, Content> other : others.entrySet()) {
+            if (folders.contains(folderOf(other.getKey()))) {
+                beside.put(other.getKey(), other.getValue().read());
+            }
+        }
+        return beside;
     }
 
     /** The code of a class, or null if it is not here. */

@@ -71,6 +71,42 @@ class ActMakerTest {
     }
 
     @Test
+    void whatLiesBesideItsClassesIsPackedAndRead() throws Exception {
+        Path reader = Files.writeString(folder.resolve("Reader.java"), """
+                package far.away;
+                public class Reader extends majic.act.MajicAct {
+                    private final String words;
+                    public Reader() throws java.io.IOException {
+                        try (var in = getClass().getResourceAsStream("words.txt")) {
+                            words = new String(in.readAllBytes());
+                        }
+                    }
+                    protected void behave() { say(words); }
+                }
+                """);
+        compiled.putAll(JavaSource.compile(reader));
+        Path root = unpacked();
+        Files.writeString(root.resolve("far/away/words.txt"), "hello");
+        Files.writeString(root.resolve("far/away/Reader.java"), "a source");
+        Files.writeString(root.resolve("far/elsewhere.txt"), "not of its package");
+        ActFile file = ActFile.of("reader.act", ActMaker.from(root).make("far.away.Reader", DETAILS));
+        assertThat(file.resources()).containsExactly("far/away/words.txt");
+        assertThat(file.describe()).contains("other files in it: far/away/words.txt");
+        Class<?> loaded = file.load(Sources.trusting(file)).getClass();
+        assertThat(loaded.getResourceAsStream("words.txt")).hasContent("hello");
+    }
+
+    @Test
+    void aFileBesideItThatIsTooLargeIsNamed() throws IOException {
+        Path root = unpacked();
+        Files.write(root.resolve("far/away/map.bin"), new byte[BoundedZip.MAX_ENTRY_BYTES + 1]);
+        ActMaker maker = ActMaker.from(root);
+        assertThatThrownBy(() -> maker.make("far.away.Wander", DETAILS))
+                .hasMessage(
+                        "far.away.Wander has beside it the file map.bin, which is larger than 4 MB; move it elsewhere");
+    }
+
+    @Test
     void aClassThatIsMissingIsNamedWithItsUser() throws IOException {
         compiled.remove("far.away.Helper");
         ActMaker maker = ActMaker.from(unpacked());
