@@ -11,6 +11,9 @@ import majic.bot.Settings;
 public record ActTrust(Settings settings) {
     private static final String KEY = "act.trusted.";
 
+    /** In place of a name, which no act has. */
+    private static final String TAKEN_BACK = "";
+
     /**
      * Whether a file may be loaded.
      *
@@ -18,9 +21,13 @@ public record ActTrust(Settings settings) {
      * @return true if it has no code of its own, came with MAJIC, or was agreed to before
      */
     public boolean isTrusted(ActFile file) {
-        return !file.carriesCode()
-                || file.isShipped()
-                || settings.get(KEY + file.sha256()).isPresent();
+        return !file.carriesCode() || file.isShipped() || isAgreed(file.sha256());
+    }
+
+    private boolean isAgreed(String sha256) {
+        return settings.get(KEY + sha256)
+                .filter(name -> !name.equals(TAKEN_BACK))
+                .isPresent();
     }
 
     /**
@@ -31,6 +38,22 @@ public record ActTrust(Settings settings) {
      * @throws majic.bot.BotException if that could not be written down; it then holds until the program ends
      */
     public void agree(ActFile file) {
-        settings.put(KEY + file.sha256(), file.details().name());
+        String name = file.details().name();
+        settings.put(KEY + file.sha256(), name.equals(TAKEN_BACK) ? file.actClass() : name);
+    }
+
+    /**
+     * Takes the consent to a file back. What runs of it goes on; the next load is refused.
+     *
+     * @param sha256 the hash of the whole file, 64 hexadecimal digits; the file itself may be gone
+     * @return whether it had been agreed to
+     * @throws majic.bot.BotException if that could not be written down; it then holds until the program ends
+     */
+    public boolean takeBack(String sha256) {
+        boolean agreed = isAgreed(sha256);
+        if (agreed) {
+            settings.put(KEY + sha256, TAKEN_BACK);
+        }
+        return agreed;
     }
 }

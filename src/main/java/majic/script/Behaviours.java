@@ -142,6 +142,19 @@ final class Behaviours {
         return told;
     }
 
+    /** Takes the consent to a file back. */
+    String trustOff(String nameOrHash) {
+        boolean agreed = acts.trust().takeBack(hashOf(nameOrHash));
+        return "trust off " + nameOrHash + ": " + (agreed ? "done" : "nobody had agreed to that file");
+    }
+
+    /** The hash that was given, or that of the file. */
+    String hashOf(String nameOrHash) {
+        return nameOrHash.matches("[0-9a-fA-F]{64}")
+                ? nameOrHash.toLowerCase(Locale.ROOT)
+                : acts.find(nameOrHash).sha256();
+    }
+
     private static List<Member> others(Command.Act act, Selection selection) {
         Robots others = act.others();
         return others == null ? List.of() : selection.members(others);

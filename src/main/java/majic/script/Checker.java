@@ -70,10 +70,12 @@ final class Checker extends Inspection {
         return null;
     }
 
-    /** Whether other robots may be there once this has been done. */
+    /** Whether other robots may be there, or other code be agreed to, once this has been done. */
     static boolean changesTeam(SessionCommand command) {
         return command instanceof SessionCommand.Add
                 || command instanceof SessionCommand.Remove
-                || command instanceof SessionCommand.Run;
+                || command instanceof SessionCommand.Run
+                || command instanceof SessionCommand.Trust
+                || command instanceof SessionCommand.TrustOff;
     }
 }

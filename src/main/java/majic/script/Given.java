@@ -81,7 +81,7 @@ record Given(Statement statement, String text, Set<Integer> robots, long stops) 
                 || (statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.Run);
     }
 
-    /** Whether other robots may be there afterwards. */
+    /** Whether other robots may be there afterwards, or other code be agreed to. */
     boolean changesTeam() {
         return isBlock() || (statement instanceof Statement.ForSession line && Checker.changesTeam(line.command()));
     }

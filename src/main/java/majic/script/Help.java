@@ -43,7 +43,9 @@ final class Help {
             entry("run", "run FILE: runs a script"),
             entry("save", "save session FILE, save log FILE: what was done as a script, what was logged as CSV"),
             entry("lab", "lab: the true poses in the simulated lab"),
-            entry("trust", "trust FILE [HASH]: what code a behaviour brings; with its hash you agree to run it"),
+            entry(
+                    "trust",
+                    "trust FILE [HASH]: what code a behaviour brings; with its hash you agree to run it; trust off FILE takes that back"),
             entry("quit", "quit: stops and closes all robots and ends MAJIC")));
 
     private static final Map<String, String> BLOCKS = new TreeMap<>(Map.of(

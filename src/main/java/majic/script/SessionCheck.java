@@ -52,6 +52,12 @@ record SessionCheck(Session session, Selection selection) implements SessionComm
     }
 
     @Override
+    public @Nullable Void trustOff(SessionCommand.TrustOff trustOff) {
+        placed(trustOff.fileOrHash().at(), () -> session.behaviours().hashOf(text(trustOff.fileOrHash())));
+        return null;
+    }
+
+    @Override
     public @Nullable Void release(SessionCommand.Release release) {
         return null;
     }

@@ -21,6 +21,8 @@ sealed interface SessionCommand {
 
         R trust(Trust trust);
 
+        R trustOff(TrustOff trustOff);
+
         R release(Release release);
 
         R run(Run run);
@@ -83,6 +85,14 @@ sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.trust(this);
+        }
+    }
+
+    /** Takes the consent to a file back; the file may be gone, and is named by its hash then. */
+    record TrustOff(Literal fileOrHash) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.trustOff(this);
         }
     }
 

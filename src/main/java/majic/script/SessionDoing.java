@@ -74,6 +74,12 @@ final class SessionDoing implements SessionCommand.Visitor<@Nullable Void> {
     }
 
     @Override
+    public @Nullable Void trustOff(SessionCommand.TrustOff trustOff) {
+        answer(session.behaviours().trustOff(SessionCheck.text(trustOff.fileOrHash())));
+        return null;
+    }
+
+    @Override
     public @Nullable Void release(SessionCommand.Release release) {
         session.team().release();
         return null;

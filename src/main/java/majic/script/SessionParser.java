@@ -73,8 +73,11 @@ final class SessionParser {
         throw at.unexpected("\"session\" or \"log\"");
     }
 
-    /** {@code trust = "trust" ACT [ HASH ] ;} */
+    /** {@code trust = "trust" ( ACT [ HASH ] | "off" ( ACT | HASH ) ) ;} */
     private SessionCommand trust() {
+        if (at.match("off")) {
+            return new SessionCommand.TrustOff(at.value("a behaviour's name, or the hash of its file", false));
+        }
         Literal act = at.value("a behaviour's name", false);
         return new SessionCommand.Trust(act, at.peek().isEnd() ? null : at.value("the hash of its file", false));
     }

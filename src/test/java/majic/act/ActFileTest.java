@@ -79,6 +79,17 @@ class ActFileTest {
     }
 
     @Test
+    void consentCanBeTakenBackByTheHashAlone() {
+        ActFile file = ActFile.of("wander.act", wander);
+        ActTrust trust = Sources.trusting(file);
+        assertThat(trust.takeBack(file.sha256())).isTrue();
+        assertThat(trust.isTrusted(file)).isFalse();
+        assertThat(trust.takeBack(file.sha256())).isFalse();
+        trust.agree(file);
+        assertThat(trust.isTrusted(file)).isTrue();
+    }
+
+    @Test
     void everyLoadHasClassesOfItsOwn() throws ReflectiveOperationException {
         ActFile file = ActFile.of("wander.act", wander);
         ActTrust trust = Sources.trusting(file);

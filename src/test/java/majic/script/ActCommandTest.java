@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import majic.act.ActDetails;
+import majic.act.ActFile;
 import majic.act.ActMaker;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -105,6 +106,26 @@ class ActCommandTest {
                 .asString()
                 .contains("there is no behaviour Wandr")
                 .contains("\"acts\" lists");
+    }
+
+    @Test
+    void consentIsGivenAndTakenBackByALine() throws Exception {
+        Path act = Files.write(
+                folder.resolve("nod.act"),
+                ActMaker.from(
+                                Files.writeString(
+                                        folder.resolve("Nod.java"),
+                                        "public class Nod extends majic.act.MajicAct { protected void behave() { bot.move(70); } }"))
+                        .make("Nod", ActDetails.named("Nod")));
+        String hash = ActFile.read(act).sha256();
+        String name = "\"" + act + "\"";
+        assertThat(desk.runPipe("trust " + name + " \"" + hash + "\"", "1 act " + name))
+                .anyMatch(line -> line.endsWith("done") && line.startsWith("trust "));
+        assertThat(desk.bot(1).sent()).startsWith("move 70");
+        assertThat(desk.runPipe("trust off " + name)).contains("trust off " + act + ": done");
+        assertThat(desk.prompt.parseText("1 act " + name)).get().asString().contains("it brings code of its own");
+        assertThat(desk.runPipe("trust off \"" + hash + "\""))
+                .anyMatch(line -> line.endsWith("nobody had agreed to that file"));
     }
 
     @Test
