@@ -219,6 +219,15 @@ public final class Member {
     }
 
     /**
+     * Who gets it back when a loan ends.
+     *
+     * @return the owner of a robot that is lent; null if it is not lent, or has no owner
+     */
+    public synchronized @Nullable Owner lender() {
+        return tenure.lender();
+    }
+
+    /**
      * Lends the robot: until {@link #takeBack} only his orders are carried out, and those of its owner wait.
      *
      * @param to who gets it

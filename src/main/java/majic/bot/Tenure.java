@@ -26,6 +26,12 @@ final class Tenure {
         return loan != null ? loan.to() : owner;
     }
 
+    /** The owner of a robot that is lent; null if it is not lent, or has none. */
+    @Nullable
+    Owner lender() {
+        return loan != null ? owner : null;
+    }
+
     @Nullable
     Loan loan() {
         return loan;

@@ -8,6 +8,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.bot.Member;
+import majic.bot.Owner;
 import net.miginfocom.swing.MigLayout;
 
 /** Chooses the robot that is to get a behaviour; asks first if something runs on it. */
@@ -39,7 +40,9 @@ final class LoadActDialog extends MajicDialog {
     }
 
     private static String question(Member member) {
-        return "<html>Robot " + member.number() + " is " + Html.escaped(BotStatus.owner(member))
+        Owner lender = member.lender();
+        String within = lender == null ? "" : ", part of the script " + Html.escaped(lender.name());
+        return "<html>Robot " + member.number() + " is " + Html.escaped(BotStatus.owner(member)) + within
                 + ". End that and load another behaviour?<br>It goes on until the new one starts.";
     }
 }

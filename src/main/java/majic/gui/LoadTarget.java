@@ -19,7 +19,8 @@ record LoadTarget(Member member, @Nullable Owner ends) {
 
     /**
      * What is to be said to give it a behaviour. The old one ends only here, so that giving up before changes nothing;
-     * one that came meanwhile, to whose end nobody agreed, is left alone and in the way.
+     * one that came meanwhile, to whose end nobody agreed, is left alone and in the way. A behaviour that a script runs
+     * ends with its script, which would go on otherwise.
      *
      * @param others the numbers of the further robots, in the order of the roles
      */
@@ -30,7 +31,8 @@ record LoadTarget(Member member, @Nullable Owner ends) {
         if (now == null || now != ends) {
             return start;
         }
-        String end = now.kind() == Owner.Kind.ACT ? " act off" : " stop";
+        boolean isItsOwn = now.kind() == Owner.Kind.ACT && member.lender() == null;
+        String end = isItsOwn ? " act off" : " stop";
         return number + end + "\n" + number + " wait\n" + start;
     }
 
