@@ -6,6 +6,7 @@ import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
@@ -15,7 +16,8 @@ import majic.script.MajicParser;
 
 /**
  * Where commands are typed. An accepted line is cleared away; a wrong one stays, is marked, and its message is shown
- * until the line is mended. Up and Down walk through earlier lines, Tab completes.
+ * until the line is mended. Up and Down walk through earlier lines, Tab completes. While a line is checked for which files
+ * are read, it cannot be changed; STOP is not for the command line alone.
  */
 final class CommandLine extends JTextField {
     private static final long serialVersionUID = 1L;
@@ -62,7 +64,29 @@ final class CommandLine extends JTextField {
             setText("");
             return;
         }
-        Optional<String> wrong = parser.parseText(line);
+        ask(() -> parser.parseText(line), wrong -> entered(line, wrong));
+    }
+
+    /** Has the parser do something; beside the window, with the line held, if it has to look at files for it. */
+    private <T> void ask(Supplier<T> question, Consumer<T> answer) {
+        if (!isEditable()) {
+            return;
+        }
+        if (!MajicParser.readsFiles(getText())) {
+            answer.accept(question.get());
+            return;
+        }
+        setEditable(false);
+        Edt.background("reading for the command line", () -> {
+            T told = question.get();
+            Edt.later(() -> {
+                setEditable(true);
+                answer.accept(told);
+            });
+        });
+    }
+
+    private void entered(String line, Optional<String> wrong) {
         if (wrong.isEmpty()) {
             history.add(line);
             setText("");
@@ -77,8 +101,12 @@ final class CommandLine extends JTextField {
             transferFocus();
             return;
         }
-        Completer done =
-                Completer.complete(getText(), getCaretPosition(), parser.complete(getText(), getCaretPosition()));
+        String text = getText();
+        int caret = getCaretPosition();
+        ask(() -> parser.complete(text, caret), words -> complete(Completer.complete(text, caret, words)));
+    }
+
+    private void complete(Completer done) {
         if (!done.text().equals(getText())) {
             setText(done.text());
         }
@@ -87,7 +115,9 @@ final class CommandLine extends JTextField {
     }
 
     private void show(String line) {
-        setText(line);
+        if (isEditable()) {
+            setText(line);
+        }
     }
 
     /** Takes the mark away as soon as the line is touched. */

@@ -16,6 +16,7 @@ public final class MajicParser {
     static final String TOO_LONG = "the line is longer than " + LONGEST_LINE + " characters";
 
     private static final Pattern STOP = Pattern.compile("(?iu)\\bstop\\b");
+    private static final Pattern READING = Pattern.compile("(?iu)\\b(acts?|trust|run|end)\\b");
     private static final int MOST_REMEMBERED = 10_000;
 
     private final Session session;
@@ -85,6 +86,16 @@ public final class MajicParser {
             }
         }
         return Optional.empty();
+    }
+
+    /**
+     * Whether taking a line, or completing it, means looking at files, and so may wait for a disk or a network.
+     *
+     * @param line the line so far
+     * @return true if it may name behaviours or scripts, or ends a block in which they may be named
+     */
+    public static boolean readsFiles(String line) {
+        return READING.matcher(line).find();
     }
 
     private synchronized Optional<String> parseOne(String line, String place) {

@@ -46,6 +46,16 @@ class CommandLineWindowTest {
     }
 
     @Test
+    void aLineThatNamesABehaviourIsCheckedBesideTheWindow() {
+        window.command("1 act Nowhere");
+        window.await("the check", () -> window.text("hint").contains("there is no behaviour Nowhere"));
+        assertThat(window.text("commandLine")).isEqualTo("1 act Nowhere");
+        window.focus("commandLine");
+        window.type(" ");
+        window.await("the line to be mended", () -> window.text("commandLine").equals("1 act Nowhere "));
+    }
+
+    @Test
     void tabCompletesAParameter() {
         window.focus("commandLine");
         window.type("1 get cruiseT");

@@ -159,6 +159,51 @@ class LoadActWindowTest {
         window.awaitMessage("1: Spy: here I am");
     }
 
+    private void chooseFromFile(Path file) {
+        window.click("Load Act");
+        window.awaitDialog("Load Act");
+        window.click("OK");
+        window.click("From a file…");
+        window.chooseFile(file);
+    }
+
+    @Test
+    void aFilePickedInTheFileChooserIsLoaded() throws IOException {
+        Path script = Files.writeString(
+                Files.createDirectory(folder.resolve("else where")).resolve("there.majic"), "me move 60\n");
+        ToyBot bot = window.add("one");
+        chooseFromFile(script);
+        window.await("it in the list", () -> window.text("actTitle").equals("there"));
+        window.click("Load Action");
+        window.await("its motion", () -> bot.told.contains("move 60"));
+        assertThat(window.parser.commands()).containsExactly("1 act \"" + script + "\"");
+    }
+
+    @Test
+    void aFileWithoutABehaviourIsToldAndNothingIsChosen() throws IOException {
+        window.add("one");
+        chooseFromFile(Files.writeString(folder.resolve("bad.majic"), "me jump\nquit\n"));
+        window.await("the mistakes", () -> window.text("actNote").contains("bad.majic:2:1"));
+        assertThat(window.isEnabled("Load Action")).isFalse();
+    }
+
+    @Test
+    void anActWithinAScriptEndsWithItsScript() throws IOException {
+        Path script = Files.writeString(folder.resolve("rounds.majic"), "repeat\n1 act Ahead\nend\n");
+        ToyBot bot = window.add("one");
+        window.parser.parseText("run \"" + script + "\"");
+        awaitRunning(1, "Ahead");
+        window.click("Load Act");
+        window.awaitDialog("Load Act");
+        window.click("OK");
+        window.awaitDialog("MAJIC asks");
+        window.click("Yes");
+        window.select("acts", "Other");
+        window.click("Load Action");
+        awaitRunning(1, "Other");
+        window.await("its motion", () -> bot.told.contains("move 200"));
+    }
+
     @Test
     void aDamagedFileIsToldInASentenceAndCannotBeLoaded() throws IOException {
         Files.writeString(folder.resolve("Broken.act"), "PK but not a jar");

@@ -6,12 +6,14 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import javax.swing.AbstractButton;
+import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JTabbedPane;
@@ -31,6 +33,7 @@ import majic.script.Session;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.Robot;
 import org.assertj.swing.edt.GuiActionRunner;
+import org.assertj.swing.fixture.JFileChooserFixture;
 
 /**
  * A real window with toys for robots, and fingers to use it. The only class that knows the library for window tests.
@@ -220,6 +223,14 @@ final class TestWindow implements AutoCloseable {
             component.setText(text);
             component.postActionEvent();
         });
+    }
+
+    /** Picks a file in the file chooser that is to come up, and presses its button. */
+    void chooseFile(Path file) {
+        JFileChooserFixture chooser = new JFileChooserFixture(robot, awaitShowing("files", JFileChooser.class));
+        chooser.fileNameTextBox().setText(file.toString());
+        chooser.approve();
+        robot.waitForIdle();
     }
 
     boolean isEnabled(String name) {
