@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The shipped behaviours that are about more than one robot. */
 @Timeout(120)
@@ -40,6 +41,19 @@ class TeamActsInLabTest {
             Map<String, Pose> then = rig.lab().truePoses();
             rig.lab().time().sleep(2);
             assertThat(rig.lab().truePoses()).isEqualTo(then);
+        }
+    }
+
+    @ParameterizedTest(name = "of type {0}")
+    @ValueSource(strings = {"aibo", "pioneer", "hemisson"})
+    void aRobotThatWasOnlyJustAddedCanBeAGuard(String type) throws InterruptedException {
+        try (LabRig rig = LabRig.noisy(1)) {
+            rig.add(type);
+            rig.say("1 act Guard");
+            rig.lab().time().sleep(3);
+            assertThat(rig.said()).isEmpty();
+            assertThat(rig.team().member(1).owner()).isNotNull();
+            assertThat(rig.team().isLatched()).isFalse();
         }
     }
 
