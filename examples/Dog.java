@@ -10,6 +10,10 @@ public final class Dog {
      * @param args where the dog is, for instance {@code aibo://192.168.1.20}
      */
     public static void main(String[] args) {
+        if (args.length != 1) {
+            System.err.println("usage: Dog ADDRESS, such as aibo://192.168.1.20");
+            return;
+        }
         try (MajicAibo dog = new MajicAibo(args[0])) {
             dog.connect();
             System.out.println(dog.move(500, () -> dog.get("distanceFront").number() < 250));

@@ -10,6 +10,10 @@ public final class Feeler {
      * @param args where the robot is, for instance {@code hemisson:/dev/ttyUSB0}
      */
     public static void main(String[] args) {
+        if (args.length != 1) {
+            System.err.println("usage: Feeler ADDRESS, such as hemisson:/dev/ttyUSB0");
+            return;
+        }
         try (MajicHemisson robot = new MajicHemisson(args[0])) {
             robot.connect();
             robot.move(200, () -> robot.get("distanceFront").number() < 40);

@@ -20,6 +20,10 @@ public final class Race {
      * @throws ExecutionException if a robot did not arrive
      */
     public static void main(String[] args) throws InterruptedException, ExecutionException {
+        if (args.length != 3) {
+            System.err.println("usage: Race AIBO PIONEER HEMISSON, the addresses of the three");
+            return;
+        }
         List<MajicBot> racers = List.of(new MajicAibo(args[0]), new MajicPioneer(args[1]), new MajicHemisson(args[2]));
         ExecutorService lanes = Executors.newFixedThreadPool(racers.size());
         try {

@@ -10,6 +10,10 @@ public final class TenLines {
      * @param args where the robot is, for instance {@code pioneer://localhost}
      */
     public static void main(String[] args) {
+        if (args.length != 1) {
+            System.err.println("usage: TenLines ADDRESS, such as pioneer://localhost");
+            return;
+        }
         try (MajicPioneer robot = new MajicPioneer(args[0])) {
             robot.connect();
             robot.move(300);

@@ -10,6 +10,10 @@ public final class Wanderer {
      * @param args where the robot is, for instance {@code pioneer://localhost}, and how many legs
      */
     public static void main(String[] args) {
+        if (args.length != 2) {
+            System.err.println("usage: Wanderer ADDRESS LEGS, such as pioneer://localhost 5");
+            return;
+        }
         try (MajicPioneer robot = new MajicPioneer(args[0])) {
             robot.connect();
             for (int leg = Integer.parseInt(args[1]); leg > 0; leg--) {

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The stand-alone programs of the programmer's guide, run against the lab; {@link EmbeddingTest} runs the ten lines. */
 @Timeout(120)
@@ -39,6 +41,18 @@ class ExamplesTest {
 
     private String address(String robot) {
         return lab.address(robot).orElseThrow().toString();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Dog", "Feeler", "Race", "TenLines", "Wanderer"})
+    void withoutAnAddressItsUsageIsSaid(String example) throws Exception {
+        PrintStream errors = System.err;
+        System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));
+        try {
+            assertThat(run(example)).startsWith("usage: " + example + " ").hasLineCount(1);
+        } finally {
+            System.setErr(errors);
+        }
     }
 
     @Test
