@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;
 import java.util.concurrent.Callable;
-import majic.act.ActException;
 import majic.act.ActMaker;
+import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -47,7 +47,7 @@ final class ActMakeCommand implements Callable<Integer> {
                     details -> maker.make(chosen, details),
                     Objects.requireNonNull(spec).commandLine().getOut());
             return 0;
-        } catch (ActException e) {
+        } catch (BotException e) {
             return Failures.failed(Objects.requireNonNull(spec).commandLine(), e);
         }
     }

@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.util.function.Function;
 import majic.act.ActDetails;
 import majic.act.ActFile;
+import majic.act.Acts;
+import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
@@ -34,9 +36,22 @@ final class ActOutput {
     void write(String unlessNamed, Function<ActDetails, byte[]> made, PrintWriter out) throws IOException {
         String called = name == null ? unlessNamed : name;
         byte[] file = made.apply(new ActDetails(called, actVersion, author, description));
-        Path written = Files.write(output == null ? Path.of(called + ".act") : output, file);
+        Path written = output == null ? Path.of(called + ".act") : output;
+        save(file, written);
         out.println("wrote " + written);
         ActFile.read(written).describe().forEach(out::println);
         out.flush();
+    }
+
+    private static void save(byte[] file, Path target) throws IOException {
+        Path folder = target.toAbsolutePath().getParent();
+        if (folder != null && !Files.isDirectory(folder)) {
+            throw new BotException(target + ": there is no folder " + folder);
+        }
+        if (Files.isDirectory(target)) {
+            throw new BotException(target + ": is a folder; name the file in it, such as "
+                    + target.resolve("Patrol" + Acts.ENDING).normalize());
+        }
+        Files.write(target, file);
     }
 }

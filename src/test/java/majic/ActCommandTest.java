@@ -57,6 +57,17 @@ class ActCommandTest {
     }
 
     @Test
+    void aPlaceThatCannotTakeTheFileIsNamed() throws IOException {
+        Path nowhere = folder.resolve("no/such/nod.act");
+        assertThat(run("make", source("bot.turn(90);"), "-o", nowhere)).isNotZero();
+        assertThat(run("make", source("bot.turn(90);"), "-o", folder)).isNotZero();
+        assertThat(err.toString())
+                .contains(nowhere + ": there is no folder " + nowhere.getParent())
+                .contains(folder + ": is a folder; name the file in it, such as " + folder.resolve("Patrol.act"))
+                .hasLineCount(2);
+    }
+
+    @Test
     void aFileThatIsNoActIsOneSentenceAndAFailure() throws IOException {
         assertThat(run("show", source(""))).isEqualTo(Failures.FAILED);
         assertThat(err.toString())
