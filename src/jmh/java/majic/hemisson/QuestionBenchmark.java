@@ -60,7 +60,7 @@ public class QuestionBenchmark {
     /** What a parameter that nobody asks all the while costs. */
     @Benchmark
     public Reply ask() {
-        return driver.ask(Question.SWITCHES);
+        return driver.answers().ask(Question.SWITCHES);
     }
 
     /** The least it can take. */
