@@ -222,16 +222,13 @@ class TeamTest {
     @Test
     void aFullQueueRefusesAndSaysWhatEmptiesIt() {
         join();
-        for (int order = 0; order <= Member.QUEUE_DEPTH; order++) {
-            if (team.member(1).hasRoom()) {
-                team.member(1).submit(move(5000), null);
-            }
-        }
-        while (team.member(1).hasRoom()) {
-            team.member(1).submit(move(5000), null);
-        }
-
-        assertThatThrownBy(() -> team.member(1).submit(move(1), null)).hasMessageContaining("its queue is full (100");
+        int oneUnderWayAndOneTooMany = Member.QUEUE_DEPTH + 2;
+        assertThatThrownBy(() -> {
+                    for (int order = 0; order < oneUnderWayAndOneTooMany; order++) {
+                        team.member(1).submit(move(5000), null);
+                    }
+                })
+                .hasMessageContaining("its queue is full (100");
     }
 
     @Test
