@@ -33,10 +33,15 @@ final class CameraPanel implements Spectator.Audience {
     public void see(UrbiValue picture, double perSecond) {
         try {
             BufferedImage image = CameraPicture.of(picture);
-            newest = new Seen(image, String.format(Locale.ROOT, "%.1f frames/s", perSecond));
+            newest = new Seen(image, caption(perSecond));
         } catch (UrbiRefusal e) {
             miss(String.valueOf(e.getMessage()));
         }
+    }
+
+    /** The first picture has no rate. */
+    private static String caption(double perSecond) {
+        return perSecond > 0 ? String.format(Locale.ROOT, "%.1f frames/s", perSecond) : "";
     }
 
     @Override

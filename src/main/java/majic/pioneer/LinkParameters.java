@@ -17,7 +17,7 @@ final class LinkParameters implements Theme {
     public void describe(ParameterTable table, Equipment equipment) {
         table.add(
                 Parameter.number("packetRate", Unit.NONE, "state packets from the robot a second; about 10"),
-                access.state(state -> Value.of(state.sipsPerSec(), Unit.NONE)));
+                access.state(state -> Value.of(Math.round(10 * state.sipsPerSec()) / 10.0, Unit.NONE)));
         table.add(
                 Parameter.number(
                         "longestSilence", Unit.MS, "the longest time between two of them since it was connected"),
