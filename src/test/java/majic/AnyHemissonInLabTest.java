@@ -58,6 +58,24 @@ class AnyHemissonInLabTest {
     }
 
     @Test
+    void modulesOfRoadNarrowsAreSwitchedByTheirOwnCommands() throws Exception {
+        try (LabRig rig = LabRig.exactWithHemisson("roadnarrows+camera+ultrasonic+speech")) {
+            MajicBot bot = rig.add("hemisson");
+            assertThat(bot.get("cameraLight")).hasToString("unknown (not set since it was connected)");
+
+            assertThat(rig.run("1 set cameraLight on", "1 set ultrasonicRange 1000", "1 phrase 7"))
+                    .allMatch(line -> !line.contains("failed"));
+
+            assertThat(bot.get("cameraLight").isYes()).isTrue();
+            assertThat(bot.get("ultrasonicRange")).hasToString("1000 mm");
+            assertThat(bot.get("speaking").isYes()).isTrue();
+            rig.lab()
+                    .simulators()
+                    .besideHemisson(person -> assertThat(person.said()).containsExactly("phrase 7"));
+        }
+    }
+
+    @Test
     void aRobotThatDancesIsToldOfAndItsMotionEndsWithTheReason() throws Exception {
         try (LabRig rig = LabRig.exactWithHemisson("kteam+switches=1011+overrun")) {
             MajicBot bot = rig.session().factory().create("sim:hemisson");
