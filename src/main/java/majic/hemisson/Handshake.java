@@ -36,8 +36,8 @@ final class Handshake {
         if (version == null) {
             throw new BotException("no Hemisson answered within "
                     + 2 * session.timeoutSeconds()
-                    + " s; is it the right port, and is the robot on and not in Pgm mode? If so it may have gone deaf: "
-                    + "switch it off, wait 5 s and switch it on again");
+                    + " s; one that has gone deaf hears again when it was off: switch it off, wait 5 s, switch it on. "
+                    + "Or is it another port, or the robot off, or in the Pgm position?");
         }
         Reply switches = ask(Question.SWITCHES);
         Reply speeds = ask(Question.SPEEDS);
@@ -94,7 +94,8 @@ final class Handshake {
         }
         if (session.isTelnet()) {
             throw new BotException(
-                    "what answers there speaks telnet (RFC 2217), not a raw serial line; set the serial server to raw TCP");
+                    "what answers there speaks telnet (RFC 2217), not a raw serial line; can the serial server be set to "
+                            + "raw TCP?");
         }
     }
 
