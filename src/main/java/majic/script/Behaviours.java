@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
 import majic.act.ActFile;
@@ -14,6 +15,7 @@ import majic.act.MajicAct;
 import majic.act.Role;
 import majic.bot.BotException;
 import majic.bot.Member;
+import majic.bot.MotionStopped;
 import majic.bot.Order;
 import majic.bot.Permit;
 
@@ -24,6 +26,9 @@ final class Behaviours {
     private final Session session;
     private final Acts acts;
     private final List<ActRun> running = new CopyOnWriteArrayList<>();
+
+    /** By robot, the leave of all that was ordered since its last {@code act off} and may still wait for its turn. */
+    private final Map<Member, Permit> ordered = new ConcurrentHashMap<>();
 
     Behaviours(Session session, Acts acts) {
         this.session = session;
@@ -69,12 +74,16 @@ final class Behaviours {
         });
     }
 
-    private static Permit leave(Member me, List<Member> others) {
-        Permit all = me.leave();
+    private Permit leave(Member me, List<Member> others) {
+        Permit all = leave(me);
         for (Member other : others) {
-            all = all.and(other.leave());
+            all = all.and(leave(other));
         }
         return all;
+    }
+
+    private Permit leave(Member member) {
+        return member.leave().and(ordered.computeIfAbsent(member, its -> new Permit()));
     }
 
     private void run(Found found, Map<String, List<Member>> cast, Permit leave, Execution execution) {
@@ -91,8 +100,15 @@ final class Behaviours {
         }
     }
 
-    /** Ends the behaviour that a robot runs, or plays a part in; says so if there is none. */
+    /**
+     * Ends the behaviour that a robot runs, or plays a part in; says so if there is none. One that was ordered and still
+     * waits for its turn is stopped when that comes.
+     */
     void callOff(Member member) {
+        Permit before = ordered.remove(member);
+        if (before != null) {
+            before.revoke(() -> new MotionStopped("called off"));
+        }
         List<ActRun> its =
                 running.stream().filter(run -> run.owner() == member.owner()).toList();
         its.forEach(ActRun::callOff);

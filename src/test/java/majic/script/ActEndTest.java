@@ -72,6 +72,14 @@ class ActEndTest {
     }
 
     @Test
+    void calledOffBeforeItsTurnItNeverBegins() throws Exception {
+        String drive = file("me move 5000");
+        assertThat(desk.runPipe("1 move 300", "1 act " + drive, "1 act off", "1 turn 90"))
+                .contains("1 act off: no behaviour runs on it", "1 act " + drive + ": stopped");
+        assertThat(driver.sent()).containsSubsequence("move 300", "turn 90").doesNotContain("move 5000");
+    }
+
+    @Test
     void itsOwnStopEndsNothingThatSomebodyElseOrdered() throws Exception {
         String stops = file("me drive 100 0 for 30s", "wait 1s", "me stop", "me move 50");
         assertThat(desk.runPipe("repeat 2", "1 act " + stops, "1 turn 90", "end"))
