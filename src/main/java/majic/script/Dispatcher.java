@@ -1,7 +1,5 @@
 package majic.script;
 
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -14,8 +12,6 @@ import majic.bot.Team;
  * Gets checked lines carried out: at once on the caller's thread, beside it, or in their turn behind others. Thread-safe.
  */
 final class Dispatcher {
-    private static final Logger LOG = System.getLogger(Dispatcher.class.getName());
-
     /** How many lines of a person may wait behind a {@code wait}. */
     static final int MOST_HELD = 100;
 
@@ -147,8 +143,7 @@ final class Dispatcher {
             session.say(Line.Kind.ERROR, String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
             tally.fail(line.title());
-            LOG.log(Level.ERROR, line.title() + " failed", e);
-            session.say(Line.Kind.ERROR, line.title() + ": an error in MAJIC, see its log (" + e + ")");
+            session.say(Line.Kind.ERROR, line.title() + ": " + Mishap.told(line.title(), e));
         }
     }
 

@@ -106,6 +106,8 @@ public final class MajicParser {
             return Optional.empty();
         } catch (ScriptException | BotException | ExecutionEnded e) {
             return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
+        } catch (RuntimeException | Error e) {
+            return Optional.of(refuse(line, place, Mishap.told(line, e)));
         }
     }
 

@@ -1,7 +1,5 @@
 package majic.script;
 
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -17,7 +15,6 @@ import majic.bot.TimeSource;
  * it fails it ends and stops every robot that it used.
  */
 final class ScriptRun {
-    private static final Logger LOG = System.getLogger(ScriptRun.class.getName());
     private static final Pattern LINES = Pattern.compile("\\R");
 
     private final Execution execution;
@@ -116,8 +113,7 @@ final class ScriptRun {
         if (why instanceof BotException) {
             return execution.wasStopped() ? "stopped" : "failed: " + why.getMessage();
         }
-        LOG.log(Level.ERROR, title + " failed", why);
-        return "failed: an error in MAJIC, see its log (" + why + ")";
+        return "failed: " + Mishap.told(title, why);
     }
 
     /** A mistake that shows only now is told as those found before anything ran are. */

@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 public final class FakeType implements BotType {
     private final String name;
     private final Map<String, FakeBot> made = new ConcurrentHashMap<>();
+    private volatile boolean broken;
     private volatile Consumer<FakeBot> preparation = bot -> {};
 
     public FakeType() {
@@ -31,8 +32,16 @@ public final class FakeType implements BotType {
         return made.get(address);
     }
 
+    /** Makes it a type that breaks down when it is asked for its name, as no plug-in should. */
+    public void breakDown() {
+        broken = true;
+    }
+
     @Override
     public String name() {
+        if (broken) {
+            throw new IllegalStateException("a mistake in a plug-in");
+        }
         return name;
     }
 

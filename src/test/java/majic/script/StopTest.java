@@ -151,4 +151,12 @@ class StopTest {
         desk.prompt.awaitAll();
         assertThat(desk.said()).contains("1 turn 90: not run: stopped", "2 move 100: done (100 mm, 0.3 s)");
     }
+
+    @Test
+    void isTakenAsSuchWhateverBreaksDown() {
+        desk.prompt.parseText("1 move 3m");
+        desk.aibo.breakDown();
+        assertThat(desk.prompt.parseText("1 stop")).get().asString().startsWith("taken as STOP: an error in MAJIC");
+        assertThat(desk.team.isLatched()).isTrue();
+    }
 }
