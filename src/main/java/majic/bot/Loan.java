@@ -28,6 +28,16 @@ final class Loan {
         return lane;
     }
 
+    void begin(int robot) {
+        lane.start("robot " + robot + " " + to.name());
+    }
+
+    /** Lets the lane go; nothing is said of what was still in it. */
+    void close() {
+        lane.close();
+        lane.drop().forEach(pending -> pending.end(Answer.Outcome.NOT_RUN));
+    }
+
     boolean isTo(@Nullable Owner somebody) {
         return to == somebody;
     }

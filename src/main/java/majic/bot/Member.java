@@ -1,8 +1,6 @@
 package majic.bot;
 
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,7 +16,7 @@ public final class Member {
     private final MajicBot bot;
     private final Lane lane;
     private final Tenure tenure;
-    private int stopsUnderWay;
+    private final Stops stops;
     private boolean gone;
 
     Member(Team team, int number, MajicBot bot) {
@@ -27,6 +25,7 @@ public final class Member {
         this.bot = bot;
         this.lane = new Lane(team, number, bot, () -> mayWork(null));
         this.tenure = new Tenure(number);
+        this.stops = new Stops(team, bot, lane, tenure);
     }
 
     /**
@@ -71,7 +70,7 @@ public final class Member {
      * @return true when the queue is empty, no order or stop is under way, and it is not lent to anybody
      */
     public synchronized boolean isIdle() {
-        return tenure.loan() == null && lane.isIdle() && stopsUnderWay == 0;
+        return tenure.loan() == null && lane.isIdle() && !stops.areUnderWay();
     }
 
     /**
@@ -82,7 +81,7 @@ public final class Member {
      */
     public synchronized boolean isIdle(@Nullable Owner by) {
         Loan his = tenure.loanTo(by);
-        return his != null ? his.lane().isIdle() && stopsUnderWay == 0 : isIdle();
+        return his != null ? his.lane().isIdle() && !stops.areUnderWay() : isIdle();
     }
 
     /**
@@ -91,7 +90,7 @@ public final class Member {
      * @return true until the robot was told and has confirmed it
      */
     public synchronized boolean isStopping() {
-        return stopsUnderWay > 0;
+        return stops.areUnderWay();
     }
 
     /**
@@ -239,12 +238,12 @@ public final class Member {
     public void lend(Owner to, Permit lease, @Nullable Owner by) {
         Loan begun = new Loan(to, lease, new Lane(team, number, bot, () -> mayWork(to)));
         synchronized (this) {
-            if (tenure.holder() == by && (stopsUnderWay > 0 || !lane.isAtRest())) {
+            if (tenure.holder() == by && (stops.areUnderWay() || !lane.isAtRest())) {
                 throw new BotException(number + " is still busy; \"" + number + " wait\" lets it finish first");
             }
             tenure.lend(begun, by);
         }
-        begun.lane().start("robot " + number + " " + to.name());
+        begun.begin(number);
         team.tell(listener -> listener.ownerChanged(this));
     }
 
@@ -262,8 +261,7 @@ public final class Member {
         if (ended == null) {
             return;
         }
-        ended.lane().close();
-        ended.lane().drop().forEach(pending -> pending.end(Answer.Outcome.NOT_RUN));
+        ended.close();
         lane.wake();
         team.changes().raise();
         team.tell(listener -> listener.ownerChanged(this));
@@ -294,12 +292,11 @@ public final class Member {
         Loan ended;
         synchronized (this) {
             ended = tenure.loan();
-            if (ended == null) {
-                return;
-            }
-            ended.end(() -> new LinkLost(reason));
         }
-        end(ended.to());
+        if (ended != null) {
+            ended.end(() -> new LinkLost(reason));
+            ended.to().endWhateverHappens();
+        }
     }
 
     void start() {
@@ -308,37 +305,11 @@ public final class Member {
 
     /** Empties the queue and forbids the worker to go on until {@link #stopEnded}. */
     void stopBegins(@Nullable Owner by) {
-        Map<Lane, List<Pending>> dropped = new LinkedHashMap<>();
-        List<Owner> ended;
+        Stops.Aftermath aftermath;
         synchronized (this) {
-            stopsUnderWay++;
-            Loan his = team.isLatched() ? null : tenure.loanTo(by);
-            if (his != null) {
-                dropped.put(his.lane(), his.stop());
-                ended = List.of();
-            } else {
-                ended = revoke(by);
-                lanes().forEach(all -> dropped.put(all, all.drop()));
-            }
+            aftermath = stops.begin(by);
         }
-        dropped.forEach((from, orders) -> from.tellDropped(orders, "stopped"));
-        ended.forEach(this::end);
-    }
-
-    /** Ends everybody's leave to move it, and tells who has to be ended but for the one who says so. */
-    private List<Owner> revoke(@Nullable Owner by) {
-        if (team.isLatched()) {
-            bot.latch();
-        } else {
-            bot.revokeMotions();
-        }
-        Loan loan = tenure.loan();
-        if (loan != null && !loan.isTo(by)) {
-            loan.end(() -> new MotionStopped("stopped"));
-        }
-        List<Owner> ended = tenure.but(by);
-        ended.forEach(Owner::dismiss);
-        return ended;
+        aftermath.tell();
     }
 
     /** Allows motion again, unless STOP came anew meanwhile. */
@@ -348,34 +319,25 @@ public final class Member {
         }
     }
 
-    private void end(Owner ended) {
-        try {
-            ended.end();
-        } catch (RuntimeException | Error e) {
-            Team.LOG.log(System.Logger.Level.ERROR, ended.name() + " did not end well", e);
-        }
-    }
-
     /** Lets no robot seem idle before everybody has heard of a STOP; {@link #stopEnded} ends it. */
     synchronized void holdWork() {
-        stopsUnderWay++;
+        stops.hold();
     }
 
     void stopEnded() {
         synchronized (this) {
-            stopsUnderWay--;
+            stops.end();
         }
         lanes().forEach(Lane::wake);
         team.changes().raise();
     }
 
     private synchronized List<Lane> lanes() {
-        Loan loan = tenure.loan();
-        return loan == null ? List.of(lane) : List.of(lane, loan.lane());
+        return tenure.lanes(lane);
     }
 
     private synchronized boolean mayWork(@Nullable Owner by) {
-        return stopsUnderWay == 0 && (tenure.loan() == null || tenure.loanTo(by) != null);
+        return !stops.areUnderWay() && (tenure.loan() == null || tenure.loanTo(by) != null);
     }
 
     void close() {

@@ -71,6 +71,15 @@ public final class Owner {
         end.run();
     }
 
+    /** As {@link #end}, for who has others to end and robots to stop. */
+    void endWhateverHappens() {
+        try {
+            end();
+        } catch (RuntimeException | Error e) {
+            Team.LOG.log(System.Logger.Level.ERROR, name + " did not end well", e);
+        }
+    }
+
     /** Takes no further order of his that moves a robot, however late he hears of his end. */
     void dismiss() {
         dismissed = true;

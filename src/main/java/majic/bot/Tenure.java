@@ -43,12 +43,26 @@ final class Tenure {
         return loan != null && loan.isTo(somebody) ? loan : null;
     }
 
-    /** Owner and borrower, but for one who is not meant. */
-    List<Owner> but(@Nullable Owner somebody) {
-        return Stream.of(Optional.ofNullable(loan).map(Loan::to), Optional.ofNullable(owner))
+    /** In which orders may wait: the robot's own lane, and while it is lent the borrower's. */
+    List<Lane> lanes(Lane own) {
+        return loan == null ? List.of(own) : List.of(own, loan.lane());
+    }
+
+    /**
+     * Takes the leave to order anything from owner and borrower, but for the one who says so.
+     *
+     * @return those who have to be told so
+     */
+    List<Owner> dismiss(@Nullable Owner by) {
+        if (loan != null && !loan.isTo(by)) {
+            loan.end(() -> new MotionStopped("stopped"));
+        }
+        List<Owner> dismissed = Stream.of(Optional.ofNullable(loan).map(Loan::to), Optional.ofNullable(owner))
                 .flatMap(Optional::stream)
-                .filter(holder -> holder != somebody)
+                .filter(holder -> holder != by)
                 .toList();
+        dismissed.forEach(Owner::dismiss);
+        return dismissed;
     }
 
     /**
