@@ -50,19 +50,23 @@ public final class Links {
     }
 
     /**
-     * The traffic of all links that are open in this program.
+     * The traffic of all links that are open in this program. One that came to its end by itself is among them until its
+     * reader has done what follows from that, and ended too.
      *
      * @return a snapshot
      */
     public static List<Traffic> traffic() {
+        tidy();
         return OPEN.stream().map(Link::traffic).toList();
     }
 
     static void register(Link link) {
+        tidy();
         OPEN.add(link);
     }
 
-    static void unregister(Link link) {
-        OPEN.remove(link);
+    /** Forgets those that are no longer open. */
+    static void tidy() {
+        OPEN.removeIf(link -> !link.traffic().open());
     }
 }

@@ -94,8 +94,7 @@ final class SerialLink implements Link {
             }
         }
         if (count <= 0) {
-            counter.ended();
-            Links.unregister(this);
+            counter.readerSawTheEnd();
             return -1;
         }
         counter.handedOut(count);
@@ -155,8 +154,8 @@ final class SerialLink implements Link {
             closed = true;
         }
         if (open != null) {
-            counter.ended();
-            Links.unregister(this);
+            counter.closed();
+            Links.tidy();
             open.closePort();
         }
         LastOutput.closed(this);

@@ -122,8 +122,7 @@ final class TcpLink implements Link {
     }
 
     private int ended() {
-        counter.ended();
-        Links.unregister(this);
+        counter.readerSawTheEnd();
         return -1;
     }
 
@@ -173,7 +172,8 @@ final class TcpLink implements Link {
         if (open == null) {
             return;
         }
-        ended();
+        counter.closed();
+        Links.tidy();
         try {
             if (discarding) {
                 open.setSoLinger(true, 0);

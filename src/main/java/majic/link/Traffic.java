@@ -8,6 +8,6 @@ package majic.link;
  * @param remote the other end
  * @param written bytes handed to the system so far, counted before they are
  * @param consumed bytes read and dealt with, counted when the reader comes back for more
- * @param open false once the link is closed or its reader has seen the end
+ * @param open false once the link is closed, or its reader's thread is over after it saw the end
  */
 public record Traffic(String local, String remote, long written, long consumed, boolean open) {}
