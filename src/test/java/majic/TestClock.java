@@ -1,8 +1,17 @@
 package majic;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
+import java.util.function.Supplier;
+import majic.bot.Signal;
 import majic.bot.TimeSource;
+import majic.link.Links;
+import majicsim.net.LineCount;
 
 /**
  * A stepped clock without a lab behind it: time passes at once when every thread that lives by it waits. The thread that
@@ -10,6 +19,7 @@ import majic.bot.TimeSource;
  */
 public final class TestClock implements AutoCloseable {
     private static final long STEP_NANOS = 1_000_000;
+    private static final double LOOK_AGAIN_S = 0.005;
 
     private final LabClock clock;
     private final TimeSource.Membership membership;
@@ -30,8 +40,50 @@ public final class TestClock implements AutoCloseable {
         clock.start();
     }
 
+    /**
+     * One for the peer at an address and its clients. Time stands still while anything is under way between them, so it does
+     * not matter how long a busy computer takes over it.
+     */
+    public static TestClock between(String address, Supplier<List<LineCount>> lines) {
+        return new TestClock(nanos -> {}, new Quietness(Links::traffic, lines, Set.of(address)));
+    }
+
     public TimeSource time() {
         return clock;
+    }
+
+    /** Lets time pass until something is so; for ever, so tests have a time-out. */
+    public void until(BooleanSupplier so) {
+        Signal never = clock.signal();
+        try {
+            while (!never.await(so, LOOK_AGAIN_S)) {
+                assertThat(Thread.currentThread().isInterrupted()).isFalse();
+            }
+        } catch (InterruptedException e) {
+            throw new IllegalStateException("did not come to be so in time", e);
+        }
+    }
+
+    /** Begins something on a thread of its own that lives by this clock. */
+    public <T> CompletableFuture<T> aside(Supplier<T> work) {
+        CompletableFuture<T> outcome = new CompletableFuture<>();
+        Runnable body = () -> outcome.completeAsync(work, Runnable::run);
+        clock.thread("aside", body).start();
+        return outcome;
+    }
+
+    /** As {@link #aside(Supplier)}, for what has no result. */
+    public CompletableFuture<Void> aside(Runnable work) {
+        return aside(() -> {
+            work.run();
+            return null;
+        });
+    }
+
+    /** Lets time pass until what was begun is done; throws what it threw as {@link CompletableFuture#join} does. */
+    public <T> T join(CompletableFuture<T> begun) {
+        until(begun::isDone);
+        return begun.join();
     }
 
     @Override

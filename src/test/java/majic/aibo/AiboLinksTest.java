@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import majic.bot.BotException;
-import majic.bot.TimeSource;
 import majic.link.Links;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -15,7 +14,7 @@ class AiboLinksTest {
     @Test
     void whatIsClosedWhileItConnectsConnectsNoFurther() throws IOException {
         try (ScriptedDog dog = new ScriptedDog()) {
-            Watch watch = new Watch(TimeSource.system(), TimeSource.system().signal());
+            Watch watch = dog.watch();
             AiboLinks links =
                     new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
 

@@ -15,10 +15,8 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
-import majic.bot.BotEnvironment;
 import majic.bot.Member;
 import majic.bot.Owner;
-import majic.bot.Settings;
 import majic.bot.Team;
 import majic.bot.TeamListener;
 import majic.bot.TimeSource;
@@ -45,9 +43,9 @@ class AiboPanelWindowTest {
 
     @BeforeEach
     void open() throws Exception {
-        dog = new ScriptedDog();
+        dog = ScriptedDog.inRealTime();
         dog.set(ASKED, "BIN 12 YCbCr 2 2\nabcdefghijkl");
-        MajicAibo aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), Settings.inMemory()));
+        MajicAibo aibo = new MajicAibo(dog.address(), dog.environment());
         aibo.connect();
         member = team.add(aibo, OptionalInt.empty());
         team.addListener(new TeamListener() {

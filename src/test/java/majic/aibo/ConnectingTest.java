@@ -4,10 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
-import majic.bot.Settings;
-import majic.bot.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
@@ -24,7 +21,7 @@ class ConnectingTest {
     @BeforeEach
     void start() throws IOException {
         dog = new ScriptedDog();
-        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), Settings.inMemory()));
+        aibo = new MajicAibo(dog.address(), dog.environment());
     }
 
     @AfterEach

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.util.List;
-import majic.bot.TimeSource;
 import majic.link.Links;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -16,15 +15,15 @@ class DogGuardTest {
     private static final int SENSORS = 1;
     private static final String DISARMED = "1000000000000";
 
-    private final Watch watch =
-            new Watch(TimeSource.system(), TimeSource.system().signal());
     private ScriptedDog dog;
+    private Watch watch;
     private AiboLinks links;
     private DogGuard guard;
 
     @BeforeEach
     void install() throws IOException {
         dog = new ScriptedDog();
+        watch = dog.watch();
         links = new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
         links.open();
         guard = new DogGuard(links, new Tags(), watch, new DogClock(watch));
@@ -62,9 +61,7 @@ class DogGuardTest {
         assertThat(settings()).hasSize(2);
         dog.stopReading(SENSORS);
 
-        while (dog.isWalking()) {
-            watch.await(() -> false, 0.05);
-        }
+        dog.clock().until(() -> !dog.isWalking());
 
         assertThat(dog.guardEnded).hasValue(1);
     }

@@ -5,16 +5,13 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
-import majic.bot.BotEnvironment;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
-import majic.bot.Settings;
-import majic.bot.TimeSource;
 
 /** A scripted dog that stands with its motors on, and its driver. */
 final class Dogs implements AutoCloseable {
     final ScriptedDog dog = new ScriptedDog();
-    final MajicAibo aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), Settings.inMemory()));
+    final MajicAibo aibo = new MajicAibo(dog.address(), dog.environment());
     final List<String> notices = new CopyOnWriteArrayList<>();
 
     Dogs() throws IOException {
@@ -29,16 +26,18 @@ final class Dogs implements AutoCloseable {
     }
 
     /** Begins something on a thread of its own. */
-    static CompletableFuture<Void> aside(Runnable work) {
-        return CompletableFuture.runAsync(work, task -> new Thread(task).start());
+    CompletableFuture<Void> aside(Runnable work) {
+        return dog.clock().aside(work);
+    }
+
+    /** Waits for what was begun aside. */
+    void join(CompletableFuture<Void> begun) {
+        dog.clock().join(begun);
     }
 
     /** Waits until something is so; for ever, so tests have a time-out. */
-    static void until(BooleanSupplier so) {
-        Watch watch = new Watch(TimeSource.system(), TimeSource.system().signal());
-        while (!so.getAsBoolean()) {
-            watch.await(() -> false, 0.02);
-        }
+    void until(BooleanSupplier so) {
+        dog.clock().until(so);
     }
 
     @Override

@@ -67,24 +67,24 @@ class DrivingTest {
 
     @Test
     void aWalkThatAnotherProgramEndsDoesNotGoOn() {
-        CompletableFuture<Void> walk = Dogs.aside(() -> dogs.aibo.move(1000));
-        Dogs.until(dogs.dog::isWalking);
+        CompletableFuture<Void> walk = dogs.aside(() -> dogs.aibo.move(1000));
+        dogs.until(dogs.dog::isWalking);
 
         dogs.dog.endWalk();
 
-        assertThatThrownBy(walk::join)
+        assertThatThrownBy(() -> dogs.join(walk))
                 .hasMessageContaining("another program, or its guard, ended the walk, after about");
         assertThat(dogs.dog.received("robot.walk(")).hasSize(1);
     }
 
     @Test
     void aStoppedCalibrationTeachesNothing() {
-        CompletableFuture<Void> lesson = Dogs.aside(() -> calibrate("forward"));
+        CompletableFuture<Void> lesson = dogs.aside(() -> calibrate("forward"));
         dogs.dog.awaitReceived("robot.walk(");
 
         dogs.aibo.stop();
 
-        assertThatThrownBy(lesson::join).hasMessageContaining("stopped");
+        assertThatThrownBy(() -> dogs.join(lesson)).hasMessageContaining("stopped");
         assertThatThrownBy(() -> calibrate("forward", Value.of(900, Unit.MM))).hasMessageContaining("moves it first");
         assertThat(dogs.aibo.get("forwardFactor").number()).isEqualTo(12);
     }
@@ -96,7 +96,7 @@ class DrivingTest {
     }
 
     private void driveUntilReceived(double mmPerSec, double degPerSec, String word) {
-        Dogs.until(() -> {
+        dogs.until(() -> {
             dogs.aibo.drive(mmPerSec, degPerSec);
             return !dogs.dog.received(word).isEmpty();
         });

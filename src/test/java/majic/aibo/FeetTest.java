@@ -75,12 +75,12 @@ class FeetTest {
     @Test
     void motorsStayOnWhenLyingDownWasStopped() {
         dogs.dog.lastingMs = 3000;
-        CompletableFuture<Void> off = Dogs.aside(() -> motorsOff());
+        CompletableFuture<Void> off = dogs.aside(() -> motorsOff());
         dogs.dog.awaitReceived("robot.lay");
 
         dogs.aibo.stop();
 
-        assertThatThrownBy(off::join).hasCauseInstanceOf(MotionStopped.class);
+        assertThatThrownBy(() -> dogs.join(off)).hasCauseInstanceOf(MotionStopped.class);
         assertThat(dogs.dog.received("motors off")).isEmpty();
     }
 
@@ -103,7 +103,7 @@ class FeetTest {
     void whatGoesWrongInsideOfGettingUpIsHeard() {
         dogs.dog.set("robot.MyguessPosition()", "\"lay\"");
         dogs.dog.set("legLF1.load", "0.000000");
-        Dogs.until(() -> !dogs.aibo.get("motors").isYes());
+        dogs.until(() -> !dogs.aibo.get("motors").isYes());
 
         dogs.aibo.move(5);
 

@@ -39,7 +39,9 @@ class LostDogTest {
 
         dogs.dog.hangUp(connection);
 
-        assertThatThrownBy(walk::join).hasCauseInstanceOf(LinkLost.class).hasMessageContaining("the dog closed it");
+        assertThatThrownBy(() -> dogs.join(walk))
+                .hasCauseInstanceOf(LinkLost.class)
+                .hasMessageContaining("the dog closed it");
         dogs.dog.awaitReceived("stop walk");
         assertThat(dogs.aibo.isConnected()).isFalse();
         assertThat(dogs.dog.received("robot.walk(")).hasSize(1);
@@ -49,7 +51,7 @@ class LostDogTest {
     void whatALostConnectionLeftGoingOnIsEndedByTheNextOneAndNothingResumes() {
         CompletableFuture<Void> walk = walk();
         dogs.dog.hangUp();
-        assertThatThrownBy(walk::join).hasCauseInstanceOf(LinkLost.class);
+        assertThatThrownBy(() -> dogs.join(walk)).hasCauseInstanceOf(LinkLost.class);
         int before = dogs.dog.received("stop walk").size();
 
         dogs.aibo.connect();
@@ -62,7 +64,7 @@ class LostDogTest {
     @Test
     void aDogThatStoodStillIsLeftAloneByTheNextConnection() {
         dogs.dog.hangUp();
-        Dogs.until(() -> !dogs.aibo.isConnected());
+        dogs.until(() -> !dogs.aibo.isConnected());
 
         dogs.aibo.connect();
 
@@ -72,7 +74,7 @@ class LostDogTest {
     @Test
     void whoWantsSomethingOfADogThatIsGoneHearsHowItWasLost() {
         dogs.dog.hangUp(MOTION);
-        Dogs.until(() -> !dogs.aibo.isConnected());
+        dogs.until(() -> !dogs.aibo.isConnected());
 
         assertThatThrownBy(dogs.aibo::halt)
                 .isInstanceOf(LinkLost.class)
@@ -84,13 +86,13 @@ class LostDogTest {
     void aStopOverADeadConnectionDoesNotClaimToHaveWaited() {
         AiboSession session = dogs.aibo.session();
         dogs.dog.hangUp(STOP);
-        Dogs.until(() -> !dogs.aibo.isConnected());
+        dogs.until(() -> !dogs.aibo.isConnected());
 
         assertThatThrownBy(() -> session.runner().confirm()).isInstanceOf(LinkLost.class);
     }
 
     private CompletableFuture<Void> walk() {
-        CompletableFuture<Void> walk = Dogs.aside(() -> dogs.aibo.move(2000));
+        CompletableFuture<Void> walk = dogs.aside(() -> dogs.aibo.move(2000));
         dogs.dog.awaitReceived("robot.walk(");
         return walk;
     }

@@ -8,10 +8,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
-import majic.TestClock;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotListener;
 import majic.bot.LinkLost;
@@ -19,8 +16,6 @@ import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Settings;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AfterEach;
@@ -40,7 +35,7 @@ class MajicAiboTest {
     @BeforeEach
     void start() throws IOException {
         dog = new ScriptedDog();
-        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), settings));
+        aibo = new MajicAibo(dog.address(), dog.environment(settings));
         aibo.addListener(new BotListener() {
             @Override
             public void notice(MajicBot bot, String message) {
@@ -119,12 +114,12 @@ class MajicAiboTest {
     void aStopEndsTheWalkAndItsCaller() throws Exception {
         standing();
         aibo.connect();
-        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> aibo.move(2000));
+        CompletableFuture<MotionReport> walk = dog.clock().aside(() -> aibo.move(2000));
         awaitSent("robot.walk");
 
         aibo.stop();
 
-        assertThatThrownBy(walk::join).hasCauseInstanceOf(MotionStopped.class);
+        assertThatThrownBy(() -> dog.clock().join(walk)).hasCauseInstanceOf(MotionStopped.class);
         assertThat(dog.received("stop walk")).isNotEmpty();
         assertThat(dog.received("robot.walk")).hasSize(1);
     }
@@ -134,7 +129,7 @@ class MajicAiboTest {
         standing();
         aibo.connect();
         dog.latenessMs = 400;
-        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> aibo.move(2000));
+        CompletableFuture<MotionReport> walk = dog.clock().aside(() -> aibo.move(2000));
         awaitSent("robot.walk");
 
         aibo.stop();
@@ -142,7 +137,7 @@ class MajicAiboTest {
         assertThat(dog.hasWalked()).isTrue();
         assertThat(dog.isWalking()).isFalse();
         assertThat(dog.received("stop walk").size()).isGreaterThan(1);
-        assertThatThrownBy(walk::join).hasCauseInstanceOf(MotionStopped.class);
+        assertThatThrownBy(() -> dog.clock().join(walk)).hasCauseInstanceOf(MotionStopped.class);
         assertThat(dog.received("robot.walk")).hasSize(1);
     }
 
@@ -150,13 +145,13 @@ class MajicAiboTest {
     void aGuardEndsTheWalkWhereItIs() throws Exception {
         standing();
         aibo.connect();
-        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(
-                () -> aibo.move(2000, () -> aibo.get("distanceFront").number() < 250));
+        CompletableFuture<MotionReport> walk = dog.clock()
+                .aside(() -> aibo.move(2000, () -> aibo.get("distanceFront").number() < 250));
         awaitSent("robot.walk");
 
         dog.set("distanceNear.val", "15.000000");
 
-        MotionReport report = walk.join();
+        MotionReport report = dog.clock().join(walk);
         assertThat(report.amount()).isInstanceOf(Value.Number.class);
         assertThat(report.amount().number()).isLessThan(200);
         assertThat(dog.received("robot.walk")).hasSize(1);
@@ -242,12 +237,12 @@ class MajicAiboTest {
     void silenceStopsTheWalkAndThenCountsAsLost() {
         standing();
         aibo.connect();
-        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> aibo.move(2000));
+        CompletableFuture<MotionReport> walk = dog.clock().aside(() -> aibo.move(2000));
         awaitSent("robot.walk");
 
         dog.answersPolls = false;
 
-        assertThatThrownBy(walk::join).hasMessageContaining("no word from the dog");
+        assertThatThrownBy(() -> dog.clock().join(walk)).hasMessageContaining("no word from the dog");
         awaitSent("stop walk");
     }
 
@@ -255,12 +250,12 @@ class MajicAiboTest {
     void aDogThatHangsUpEndsTheWalkAndConnectsAgain() {
         standing();
         aibo.connect();
-        CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> aibo.move(2000));
+        CompletableFuture<MotionReport> walk = dog.clock().aside(() -> aibo.move(2000));
         awaitSent("robot.walk");
 
         dog.hangUp();
 
-        assertThatThrownBy(walk::join).hasCauseInstanceOf(LinkLost.class);
+        assertThatThrownBy(() -> dog.clock().join(walk)).hasCauseInstanceOf(LinkLost.class);
         aibo.connect();
         assertThat(aibo.isConnected()).isTrue();
         assertThat(dog.received("robot.walk")).hasSize(1);
@@ -269,12 +264,10 @@ class MajicAiboTest {
     @Test
     void whatIsNoUrbiServerIsSaidSoInTime() {
         dog.introducesItself = false;
-        try (TestClock clock = new TestClock();
-                MajicAibo mute = new MajicAibo(dog.address(), new BotEnvironment(clock.time(), settings))) {
-            assertThatThrownBy(mute::connect)
-                    .isInstanceOf(BotException.class)
-                    .hasMessageContaining("not as an URBI server within 4 s");
-        }
+
+        assertThatThrownBy(aibo::connect)
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("not as an URBI server within 4 s");
     }
 
     @Test
@@ -285,22 +278,11 @@ class MajicAiboTest {
     }
 
     private void untilBattery(int percent) {
-        await(() -> aibo.get("battery").equals(Value.of(percent, Unit.PERCENT)));
+        dog.clock().until(() -> aibo.get("battery").equals(Value.of(percent, Unit.PERCENT)));
     }
 
     private void awaitLost() {
-        await(() -> !aibo.isConnected());
-    }
-
-    private static void await(BooleanSupplier so) {
-        Signal never = TimeSource.system().signal();
-        try {
-            while (!never.await(so, 0.01)) {
-                assertThat(Thread.currentThread().isInterrupted()).isFalse();
-            }
-        } catch (InterruptedException e) {
-            throw new IllegalStateException("did not come to be so in time", e);
-        }
+        dog.clock().until(() -> !aibo.isConnected());
     }
 
     private void standing() {

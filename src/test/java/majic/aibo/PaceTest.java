@@ -6,9 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.util.List;
-import majic.bot.BotEnvironment;
 import majic.bot.Settings;
-import majic.bot.TimeSource;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AfterEach;
@@ -30,7 +28,7 @@ class PaceTest {
         dog.set("legLF1.load", "1.000000");
         dog.set("robot.walkspeed", "900.000000");
         dog.set("robot.turnspeed", "1000.000000");
-        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), settings));
+        aibo = new MajicAibo(dog.address(), dog.environment(settings));
         aibo.connect();
     }
 
@@ -107,7 +105,7 @@ class PaceTest {
     void aFallenDogIsNotDriven() {
         aibo.close();
         dog.set("robot.MyguessPosition()", "\"side\"");
-        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), settings));
+        aibo = new MajicAibo(dog.address(), dog.environment(settings));
         aibo.connect();
 
         assertThatThrownBy(() -> aibo.drive(50, 0)).hasMessageContaining("put it on its feet");

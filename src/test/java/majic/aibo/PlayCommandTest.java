@@ -15,11 +15,9 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import javax.sound.sampled.AudioFormat;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionStopped;
-import majic.bot.TimeSource;
 import majic.bot.Value;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -40,7 +38,7 @@ class PlayCommandTest {
     @BeforeEach
     void start() throws IOException {
         dog = new ScriptedDog();
-        aibo = new MajicAibo(dog.address(), BotEnvironment.plain());
+        aibo = new MajicAibo(dog.address(), dog.environment());
         aibo.connect();
     }
 
@@ -82,38 +80,38 @@ class PlayCommandTest {
     void theNextPieceWaitsForTheEndOfTheOneThatPlays() throws IOException {
         dog.set("speaker.remain", "40.000000");
         Path file = Files.write(folder.resolve("a.wav"), Sounds.wav(16_000, 0.01));
-        CompletableFuture<String> playing = CompletableFuture.supplyAsync(() -> play(file));
+        CompletableFuture<String> playing = dog.clock().aside(() -> play(file));
         until(() -> dog.received("speaker.remain").size() > 5);
         assertThat(dog.binaries()).isEmpty();
 
         dog.set("speaker.remain", "0.000000");
 
-        assertThat(playing.join()).isNotEmpty();
+        assertThat(dog.clock().join(playing)).isNotEmpty();
         assertThat(dog.binaries()).hasSize(1);
     }
 
     @Test
     void aStopEndsItAndOnlyOneSoundIsPlayedAtATime() throws IOException {
         Path file = Files.write(folder.resolve("a.wav"), Sounds.wav(16_000, 50));
-        CompletableFuture<String> playing = CompletableFuture.supplyAsync(() -> play(file));
+        CompletableFuture<String> playing = dog.clock().aside(() -> play(file));
         until(() -> !dog.binaries().isEmpty());
         assertThatThrownBy(() -> play(file)).hasMessageContaining("another sound is being played");
 
         aibo.stop();
 
-        assertThatThrownBy(playing::join).hasCauseInstanceOf(MotionStopped.class);
+        assertThatThrownBy(() -> dog.clock().join(playing)).hasCauseInstanceOf(MotionStopped.class);
         assertThat(dog.binaries()).hasSize(1);
     }
 
     @Test
     void aDogThatGoesAwayInTheMiddleEndsIt() throws IOException {
         Path file = Files.write(folder.resolve("a.wav"), Sounds.wav(16_000, 50));
-        CompletableFuture<String> playing = CompletableFuture.supplyAsync(() -> play(file));
+        CompletableFuture<String> playing = dog.clock().aside(() -> play(file));
         until(() -> !dog.binaries().isEmpty());
 
         dog.hangUp();
 
-        assertThatThrownBy(playing::join).hasCauseInstanceOf(LinkLost.class);
+        assertThatThrownBy(() -> dog.clock().join(playing)).hasCauseInstanceOf(LinkLost.class);
     }
 
     @Test
@@ -165,13 +163,7 @@ class PlayCommandTest {
         return aibo.run("play", List.of(Value.text(file.toString())));
     }
 
-    private static void until(BooleanSupplier so) {
-        try {
-            while (!TimeSource.system().signal().await(so, 0.01)) {
-                assertThat(Thread.currentThread().isInterrupted()).isFalse();
-            }
-        } catch (InterruptedException e) {
-            throw new IllegalStateException("did not come to be so in time", e);
-        }
+    private void until(BooleanSupplier so) {
+        dog.clock().until(so);
     }
 }

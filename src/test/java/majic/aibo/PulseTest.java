@@ -24,7 +24,7 @@ class PulseTest {
 
     @BeforeEach
     void open() throws IOException {
-        dog = new ScriptedDog();
+        dog = ScriptedDog.inRealTime();
         links = new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
         links.open();
         Watch stepped = new Watch(clock.time(), clock.time().signal());

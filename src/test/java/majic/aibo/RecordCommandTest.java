@@ -10,11 +10,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.sound.sampled.AudioFileFormat;
 import javax.sound.sampled.AudioSystem;
-import majic.bot.BotEnvironment;
 import majic.bot.BotListener;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
-import majic.bot.TimeSource;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AfterEach;
@@ -39,7 +37,7 @@ class RecordCommandTest {
     @BeforeEach
     void start() throws IOException {
         dog = new ScriptedDog();
-        aibo = new MajicAibo(dog.address(), BotEnvironment.plain());
+        aibo = new MajicAibo(dog.address(), dog.environment());
         aibo.addListener(new BotListener() {
             @Override
             public void notice(MajicBot bot, String message) {
@@ -73,7 +71,8 @@ class RecordCommandTest {
 
         dog.say(SENSORS, ear(), "!!! Unknown identifier: micro.val");
 
-        assertThatThrownBy(recording::join).hasMessageEndingWith("the dog refuses: Unknown identifier: micro.val");
+        assertThatThrownBy(() -> dog.clock().join(recording))
+                .hasMessageEndingWith("the dog refuses: Unknown identifier: micro.val");
         assertThat(folder).isEmptyDirectory();
     }
 
@@ -88,7 +87,7 @@ class RecordCommandTest {
 
         dog.hangUp();
 
-        assertThatThrownBy(recording::join).hasCauseInstanceOf(LinkLost.class);
+        assertThatThrownBy(() -> dog.clock().join(recording)).hasCauseInstanceOf(LinkLost.class);
         assertThat(notices).contains("the recording was not finished: 0.03 s in " + file);
         AudioFileFormat kept = AudioSystem.getAudioFileFormat(file.toFile());
         assertThat(kept.getFrameLength()).isEqualTo(512);
@@ -109,12 +108,8 @@ class RecordCommandTest {
     }
 
     /** What the dog said before that has been heard too, then. */
-    private void untilBattery(int percent) throws InterruptedException {
-        while (!TimeSource.system()
-                .signal()
-                .await(() -> aibo.get("battery").equals(Value.of(percent, Unit.PERCENT)), 0.01)) {
-            assertThat(aibo.isConnected()).isTrue();
-        }
+    private void untilBattery(int percent) {
+        dog.clock().until(() -> aibo.get("battery").equals(Value.of(percent, Unit.PERCENT)));
     }
 
     private String ear() {
@@ -123,7 +118,7 @@ class RecordCommandTest {
     }
 
     private CompletableFuture<String> recording(Path file) {
-        return CompletableFuture.supplyAsync(() -> record(file));
+        return dog.clock().aside(() -> record(file));
     }
 
     private String record(Path file) {

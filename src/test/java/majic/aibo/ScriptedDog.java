@@ -6,19 +6,30 @@ import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
+import majic.TestClock;
+import majic.bot.BotEnvironment;
+import majic.bot.Settings;
+import majic.bot.Signal;
+import majic.bot.TimeSource;
+import majicsim.net.LineCount;
+import org.jspecify.annotations.Nullable;
 
 /**
- * A peer that answers the few things the driver says, on loopback, in real time. It knows no URBI: it looks for the
- * words of the sheet in what arrives. Here stands what a test sets and sees; {@link ScriptedLine} is a connection,
+ * A peer that answers the few things the driver says, on loopback. It knows no URBI: it looks for the words of the sheet
+ * in what arrives. Its clock steps, unless a test has threads that no such clock knows of. Here stands what a test sets and sees; {@link ScriptedLine} is a connection,
  * {@link ScriptedCommands} what comes of a command, {@link ScriptedErrands} what then goes on.
  */
 final class ScriptedDog implements AutoCloseable {
-    private final ServerSocket server;
-    private final long startedNanos = System.nanoTime();
-    private final ScriptedErrands errands = new ScriptedErrands();
+    private final ServerSocket server = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
+    private final @Nullable TestClock clock;
+    private final TimeSource time;
+    private final Signal news;
+    private final ScriptedErrands errands;
+    private final long startedNanos;
     private final List<ScriptedLine> lines = new CopyOnWriteArrayList<>();
     private final Map<String, String> values = new ConcurrentHashMap<>();
     private final List<String> received = new CopyOnWriteArrayList<>();
@@ -35,7 +46,7 @@ final class ScriptedDog implements AutoCloseable {
     volatile boolean speaks15;
 
     /** How much later than it was said everything is heard of it. */
-    volatile long slownessMs;
+    volatile long slownessMs = 1;
 
     /** How long what is neither a gait nor a joint takes. */
     volatile long lastingMs = 20;
@@ -73,7 +84,20 @@ final class ScriptedDog implements AutoCloseable {
     private int accepted;
 
     ScriptedDog() throws IOException {
-        server = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
+        this(true);
+    }
+
+    /** One that lives by the system's clock, as windows and stuck threads do. */
+    static ScriptedDog inRealTime() throws IOException {
+        return new ScriptedDog(false);
+    }
+
+    private ScriptedDog(boolean stepped) throws IOException {
+        clock = stepped ? TestClock.between("127.0.0.1:" + server.getLocalPort(), this::counts) : null;
+        time = clock == null ? TimeSource.system() : clock.time();
+        news = time.signal();
+        errands = new ScriptedErrands(time);
+        startedNanos = time.nanos();
         set("distanceNear.val", "50.000000");
         set("distance.val", "150.000000");
         set("distanceChest.val", "90.000000");
@@ -89,6 +113,7 @@ final class ScriptedDog implements AutoCloseable {
         try {
             while (true) {
                 ScriptedLine line = new ScriptedLine(this, server.accept(), next());
+                line.introduce();
                 lines.add(line);
                 Thread reader = new Thread(line::serve, "scripted dog's line");
                 reader.setDaemon(true);
@@ -111,6 +136,28 @@ final class ScriptedDog implements AutoCloseable {
 
     String address() {
         return "//127.0.0.1:" + server.getLocalPort();
+    }
+
+    /** What a driver needs to live by its clock. */
+    BotEnvironment environment() {
+        return environment(Settings.inMemory());
+    }
+
+    BotEnvironment environment(Settings settings) {
+        return new BotEnvironment(time, settings);
+    }
+
+    /** Where a part of a driver waits that lives by its clock. */
+    Watch watch() {
+        return new Watch(time, time.signal());
+    }
+
+    TestClock clock() {
+        return Objects.requireNonNull(clock);
+    }
+
+    private List<LineCount> counts() {
+        return lines.stream().map(ScriptedLine::count).toList();
     }
 
     void set(String expression, String printed) {
@@ -138,22 +185,16 @@ final class ScriptedDog implements AutoCloseable {
 
     /** Waits until a command with a word in it has come; for ever, so tests have a time-out. */
     void awaitReceived(String word) {
-        synchronized (received) {
-            try {
-                while (received(word).isEmpty()) {
-                    received.wait();
-                }
-            } catch (InterruptedException e) {
-                throw new IllegalStateException("never came: " + word, e);
-            }
+        try {
+            news.await(() -> !received(word).isEmpty(), Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException("never came: " + word, e);
         }
     }
 
     void remember(String command) {
-        synchronized (received) {
-            received.add(command);
-            received.notifyAll();
-        }
+        received.add(command);
+        news.raise();
     }
 
     /** Every assignment of a binary, byte for byte, behind the index of its connection and a colon. */
@@ -208,7 +249,7 @@ final class ScriptedDog implements AutoCloseable {
 
     /** What its clock shows. */
     long nowMs() {
-        return 5000 + (System.nanoTime() - startedNanos) / 1_000_000;
+        return 5000 + (time.nanos() - startedNanos) / 1_000_000;
     }
 
     @Override
@@ -216,5 +257,8 @@ final class ScriptedDog implements AutoCloseable {
         server.close();
         hangUp();
         errands.close();
+        if (clock != null) {
+            clock.close();
+        }
     }
 }

@@ -2,31 +2,30 @@ package majic.aibo;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import majic.bot.Agenda;
+import majic.bot.TimeSource;
 
 /** What goes on in a scripted dog for a time: gaits, postures, reports. A gait goes by its own name, the rest by its tag. */
 final class ScriptedErrands {
-    private final ScheduledThreadPoolExecutor clock = new ScheduledThreadPoolExecutor(1);
-    private final Map<String, ScheduledFuture<?>> running = new ConcurrentHashMap<>();
+    private final Agenda agenda;
+    private final Map<String, Agenda.Event> running = new ConcurrentHashMap<>();
     private final Map<String, Runnable> endings = new ConcurrentHashMap<>();
     private final AtomicInteger mostAtOnce = new AtomicInteger();
 
-    ScriptedErrands() {
-        clock.setRemoveOnCancelPolicy(true);
+    ScriptedErrands(TimeSource time) {
+        agenda = new Agenda(time);
     }
 
     /** Does something once, later. */
     void later(long ms, Runnable task) {
-        clock.schedule(task, ms, TimeUnit.MILLISECONDS);
+        agenda.after(ms, task);
     }
 
     /** Does something again and again, until it is stopped. */
     void repeat(String name, long periodMs, Runnable task) {
-        running.put(name, clock.scheduleAtFixedRate(task, 0, periodMs, TimeUnit.MILLISECONDS));
+        running.put(name, agenda.every(periodMs, task));
     }
 
     /**
@@ -38,7 +37,7 @@ final class ScriptedErrands {
     void begin(String name, long lastsMs, Runnable whenOver, Runnable whenStopped) {
         long others = Stream.of("walk", "turn").filter(this::isUnderWay).count();
         endings.put(name, whenStopped);
-        running.put(name, clock.schedule(whenOver, lastsMs, TimeUnit.MILLISECONDS));
+        running.put(name, agenda.after(lastsMs, whenOver));
         if (isGait(name)) {
             mostAtOnce.accumulateAndGet((int) others + 1, Math::max);
         }
@@ -46,8 +45,8 @@ final class ScriptedErrands {
 
     /** Ends it before its time. Only a gait tells its end then (URBI sheet 7, 15). */
     void stop(String name) {
-        ScheduledFuture<?> stopped = running.remove(name);
-        if (stopped != null && stopped.cancel(false) && isGait(name)) {
+        Agenda.Event stopped = running.remove(name);
+        if (stopped != null && stopped.cancel() && isGait(name)) {
             endings.get(name).run();
         }
     }
@@ -57,8 +56,8 @@ final class ScriptedErrands {
     }
 
     boolean isUnderWay(String name) {
-        ScheduledFuture<?> errand = running.get(name);
-        return errand != null && !errand.isDone();
+        Agenda.Event errand = running.get(name);
+        return errand != null && !errand.isOver();
     }
 
     int mostAtOnce() {
@@ -70,6 +69,6 @@ final class ScriptedErrands {
     }
 
     void close() {
-        clock.shutdownNow();
+        agenda.close();
     }
 }

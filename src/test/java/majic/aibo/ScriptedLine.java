@@ -5,8 +5,10 @@ import java.io.InputStream;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import majicsim.net.LineCount;
 
 /** One connection to a scripted dog: bytes to commands, and messages to bytes, with the trouble there is. */
 final class ScriptedLine {
@@ -17,6 +19,8 @@ final class ScriptedLine {
     private final ScriptedDog.Trouble trouble;
     private final ScriptedCommands commands;
     private final CountDownLatch closed = new CountDownLatch(1);
+    private final AtomicLong consumed = new AtomicLong();
+    private final AtomicLong written = new AtomicLong();
     private volatile boolean deaf;
     private boolean late;
 
@@ -27,9 +31,21 @@ final class ScriptedLine {
         this.commands = new ScriptedCommands(dog, this);
     }
 
+    LineCount count() {
+        boolean open = closed.getCount() > 0;
+        return new LineCount("127.0.0.1:" + socket.getPort(), consumed.get(), written.get(), open, deaf);
+    }
+
     void serve() {
+        try {
+            converse();
+        } catch (IOException e) {
+            close();
+        }
+    }
+
+    private void converse() throws IOException {
         try (InputStream in = socket.getInputStream()) {
-            introduce();
             StringBuilder pending = new StringBuilder();
             for (int next = in.read(); next >= 0; next = in.read()) {
                 awaitEndIfDeaf();
@@ -42,13 +58,14 @@ final class ScriptedLine {
                     split(pending.toString());
                     pending.setLength(0);
                 }
+                consumed.incrementAndGet();
             }
-        } catch (IOException e) {
-            close();
         }
+        close();
     }
 
-    private void introduce() {
+    /** Comes before the line counts as there: time stands still until then. */
+    void introduce() {
         switch (trouble) {
             case HANGS_UP -> close();
             case HALF_A_BANNER -> {
@@ -70,6 +87,7 @@ final class ScriptedLine {
         if (header.matches()) {
             byte[] bytes = in.readNBytes(Integer.parseInt(header.group(1)));
             dog.rememberBinary(this, pending.toString(), bytes);
+            consumed.addAndGet(bytes.length);
             pending.setLength(0);
         }
     }
@@ -120,11 +138,7 @@ final class ScriptedLine {
     void say(String tag, String body) {
         String name = tag.isEmpty() ? "" : ":" + tag;
         String message = String.format("[%08d%s] %s", dog.nowMs(), name, body) + (body.startsWith("BIN ") ? "" : "\n");
-        if (dog.slownessMs > 0) {
-            dog.errands().later(dog.slownessMs, () -> write(message));
-        } else {
-            write(message);
-        }
+        dog.errands().later(dog.slownessMs, () -> write(message));
     }
 
     private synchronized void write(String message) {
@@ -132,6 +146,7 @@ final class ScriptedLine {
             byte[] bytes = message.getBytes(StandardCharsets.ISO_8859_1);
             int piece = trouble == ScriptedDog.Trouble.SAYS_ALL_IN_SINGLE_BYTES ? 1 : bytes.length;
             for (int at = 0; at < bytes.length; at += piece) {
+                written.addAndGet(piece);
                 socket.getOutputStream().write(bytes, at, piece);
             }
         } catch (IOException e) {

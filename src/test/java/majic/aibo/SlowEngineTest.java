@@ -5,20 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.util.List;
-import majic.bot.BotEnvironment;
 import majic.bot.MotionReport;
-import majic.bot.Settings;
-import majic.bot.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A dog whose engine takes two seconds from a question to its answer. */
 @Timeout(60)
-@Tag("long")
 class SlowEngineTest {
     private ScriptedDog dog;
     private MajicAibo aibo;
@@ -28,7 +23,7 @@ class SlowEngineTest {
         dog = new ScriptedDog();
         dog.set("robot.MyguessPosition()", "\"stand\"");
         dog.set("legLF1.load", "1.000000");
-        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), Settings.inMemory()));
+        aibo = new MajicAibo(dog.address(), dog.environment());
     }
 
     @AfterEach

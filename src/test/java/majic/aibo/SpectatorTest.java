@@ -3,15 +3,12 @@ package majic.aibo;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.util.concurrent.BlockingQueue;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.LinkedBlockingQueue;
-import majic.bot.BotEnvironment;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
-import majic.bot.Settings;
-import majic.bot.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,8 +19,8 @@ class SpectatorTest implements Spectator.Audience {
     private static final String ASKED = "camera.val";
     private static final String PICTURE = "BIN 12 YCbCr 2 2\nabcdefghijkl";
 
-    private final BlockingQueue<UrbiValue> seen = new LinkedBlockingQueue<>();
-    private final BlockingQueue<String> missed = new LinkedBlockingQueue<>();
+    private final Queue<UrbiValue> seen = new ConcurrentLinkedQueue<>();
+    private final Queue<String> missed = new ConcurrentLinkedQueue<>();
     private ScriptedDog dog;
     private MajicAibo aibo;
     private Spectator spectator;
@@ -33,7 +30,7 @@ class SpectatorTest implements Spectator.Audience {
         dog = new ScriptedDog();
         dog.set(ASKED, PICTURE);
         dog.set("ledF3.val", "0.250000");
-        aibo = new MajicAibo(dog.address(), new BotEnvironment(TimeSource.system(), Settings.inMemory()));
+        aibo = new MajicAibo(dog.address(), dog.environment());
         spectator = aibo.spectator(this);
     }
 
@@ -55,7 +52,7 @@ class SpectatorTest implements Spectator.Audience {
     }
 
     @Test
-    void nothingIsAskedForBeforeSomebodyLooks() throws InterruptedException {
+    void nothingIsAskedForBeforeSomebodyLooks() {
         aibo.connect();
         awaitReadings();
 
@@ -64,12 +61,12 @@ class SpectatorTest implements Spectator.Audience {
     }
 
     @Test
-    void picturesAndLampsComeWhileSomebodyLooks() throws InterruptedException {
+    void picturesAndLampsComeWhileSomebodyLooks() {
         aibo.connect();
         spectator.look(true);
 
-        seen.take();
-        assertThat(seen.take())
+        next(seen);
+        assertThat(next(seen))
                 .isInstanceOfSatisfying(
                         UrbiValue.Binary.class,
                         picture -> assertThat(picture.bytes()).hasSize(12));
@@ -78,10 +75,10 @@ class SpectatorTest implements Spectator.Audience {
     }
 
     @Test
-    void onceNobodyLooksNothingMoreIsAskedFor() throws InterruptedException {
+    void onceNobodyLooksNothingMoreIsAskedFor() {
         aibo.connect();
         spectator.look(true);
-        seen.take();
+        next(seen);
         spectator.look(false);
         dog.awaitReceived("stop " + lampsTag());
         int asked = dog.received(ASKED).size();
@@ -91,7 +88,7 @@ class SpectatorTest implements Spectator.Audience {
     }
 
     @Test
-    void noSecondPictureIsAskedForWhileOneIsUnderWay() throws InterruptedException {
+    void noSecondPictureIsAskedForWhileOneIsUnderWay() {
         dog.silentAbout = ASKED;
         aibo.connect();
         spectator.look(true);
@@ -99,39 +96,44 @@ class SpectatorTest implements Spectator.Audience {
         spectator.look(false);
         spectator.look(true);
 
-        assertThat(missed.take()).isEqualTo("no picture came within 4 s");
+        assertThat(next(missed)).isEqualTo("no picture came within 4 s");
         assertThat(dog.received(ASKED)).hasSize(1);
     }
 
     @Test
-    void aLostDogIsSaidToBeNotConnectedAndIsSeenAgainOnceItIsBack() throws InterruptedException {
+    void aLostDogIsSaidToBeNotConnectedAndIsSeenAgainOnceItIsBack() {
         aibo.connect();
         spectator.look(true);
-        seen.take();
+        next(seen);
         dog.hangUp();
 
-        assertThat(missed.take()).isEqualTo("not connected");
+        assertThat(next(missed)).isEqualTo("not connected");
         seen.clear();
         aibo.connect();
-        assertThat(seen.take()).isInstanceOf(UrbiValue.Binary.class);
+        assertThat(next(seen)).isInstanceOf(UrbiValue.Binary.class);
     }
 
     @Test
-    void whatTheDogComplainsOfIsPassedOn() throws InterruptedException {
+    void whatTheDogComplainsOfIsPassedOn() {
         dog.set(ASKED, "!!! Unknown identifier: camera.val");
         aibo.connect();
         spectator.look(true);
 
-        assertThat(missed.take()).isEqualTo("the dog gives no picture: Unknown identifier: camera.val");
+        assertThat(next(missed)).isEqualTo("the dog gives no picture: Unknown identifier: camera.val");
     }
 
     @Test
-    void aLaterServerIsLookedAtAsWell() throws InterruptedException {
+    void aLaterServerIsLookedAtAsWell() {
         dog.speaks15 = true;
         aibo.connect();
         spectator.look(true);
 
-        assertThat(seen.take()).isInstanceOf(UrbiValue.Binary.class);
+        assertThat(next(seen)).isInstanceOf(UrbiValue.Binary.class);
+    }
+
+    private <T> T next(Queue<T> heard) {
+        dog.clock().until(() -> !heard.isEmpty());
+        return heard.remove();
     }
 
     private String lampsTag() {
@@ -143,7 +145,7 @@ class SpectatorTest implements Spectator.Audience {
     }
 
     /** Waits as long as a picture would have taken, many times over. */
-    private void awaitReadings() throws InterruptedException {
+    private void awaitReadings() {
         CountDownLatch sets = new CountDownLatch(15);
         aibo.addListener(new BotListener() {
             @Override
@@ -151,6 +153,6 @@ class SpectatorTest implements Spectator.Audience {
                 sets.countDown();
             }
         });
-        sets.await();
+        dog.clock().until(() -> sets.getCount() == 0);
     }
 }

@@ -6,10 +6,8 @@ import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Settings;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
 import org.junit.jupiter.api.AfterEach;
@@ -27,10 +25,10 @@ class StopPathTest {
 
     @BeforeEach
     void connect() throws IOException {
-        dog = new ScriptedDog();
+        dog = ScriptedDog.inRealTime();
         dog.set("robot.MyguessPosition()", "\"stand\"");
         dog.set("legLF1.load", "1.000000");
-        aibo = new MajicAibo(dog.address(), new BotEnvironment(time, Settings.inMemory()));
+        aibo = new MajicAibo(dog.address(), dog.environment());
         aibo.connect();
     }
 

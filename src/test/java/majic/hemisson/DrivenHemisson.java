@@ -3,9 +3,9 @@ package majic.hemisson;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
-import majic.bot.BotEnvironment;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
 
@@ -23,7 +23,7 @@ final class DrivenHemisson implements AutoCloseable {
 
     DrivenHemisson() throws IOException {
         robot = new ScriptedHemisson();
-        bot = new MajicHemisson(robot.address(), BotEnvironment.plain());
+        bot = new MajicHemisson(robot.address(), robot.environment());
         bot.addListener(new BotListener() {
             @Override
             public void notice(MajicBot who, String message) {
@@ -45,13 +45,11 @@ final class DrivenHemisson implements AutoCloseable {
     }
 
     /** Does something to the robot as soon as it was told to drive. */
-    Thread onceItMoves(Runnable deed) {
-        Thread thread = new Thread(() -> {
+    CompletableFuture<Void> onceItMoves(Runnable deed) {
+        return robot.clock().aside(() -> {
             await(() -> robot.count("D,3,3") == 1);
             deed.run();
         });
-        thread.start();
-        return thread;
     }
 
     void hangUp() {
@@ -108,14 +106,9 @@ final class DrivenHemisson implements AutoCloseable {
                 .orElseThrow();
     }
 
-    static void await(BooleanSupplier condition) {
-        try {
-            while (!condition.getAsBoolean()) {
-                BotEnvironment.plain().time().sleep(0.005);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+    /** Lets time pass until something is so; for ever, so tests have a time-out. */
+    void await(BooleanSupplier condition) {
+        robot.clock().until(condition);
     }
 
     @Override

@@ -7,7 +7,6 @@ import java.util.concurrent.CountDownLatch;
 import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
-import majic.bot.BotEnvironment;
 import majic.gui.Patience;
 import majic.panel.Banner;
 import org.assertj.swing.core.BasicRobot;
@@ -30,8 +29,8 @@ class HemissonPanelWindowTest {
 
     @BeforeEach
     void open() throws Exception {
-        peer = new ScriptedHemisson();
-        bot = new MajicHemisson(peer.address(), BotEnvironment.plain());
+        peer = ScriptedHemisson.inRealTime();
+        bot = new MajicHemisson(peer.address(), peer.environment());
         bot.connect();
         frame = GuiActionRunner.execute(() -> {
             JFrame made = new JFrame("Hemisson");

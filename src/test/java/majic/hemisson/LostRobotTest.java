@@ -36,7 +36,7 @@ class LostRobotTest {
         pair.fallSilentWhenMoving();
 
         assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(BotException.class);
-        DrivenHemisson.await(() -> robot.count("D,0,0") >= 4);
+        pair.await(() -> robot.count("D,0,0") >= 4);
 
         assertThat(pair.afterMotion())
                 .filteredOn(command -> command.startsWith("D"))
@@ -62,7 +62,7 @@ class LostRobotTest {
         bot.connect();
         robot.fallSilent(true);
 
-        DrivenHemisson.await(() -> !bot.isConnected());
+        pair.await(() -> !bot.isConnected());
 
         assertThatThrownBy(() -> bot.move(10)).isInstanceOf(LinkLost.class).hasMessageContaining("wait 5 s");
     }
@@ -79,7 +79,7 @@ class LostRobotTest {
     void connectsAnewAfterALostLink() throws Exception {
         bot.connect();
         robot.hangUp();
-        DrivenHemisson.await(() -> !bot.isConnected());
+        pair.await(() -> !bot.isConnected());
 
         bot.connect();
 

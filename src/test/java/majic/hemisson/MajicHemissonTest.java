@@ -78,7 +78,7 @@ class MajicHemissonTest {
         robot.answer('E', command -> "Unknown Command ?!");
 
         bot.connect();
-        DrivenHemisson.await(() -> bot.state().moving());
+        pair.await(() -> bot.state().moving());
 
         assertThat(bot.state().speedMmPerSec()).isZero();
     }
@@ -88,7 +88,7 @@ class MajicHemissonTest {
         bot.connect();
         robot.answer('E', command -> "e,-9,09");
 
-        DrivenHemisson.await(() -> bot.state().moving());
+        pair.await(() -> bot.state().moving());
 
         assertThat(bot.state().turnRateDegPerSec()).isPositive();
     }
@@ -121,7 +121,7 @@ class MajicHemissonTest {
     @Test
     void theFirmwaresSlipInTheLeftGroundReadingIsCorrected() {
         bot.connect();
-        DrivenHemisson.await(() -> bot.get("prox7").toString().equals("80"));
+        pair.await(() -> bot.get("prox7").toString().equals("80"));
 
         assertThat(bot.get("groundLeft").number()).isEqualTo(60);
     }

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import majic.bot.BotCommand;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -32,7 +31,7 @@ class ModulesTest {
         robot.answer('R', ModulesTest::registers);
         robot.answer('1', command -> "1,1");
         robot.answer('2', command -> "2");
-        bot = new MajicHemisson(robot.address(), BotEnvironment.plain());
+        bot = new MajicHemisson(robot.address(), robot.environment());
         bot.connect();
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import majic.bot.Guard;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
@@ -89,12 +90,12 @@ class MotionTest {
     }
 
     @Test
-    void stopEndsAMotion() throws Exception {
+    void stopEndsAMotion() {
         bot.connect();
-        Thread stopping = pair.onceItMoves(bot::stop);
+        CompletableFuture<Void> stopping = pair.onceItMoves(bot::stop);
 
         assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(MotionStopped.class);
-        stopping.join();
+        robot.clock().join(stopping);
         assertThat(pair.afterMotion()).containsSubsequence("D,0,0", "E");
     }
 
@@ -103,8 +104,7 @@ class MotionTest {
         bot.connect();
 
         bot.drive(42, 0);
-        DrivenHemisson.await(
-                () -> robot.count("D,3,3") == 1 && pair.afterMotion().contains("D,0,0"));
+        pair.await(() -> robot.count("D,3,3") == 1 && pair.afterMotion().contains("D,0,0"));
 
         assertThat(pair.millisBetween("D,3,3", "D,0,0")).isBetween(500L, 900L);
     }

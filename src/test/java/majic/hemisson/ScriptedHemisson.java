@@ -2,7 +2,6 @@ package majic.hemisson;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -10,25 +9,54 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
+import majic.TestClock;
+import majic.bot.Agenda;
+import majic.bot.BotEnvironment;
+import majic.bot.Settings;
+import majic.bot.TimeSource;
+import majicsim.net.LineCount;
+import org.jspecify.annotations.Nullable;
 
-/** A peer behind a loopback socket that answers commands as told, and remembers what it heard and when. */
+/**
+ * A peer behind a loopback socket that answers commands as told, and remembers what it heard and when. Its clock steps,
+ * unless a window is to be used with it.
+ */
 final class ScriptedHemisson implements AutoCloseable {
+    private static final long ANSWERS_AFTER_MS = 4;
+
     /** A command and when it arrived. */
     record Heard(String command, long nanos) {}
 
-    private final ServerSocket server;
+    private final ServerSocket server = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
     private final List<Heard> heard = new CopyOnWriteArrayList<>();
     private final Map<Character, Function<String, String>> answers = new ConcurrentHashMap<>();
+    private final @Nullable TestClock clock;
+    private final TimeSource time;
+    private final Agenda agenda;
     private volatile String speeds = "00,00";
     private volatile boolean silent;
-    private volatile Socket client;
+    private volatile @Nullable Line line;
     private volatile byte[] greeting = {};
 
     ScriptedHemisson() throws IOException {
-        server = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
+        this(true);
+    }
+
+    /** One that lives by the system's clock, as windows do. */
+    static ScriptedHemisson inRealTime() throws IOException {
+        return new ScriptedHemisson(false);
+    }
+
+    private ScriptedHemisson(boolean stepped) throws IOException {
+        clock = stepped ? TestClock.between("127.0.0.1:" + server.getLocalPort(), this::lines) : null;
+        time = clock == null ? TimeSource.system() : clock.time();
+        agenda = new Agenda(time);
         answers.put('B', command -> "b,HemiOS_v_1.50");
         answers.put('I', command -> "i,1,1,1,1");
         answers.put('N', command -> "n,004,004,004,004,004,004,060,080");
@@ -60,8 +88,17 @@ final class ScriptedHemisson implements AutoCloseable {
         silent = now;
     }
 
+    /** What a driver needs to live by its clock. */
+    BotEnvironment environment() {
+        return new BotEnvironment(time, Settings.inMemory());
+    }
+
+    TestClock clock() {
+        return Objects.requireNonNull(clock);
+    }
+
     void hangUp() throws IOException {
-        client.close();
+        line().close();
     }
 
     String hangUpInsteadOfAnswering() {
@@ -73,8 +110,8 @@ final class ScriptedHemisson implements AutoCloseable {
         return "";
     }
 
-    void say(String line) throws IOException {
-        client.getOutputStream().write((line + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
+    void say(String text) throws IOException {
+        line().write((text + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
     }
 
     List<Heard> heard() {
@@ -99,31 +136,83 @@ final class ScriptedHemisson implements AutoCloseable {
         return digit.startsWith("-") ? digit : "0" + digit;
     }
 
+    private Line line() {
+        return Objects.requireNonNull(line);
+    }
+
+    private List<LineCount> lines() {
+        return Optional.ofNullable(line).map(Line::count).stream().toList();
+    }
+
     private void serve() {
         while (!server.isClosed()) {
-            try (Socket accepted = server.accept()) {
-                client = accepted;
-                accepted.setTcpNoDelay(true);
-                accepted.getOutputStream().write(greeting);
-                converse(accepted.getInputStream(), accepted.getOutputStream());
+            try (Line accepted = new Line(server.accept())) {
+                accepted.write(greeting);
+                line = accepted;
+                accepted.converse();
             } catch (IOException e) {
                 continue;
             }
         }
     }
 
-    private void converse(InputStream in, OutputStream out) throws IOException {
-        StringBuilder command = new StringBuilder();
-        for (int next = in.read(); next >= 0; next = in.read()) {
-            if (next != '\r') {
-                command.append((char) next);
-                continue;
+    /** One connection. */
+    private final class Line implements AutoCloseable {
+        private final Socket socket;
+        private final String peer;
+        private final AtomicLong consumed = new AtomicLong();
+        private final AtomicLong written = new AtomicLong();
+        private volatile boolean open = true;
+
+        Line(Socket socket) throws IOException {
+            this.socket = socket;
+            this.peer = "127.0.0.1:" + socket.getPort();
+            socket.setTcpNoDelay(true);
+        }
+
+        LineCount count() {
+            return new LineCount(peer, consumed.get(), written.get(), open, false);
+        }
+
+        void write(byte[] bytes) throws IOException {
+            written.addAndGet(bytes.length);
+            socket.getOutputStream().write(bytes);
+        }
+
+        void converse() throws IOException {
+            InputStream in = socket.getInputStream();
+            StringBuilder command = new StringBuilder();
+            for (int next = in.read(); next >= 0; next = in.read()) {
+                if (next == '\r') {
+                    hear(command.toString());
+                    command.setLength(0);
+                } else {
+                    command.append((char) next);
+                }
+                consumed.incrementAndGet();
             }
-            heard.add(new Heard(command.toString(), System.nanoTime()));
+        }
+
+        private void hear(String command) {
+            heard.add(new Heard(command, time.nanos()));
             if (!silent) {
-                out.write((answerTo(command.toString()) + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
+                String answer = answerTo(command);
+                agenda.after(ANSWERS_AFTER_MS, () -> answer(answer));
             }
-            command.setLength(0);
+        }
+
+        private void answer(String answer) {
+            try {
+                write((answer + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
+            } catch (IOException e) {
+                open = false;
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            open = false;
+            socket.close();
         }
     }
 
@@ -135,8 +224,12 @@ final class ScriptedHemisson implements AutoCloseable {
     @Override
     public void close() throws IOException {
         server.close();
-        if (client != null) {
-            client.close();
+        if (line != null) {
+            line().close();
+        }
+        agenda.close();
+        if (clock != null) {
+            clock.close();
         }
     }
 }
