@@ -77,6 +77,7 @@ final class Stage implements AutoCloseable {
                         thrown.set(e);
                     } finally {
                         over.set(true);
+                        line.raise();
                     }
                 })
                 .start();

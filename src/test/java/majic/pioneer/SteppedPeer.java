@@ -111,6 +111,11 @@ final class SteppedPeer implements AutoCloseable {
         }
     }
 
+    /** Makes whoever waits here look again. */
+    void raise() {
+        news.raise();
+    }
+
     /** Lets time pass. */
     void pass(double seconds) {
         await(() -> false, seconds);
