@@ -2,9 +2,11 @@ package majic.gui;
 
 import java.awt.Color;
 import java.util.List;
+import java.util.stream.Collectors;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultStyledDocument;
 import javax.swing.text.Element;
+import javax.swing.text.SimpleAttributeSet;
 import javax.swing.text.Style;
 import javax.swing.text.StyleConstants;
 import javax.swing.text.StyleContext;
@@ -33,17 +35,35 @@ final class MessageDocument extends DefaultStyledDocument {
         }
     }
 
+    /** Adds lines; those that would be forgotten at once are left out. */
     void append(List<Line> lines) {
+        List<Line> newest = lines.subList(Math.max(0, lines.size() - MOST_LINES), lines.size());
         try {
-            for (Line line : lines) {
-                String text = sign(line.kind()) + line.text();
-                insertString(getLength(), getLength() == 0 ? text : "\n" + text, null);
-                setLogicalStyle(getLength(), getStyle(line.kind().name()));
+            for (int from = 0, to; from < newest.size(); from = to) {
+                to = endOfRun(newest, from);
+                appendRun(newest.subList(from, to));
             }
             forgetOldest();
         } catch (BadLocationException e) {
             throw new IllegalStateException("lines go to the end", e);
         }
+    }
+
+    private static int endOfRun(List<Line> lines, int from) {
+        int to = from + 1;
+        while (to < lines.size() && lines.get(to).kind() == lines.get(from).kind()) {
+            to++;
+        }
+        return to;
+    }
+
+    /** Lines of one kind go in as one text: a flood of them must leave the window time for a click on STOP. */
+    private void appendRun(List<Line> run) throws BadLocationException {
+        Line.Kind kind = run.get(0).kind();
+        String text = run.stream().map(line -> sign(kind) + line.text()).collect(Collectors.joining("\n"));
+        SimpleAttributeSet look = new SimpleAttributeSet();
+        look.setResolveParent(getStyle(kind.name()));
+        insertString(getLength(), getLength() == 0 ? text : "\n" + text, look);
     }
 
     private void forgetOldest() throws BadLocationException {

@@ -25,9 +25,15 @@ class MessageDocumentTest {
 
     @Test
     void theOldestLinesAreForgotten() throws BadLocationException {
-        document.append(IntStream.rangeClosed(1, MessageDocument.MOST_LINES + 7)
-                .mapToObj(number -> new Line(Line.Kind.ANSWER, "line " + number))
-                .toList());
+        document.append(answers(1, 10));
+        document.append(answers(11, MessageDocument.MOST_LINES + 7));
+        assertThat(text().lines()).hasSize(MessageDocument.MOST_LINES);
+        assertThat(text()).startsWith("  line 8\n").endsWith("line 2007");
+    }
+
+    @Test
+    void ofAFloodOnlyTheNewestLinesAreTaken() throws BadLocationException {
+        document.append(answers(1, MessageDocument.MOST_LINES + 7));
         assertThat(text().lines()).hasSize(MessageDocument.MOST_LINES);
         assertThat(text()).startsWith("  line 8\n").endsWith("line 2007");
     }
@@ -38,6 +44,12 @@ class MessageDocumentTest {
         StyleConstants.setForeground(document.getStyle(Line.Kind.ERROR.name()), Color.PINK);
         assertThat(colorAt(1)).isEqualTo(Color.PINK);
         assertThat(colorAt(document.getLength() - 1)).isEqualTo(Palette.text());
+    }
+
+    private static List<Line> answers(int first, int last) {
+        return IntStream.rangeClosed(first, last)
+                .mapToObj(number -> new Line(Line.Kind.ANSWER, "line " + number))
+                .toList();
     }
 
     private Color colorAt(int offset) {
