@@ -55,21 +55,23 @@ class ClearanceTest {
     /** Drives ahead until the guard of a wander would stop it; how far the hull then may still go before it touches. */
     private static double gapWhenNear(List<double[]> walls) {
         for (double way = 0; way < 2 * FAR_MM; way++) {
-            double gap = gap(walls, way);
-            if (gap <= 0) {
-                return gap;
+            if (touches(walls, way)) {
+                return 0;
             }
             if (Clearance.front(sees(walls, way)).orElse(FAR_MM) < NEAR_MM) {
-                return gap;
+                return gap(walls, way);
             }
         }
         return FAR_MM;
     }
 
+    private static boolean touches(List<double[]> walls, double x) {
+        return walls.stream().anyMatch(wall -> distance(wall, x) < Clearance.HULL_MM);
+    }
+
     private static double gap(List<double[]> walls, double way) {
         for (double ahead = 0; ahead < FAR_MM; ahead++) {
-            double x = way + ahead;
-            if (walls.stream().anyMatch(wall -> distance(wall, x) < Clearance.HULL_MM)) {
+            if (touches(walls, way + ahead)) {
                 return ahead;
             }
         }
