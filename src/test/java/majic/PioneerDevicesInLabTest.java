@@ -59,6 +59,7 @@ class PioneerDevicesInLabTest {
     void itsBeepIsHeardBesideIt() throws InterruptedException {
         List<Tone> heard = new ArrayList<>();
         assertThat(rig.run("1 set beep on")).containsExactly("1 set beep on: done");
+        rig.lab().time().sleep(0.1);
         beside(bystander -> heard.addAll(bystander.played()));
         assertThat(heard).isNotEmpty();
     }
