@@ -19,7 +19,6 @@ final class SerialClientWire implements Wire {
         if (!port.openPort()) {
             throw new IOException("cannot open " + path);
         }
-        drop();
     }
 
     @Override
@@ -54,12 +53,5 @@ final class SerialClientWire implements Wire {
     @Override
     public boolean isNoticed() {
         return false;
-    }
-
-    /** Throws away what an earlier client has left unread, as every client does first. */
-    private void drop() {
-        for (int left = port.bytesAvailable(); left > 0; left = port.bytesAvailable()) {
-            read(left);
-        }
     }
 }

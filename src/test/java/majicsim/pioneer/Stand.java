@@ -21,6 +21,9 @@ final class Stand implements AutoCloseable {
     private final Optional<PtyPort> pty;
     private long nanos;
 
+    /** How much of what the robot has ever sent over its serial plug a client has taken there. */
+    private long takenFromPlug;
+
     Stand(Noise noise) throws IOException {
         rig = new Rig(new Pose(0, 0, 0), noise, PioneerRobot.STANDARD_MODEL);
         rig.robot.disconnected(rig.line);
@@ -34,7 +37,7 @@ final class Stand implements AutoCloseable {
     }
 
     StandClient tcpClient() throws IOException {
-        return new StandClient(this, tcp, new TcpWire(tcp.number()));
+        return new StandClient(this, tcp, new TcpWire(tcp.number()), 0, taken -> {});
     }
 
     /** One that the robot may turn away. */
@@ -44,7 +47,8 @@ final class Stand implements AutoCloseable {
 
     StandClient serialClient() throws IOException {
         PtyPort port = pty.orElseThrow();
-        return new StandClient(this, port, new SerialClientWire(port.address()));
+        return new StandClient(
+                this, port, new SerialClientWire(port.address()), takenFromPlug, taken -> takenFromPlug = taken);
     }
 
     /** Lets the lab go on; all that the robot sends in that time is on its way when this returns. */

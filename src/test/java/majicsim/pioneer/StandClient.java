@@ -8,6 +8,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongConsumer;
 import majicsim.net.LineCount;
 import majicsim.net.Port;
 
@@ -18,18 +19,25 @@ final class StandClient {
     private final Stand stand;
     private final Port port;
     private final Wire wire;
+    private final LongConsumer taken;
     private final PacketReader reader = new PacketReader();
     private final ArrayDeque<Packet> unread = new ArrayDeque<>();
     private long consumed;
     private long received;
 
-    StandClient(Stand stand, Port port, Wire wire) {
+    /**
+     * A client that throws away what an earlier one has left unread, as every client does first. How much that is the line
+     * says; what it has at hand says nothing, for the system may still be busy passing it on.
+     */
+    StandClient(Stand stand, Port port, Wire wire, long takenBefore, LongConsumer taken) throws IOException {
         this.stand = stand;
         this.port = port;
         this.wire = wire;
+        this.taken = taken;
         LineCount before = awaitLine();
         consumed = before.consumed();
         received = before.written();
+        wire.read((int) (received - takenBefore));
     }
 
     /** One write, dealt with by the robot when this returns. */
@@ -112,6 +120,8 @@ final class StandClient {
 
     /** Gone without a word; what the robot's end notices of it, it has noticed when this returns. */
     void vanish() throws IOException {
+        receive();
+        taken.accept(received);
         wire.vanish();
         while (wire.isNoticed() && line().isPresent()) {
             Thread.onSpinWait();
