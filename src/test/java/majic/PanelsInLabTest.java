@@ -34,7 +34,7 @@ class PanelsInLabTest {
         "380, 200, 8, 8, 3",
         "470, 260, 8, 8, 3",
         "800, 600, 30, 30, 33",
-        "400, 700, 20, 20, 20"
+        "400, 700, 20, 20, 17"
     })
     void noReadingIsCutOffOnAnyRobotsPanel(int width, int height, int ofTheAibo, int ofThePioneer, int ofTheHemisson)
             throws Exception {

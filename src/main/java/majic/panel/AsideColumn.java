@@ -20,10 +20,14 @@ final class AsideColumn {
         return asides.stream().mapToInt(Aside::leastWidth).max().orElse(0);
     }
 
+    /** At which the readings find room, but the asides are no better off than they must be. */
+    int widthForReadings() {
+        return Math.max(leastWidth(), numbers.getMinimumSize().width);
+    }
+
     /** At which the column is lowest and has the width for readings. */
     int goodWidth() {
-        int good = asides.stream().mapToInt(Aside::goodWidth).max().orElse(0);
-        return Math.max(good, numbers.getMinimumSize().width);
+        return asides.stream().mapToInt(Aside::goodWidth).reduce(widthForReadings(), Math::max);
     }
 
     int leastHeight(int width) {

@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.LayoutManager;
 import java.awt.Rectangle;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -87,10 +88,14 @@ public final class Dashboard implements LayoutManager {
         return used;
     }
 
+    /** The most easily read that costs the view no more than it is worth. */
     private int columnWidth(Rectangle room) {
         int least = column.leastWidth();
-        int good = column.goodWidth();
-        return shorterBeside(room, least) > WORTH_IT * shorterBeside(room, good) ? least : good;
+        int largest = shorterBeside(room, least);
+        return IntStream.of(column.goodWidth(), column.widthForReadings())
+                .filter(width -> WORTH_IT * shorterBeside(room, width) >= largest)
+                .findFirst()
+                .orElse(least);
     }
 
     /** The shorter side of a view with a column beside it; 0 if the column does not fit. */
