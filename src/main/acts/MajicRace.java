@@ -10,6 +10,7 @@ public final class MajicRace extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final double COURSE_MM = 1000;
     private static final double STEP_S = 0.1;
+    private static final int MOST_SLIPS = 3;
 
     @Override
     public List<Role> roles() {
@@ -33,11 +34,11 @@ public final class MajicRace extends MajicAct {
                     say("number " + place + " is the " + racer.name);
                     place++;
                     racing.remove(racer);
-                } else if (racer.isBlocked()) {
+                } else if (racer.staysBlocked()) {
                     say("the " + racer.name + " is out: something is in its way");
                     racing.remove(racer);
                 }
-                racer.robot.drive(racing.contains(racer) ? racer.number("cruise") : 0, 0);
+                racer.robot.drive(racing.contains(racer) && !racer.isBlocked() ? racer.number("cruise") : 0, 0);
             }
         }
     }
@@ -48,6 +49,7 @@ public final class MajicRace extends MajicAct {
         private final BotControl robot;
         private final double startX;
         private final double startY;
+        private int blockedSteps;
 
         Racer(String name, BotControl robot) {
             this.name = name;
@@ -66,6 +68,12 @@ public final class MajicRace extends MajicAct {
 
         boolean isBlocked() {
             return number("distanceFront") < number("near");
+        }
+
+        /** One reading alone may be a slip of a sensor; it makes the robot stand, but puts it out only if it stays. */
+        boolean staysBlocked() {
+            blockedSteps = isBlocked() ? blockedSteps + 1 : 0;
+            return blockedSteps > MOST_SLIPS;
         }
 
         double number(String parameter) {
