@@ -21,10 +21,10 @@ final class Autobaud {
     private static final double SETTLE_S = 0.05;
 
     private static final double PULSE_S = 0.1;
-    private static final int PULSES = 5;
+    private static final int PULSES = 6;
 
-    /** The first SIP after the change may have been on its way before it, at the other speed. */
-    private static final int PROOFS = 2;
+    /** The first SIPs after the change may have come before it, at the other speed, and have waited to be read. */
+    private static final int PROOFS = 3;
 
     /** The robot's own 500 ms, and then a SIP (ARCOS sheet 6.1, HOSTBAUD). */
     private static final double FALL_BACK_S = 1;
