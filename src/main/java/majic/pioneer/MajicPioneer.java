@@ -1,5 +1,6 @@
 package majic.pioneer;
 
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
@@ -211,7 +212,23 @@ public final class MajicPioneer extends MajicBot {
 
     @Override
     public JComponent display() {
-        return PioneerPanel.create(this);
+        return PioneerPanel.create(this, this::scene);
+    }
+
+    private Optional<PioneerScene> scene() {
+        return Optional.ofNullable(session.get()).filter(Session::hasSpoken).map(this::scene);
+    }
+
+    private PioneerScene scene(Session open) {
+        return new PioneerScene(
+                open.model(),
+                open.state(),
+                Bumpers.of(open.model(), open.config()),
+                connection(),
+                get("age").number(),
+                open.reception(),
+                profile().speed(),
+                profile().turn());
     }
 
     /** The session, which there is from the first connect on. */

@@ -1,8 +1,11 @@
 package majic.pioneer;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.bot.BotState;
+import majic.bot.MajicBot;
 import majic.panel.Aside;
 import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
@@ -15,16 +18,18 @@ import majic.panel.ZoomableMap;
 final class PioneerPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
-    private final transient MajicPioneer bot;
+    private final transient MajicBot bot;
+    private final transient Supplier<Optional<PioneerScene>> scenes;
     private final transient PioneerDrawing drawing = new PioneerDrawing();
     private final ZoomableMap map = new ZoomableMap(drawing);
     private final GaugesPanel gauges = new GaugesPanel();
     private final transient PioneerLights lights = new PioneerLights();
     private final PioneerNumbers numbers = new PioneerNumbers();
 
-    private PioneerPanel(MajicPioneer bot) {
+    private PioneerPanel(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
         super(bot);
         this.bot = bot;
+        this.scenes = scenes;
         map.getAccessibleContext().setAccessibleName("Map of the Pioneer, its sonar echoes and its way");
         add(map);
         add(gauges);
@@ -34,30 +39,29 @@ final class PioneerPanel extends NewsPanel {
         setLayout(new Dashboard(map, 0, asides, numbers));
     }
 
-    /** Makes the panel; on the event dispatch thread. */
-    static JComponent create(MajicPioneer bot) {
-        PioneerPanel panel = new PioneerPanel(bot);
+    /**
+     * Makes the panel; on the event dispatch thread.
+     *
+     * @param scenes takes what is to be shown, from any thread; empty until the first report of the robot
+     */
+    static JComponent create(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
+        PioneerPanel panel = new PioneerPanel(bot, scenes);
         panel.refreshOnNews();
         return panel;
     }
 
     @Override
     protected void heard(BotState state) {
-        Session session = bot.session();
-        if (session != null && session.hasSpoken()) {
-            drawing.hear(session.model(), session.state());
-        }
+        scenes.get().ifPresent(scene -> drawing.hear(scene.model(), scene.state()));
     }
 
     @Override
     protected void refresh() {
         numbers.show(bot);
-        Session session = bot.session();
-        if (session == null || !session.hasSpoken()) {
-            lights.show(bot.connection());
-            return;
-        }
-        PioneerScene scene = PioneerScene.of(bot, session);
+        scenes.get().ifPresentOrElse(this::show, () -> lights.show(bot.connection()));
+    }
+
+    private void show(PioneerScene scene) {
         drawing.show(scene);
         map.repaint();
         gauges.show(scene);

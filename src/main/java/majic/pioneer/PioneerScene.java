@@ -26,20 +26,6 @@ record PioneerScene(
         Range speedLimits,
         Range turnLimits) {
 
-    /** Of a robot that has spoken. */
-    static PioneerScene of(MajicPioneer bot, Session session) {
-        PioneerState state = session.state();
-        return new PioneerScene(
-                session.model(),
-                state,
-                Bumpers.of(session.model(), session.config()),
-                bot.connection(),
-                bot.get("age").number(),
-                session.reception(),
-                bot.profile().speed(),
-                bot.profile().turn());
-    }
-
     boolean isConnected() {
         return connection == MajicBot.Connection.CONNECTED;
     }
