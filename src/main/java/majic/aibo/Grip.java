@@ -3,6 +3,7 @@ package majic.aibo;
 import majic.bot.BotException;
 import majic.bot.Hand;
 import majic.bot.MajicBot;
+import majic.bot.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -45,7 +46,7 @@ final class Grip {
         if (hand != null && hand.set(joint, degrees)) {
             return true;
         }
-        bot.member().ifPresent(member -> {
+        Member.of(bot).ifPresent(member -> {
             try {
                 hand = new Hand(member);
                 hand.set(joint, degrees);

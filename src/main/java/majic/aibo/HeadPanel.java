@@ -40,7 +40,7 @@ final class HeadPanel extends JPanel {
     }
 
     void refresh() {
-        boolean usable = bot.isConnected() && bot.member().isPresent();
+        boolean usable = bot.isConnected() && bot.place().isPresent();
         sliders.forEach((joint, slider) -> {
             Senses senses = bot.dog().senses();
             slider.setEnabled(usable);

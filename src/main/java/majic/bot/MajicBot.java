@@ -36,7 +36,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     private volatile BotProfile profile;
     private volatile Pace pace;
     private volatile String name;
-    private volatile @Nullable Member member;
+    private volatile @Nullable TeamPlace place;
     private volatile BotState state = BotState.UNKNOWN;
 
     /** How a robot's connection stands. */
@@ -303,17 +303,17 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     /**
-     * Its place in a team. What a display lets a person do with the robot goes by way of this, so that owners and STOP
-     * count.
+     * The place in a team. Everything a display lets a person do with the robot goes through {@code Member.of(bot)}, so
+     * that the owner of the robot and STOP are respected.
      *
      * @return empty for a robot that is used alone
      */
-    public final Optional<Member> member() {
-        return Optional.ofNullable(member);
+    public final Optional<TeamPlace> place() {
+        return Optional.ofNullable(place);
     }
 
-    final void join(Member place, String newName) {
-        member = place;
+    final void join(TeamPlace newPlace, String newName) {
+        place = newPlace;
         name = newName;
     }
 

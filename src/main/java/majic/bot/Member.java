@@ -1,13 +1,14 @@
 package majic.bot;
 
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A robot in a team: its number, its queue with the one worker that empties it, its owner, and the act it is lent to.
  * Thread-safe.
  */
-public final class Member {
+public final class Member implements TeamPlace {
     /** How many orders may wait for one robot. */
     public static final int QUEUE_DEPTH = 100;
 
@@ -29,10 +30,16 @@ public final class Member {
     }
 
     /**
-     * Its number.
+     * The member that a robot is.
      *
-     * @return 1 to the size of the team
+     * @param bot a robot
+     * @return empty for a robot that is used alone
      */
+    public static Optional<Member> of(MajicBot bot) {
+        return bot.place().map(Member.class::cast);
+    }
+
+    @Override
     public int number() {
         return number;
     }

@@ -90,7 +90,7 @@ class HandTest {
 
     @Test
     void aRobotKnowsItsPlaceInTheTeam() {
-        assertThat(bot.member()).contains(member);
-        assertThat(FakeBot.on(clock.time()).member()).isEmpty();
+        assertThat(Member.of(bot)).contains(member);
+        assertThat(Member.of(FakeBot.on(clock.time()))).isEmpty();
     }
 }
