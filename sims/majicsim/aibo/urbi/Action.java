@@ -19,6 +19,11 @@ sealed interface Action extends Statement {
         public Task start(Context context) {
             return Assigning.start(context, this);
         }
+
+        /** The same for another variable. */
+        Assign to(Name other) {
+            return new Assign(other, value, modifiers, declares);
+        }
     }
 
     /** {@code x += v}, {@code x -= v}, {@code x++}, {@code x--}: sign is 1 or -1. */
@@ -34,6 +39,11 @@ sealed interface Action extends Statement {
         @Override
         public Task start(Context context) {
             return Properties.assigning(context, this);
+        }
+
+        /** The same for another variable. */
+        AssignProperty to(Name other) {
+            return new AssignProperty(other, property, value);
         }
     }
 

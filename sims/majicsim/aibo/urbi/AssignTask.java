@@ -126,7 +126,7 @@ final class AssignTask extends Task {
 
     /** At the start only: a way that is planned again was warned of already. */
     private void warn(String text) {
-        if (context.warns() && trajectory == null) {
+        if (Flag.in(context.flags(), "error") && trajectory == null) {
             context.error(text);
         }
     }

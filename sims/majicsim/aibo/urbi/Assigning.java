@@ -9,9 +9,20 @@ final class Assigning {
     private Assigning() {}
 
     static Task start(Context context, Action.Assign assignment) {
+        return new Prepared(context, List.of(), values -> {
+            Task all = isLocal(context, assignment) ? null : Broadcast.of(context, assignment.target(), assignment::to);
+            return all == null ? single(context, assignment) : all;
+        });
+    }
+
+    private static Task single(Context context, Action.Assign assignment) {
         List<Expr> exprs = new ArrayList<>(List.of(assignment.value()));
         exprs.addAll(Modifiers.expressions(assignment.modifiers()));
         return new Prepared(context, exprs, values -> assign(context, assignment, values));
+    }
+
+    private static boolean isLocal(Context context, Action.Assign assignment) {
+        return assignment.declares() && context.frame() != null;
     }
 
     private static @Nullable Task assign(Context context, Action.Assign assignment, List<Value> values) throws Failure {
@@ -23,7 +34,7 @@ final class Assigning {
         } else {
             modifiers = Modifiers.of(context, assignment.modifiers(), rest);
         }
-        if (assignment.declares() && context.frame() != null) {
+        if (isLocal(context, assignment) && context.frame() != null) {
             context.frame().declare(assignment.target().text(), value);
             return null;
         }
@@ -33,22 +44,21 @@ final class Assigning {
 
     private static @Nullable Task write(Context context, Action.Assign assignment, Value value, Modifiers modifiers)
             throws Failure {
-        List<Task> tasks = new ArrayList<>();
         Variables variables = context.kernel().variables();
         boolean make = assignment.declares() || !variables.isStrict();
-        for (Variable variable : variables.targets(context, assignment.target(), make)) {
-            if (!make) {
-                checkType(variable, value);
-            }
-            if (value instanceof Value.Num num && !(variable.target() instanceof Value.Text)) {
-                tasks.add(number(context, assignment, variable, num.number(), modifiers));
-            } else if (variable.isDevice() && !(value instanceof Value.Binary)) {
-                variables.replace(variable, value);
-            } else {
-                variable.write(value);
-            }
+        Variable variable = variables.target(context, assignment.target(), make);
+        if (!make) {
+            checkType(variable, value);
         }
-        return tasks.isEmpty() ? null : BothTask.of(context, tasks);
+        if (value instanceof Value.Num num && !(variable.target() instanceof Value.Text)) {
+            return number(context, assignment, variable, num.number(), modifiers);
+        }
+        if (variable.isDevice() && !(value instanceof Value.Binary)) {
+            variables.replace(variable, value);
+        } else {
+            variable.write(value);
+        }
+        return null;
     }
 
     private static void checkType(Variable variable, Value value) throws Failure {

@@ -52,7 +52,7 @@ final class Connection {
     }
 
     Context context() {
-        return new Context(this, null, Parser.NO_TAG, 0, false);
+        return new Context(this, null, Parser.NO_TAG, 0, List.of());
     }
 
     String describe() {

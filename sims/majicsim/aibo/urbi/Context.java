@@ -11,21 +11,21 @@ import org.jspecify.annotations.Nullable;
  * @param frame the call it belongs to; null outside of one
  * @param tag that its replies carry
  * @param depth how many commands it is inside of, through all function calls
- * @param warns whether an assignment tells where it was held to its limits, as the flag {@code +error} asks
+ * @param flags of the command, which also stand before what the kernel runs in place of it
  */
-public record Context(Connection connection, @Nullable Frame frame, String tag, int depth, boolean warns) {
+public record Context(Connection connection, @Nullable Frame frame, String tag, int depth, List<Flag> flags) {
     /** For a command inside this one. */
     Context inner(String itsTag) {
         return inner(itsTag, List.of());
     }
 
     /** For a command inside this one with flags of its own. */
-    Context inner(String itsTag, List<Flag> flags) {
-        return new Context(connection, frame, itsTag, depth + 1, Flag.in(flags, "error"));
+    Context inner(String itsTag, List<Flag> itsFlags) {
+        return new Context(connection, frame, itsTag, depth + 1, itsFlags);
     }
 
     Context withFrame(Frame other) {
-        return new Context(connection, other, tag, depth, warns);
+        return new Context(connection, other, tag, depth, flags);
     }
 
     /**

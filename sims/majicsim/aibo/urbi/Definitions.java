@@ -12,7 +12,7 @@ final class Definitions {
         if (context.frame() != null && name.text().indexOf('.') < 0) {
             context.frame().declare(name.text(), Value.VOID);
         } else {
-            context.kernel().variables().targets(context, name, true);
+            context.kernel().variables().target(context, name, true);
         }
         return null;
     }
@@ -33,7 +33,7 @@ final class Definitions {
         Budget.checkNames(kernel.objects().count());
         kernel.objects().define(definition.name());
         for (String variable : definition.variables()) {
-            kernel.variables().targets(context, Name.of(definition.name() + "." + variable), true);
+            kernel.variables().target(context, Name.of(definition.name() + "." + variable), true);
         }
         definition.events().forEach(event -> kernel.events().declare(definition.name() + "." + event));
         return null;

@@ -23,13 +23,16 @@ final class Effects {
     }
 
     static @Nullable Task power(Context context, Action.Power power) throws Failure {
-        Name load = Name.of(power.device().text() + ".load");
-        for (Variable variable : context.kernel().variables().targets(context, load)) {
-            boolean isOn = variable.read().isTrue();
-            double wanted = power.load() == null ? (isOn ? 0 : 1) : power.load();
-            variable.write(Value.of(wanted));
+        Task all = Broadcast.of(context, power.device(), member -> new Action.Power(member, power.load()));
+        if (all != null) {
+            return all;
         }
-        return null;
+        String load = new Evaluator(context, Map.of()).key(power.device()) + ".load";
+        Variable now = context.kernel().variables().find(context, load);
+        boolean opposite = now == null || !now.read().isTrue();
+        Value wanted = power.load() == null ? Value.of(opposite) : Value.of(power.load());
+        Statement assignment = new Action.Assign(Name.of(load), new Expr.Constant(wanted), List.of(), false);
+        return new Substitute(context, assignment.start(Substitute.context(context)));
     }
 
     static @Nullable Task choose(Context context, Flow.If choice, Value test) {

@@ -38,7 +38,7 @@ final class Listings {
 
     private static void collect(Task task, String indent, List<String> lines) {
         String deeper = indent;
-        if (task instanceof TaggedTask tagged) {
+        if (task instanceof TaggedTask tagged && !tagged.isReplaced()) {
             lines.add(indent + "Tag:[" + tagged.tag() + "]" + (task.isFrozen() ? " frozen" : ""));
             deeper = indent + " ";
         }

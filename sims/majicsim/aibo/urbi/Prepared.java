@@ -51,6 +51,11 @@ final class Prepared extends Task {
         return parts;
     }
 
+    @Override
+    boolean isReplaced() {
+        return rest != null && rest.isReplaced();
+    }
+
     private boolean goOn(List<Value> values) {
         try {
             Task next = continuation.with(values);

@@ -25,6 +25,13 @@ final class Properties {
     private String unit = "";
 
     static Task assigning(Context context, Action.AssignProperty assignment) {
+        return new Prepared(context, List.of(), values -> {
+            Task all = Broadcast.of(context, assignment.target(), assignment::to);
+            return all == null ? single(context, assignment) : all;
+        });
+    }
+
+    private static Task single(Context context, Action.AssignProperty assignment) {
         if (assignment.property().equals("blend")
                 && assignment.value() instanceof Expr.Variable word
                 && Blend.named(word.name().text()) != null) {
@@ -106,9 +113,9 @@ final class Properties {
 
     private static @Nullable Task assign(Context context, Action.AssignProperty assignment, Value value)
             throws Failure {
-        for (Variable variable : context.kernel().variables().targets(context, assignment.target())) {
-            variable.properties().write(assignment.property(), value);
-        }
+        Variables variables = context.kernel().variables();
+        Variable variable = variables.target(context, assignment.target(), !variables.isStrict());
+        variable.properties().write(assignment.property(), value);
         return null;
     }
 

@@ -38,7 +38,7 @@ final class TaggedTask extends Task {
         }
         // A command that stops its own tag is over before its body returns here: then it sends no end.
         boolean ended = body.step() && !isOver();
-        if (ended) {
+        if (ended && !isReplaced()) {
             announce("end");
         }
         return ended || !mayGoOn(first);
@@ -58,6 +58,11 @@ final class TaggedTask extends Task {
     @Override
     protected List<Task> parts() {
         return List.of(body);
+    }
+
+    @Override
+    boolean isReplaced() {
+        return body.isReplaced();
     }
 
     private void announce(String moment) {

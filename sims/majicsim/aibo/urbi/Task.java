@@ -39,6 +39,15 @@ public abstract class Task {
         return List.of();
     }
 
+    /**
+     * Whether the kernel runs another command in place of this one, which carries the messages from then on.
+     *
+     * @return true from the step on in which it was replaced
+     */
+    boolean isReplaced() {
+        return false;
+    }
+
     /** Called once when it ends, by itself or killed; what it holds must be let go. */
     protected void ended() {}
 

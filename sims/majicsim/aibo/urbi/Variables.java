@@ -1,6 +1,5 @@
 package majicsim.aibo.urbi;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -161,24 +160,28 @@ public final class Variables {
         }
     }
 
-    /** What an assignment to that name writes: the variable, or those of all members if it names a group. */
-    List<Variable> targets(Context context, Name name) throws Failure {
-        return targets(context, name, !strict);
+    /**
+     * The variable that an assignment to that name writes.
+     *
+     * @param make whether it may be made if it is not there; else it is an error that it is not
+     */
+    Variable target(Context context, Name name, boolean make) throws Failure {
+        return obtain(context, new Evaluator(context, Map.of()).key(name), make);
     }
 
-    /** @param make whether variables may be made that are not there; else it is an error that they are not */
-    List<Variable> targets(Context context, Name name, boolean make) throws Failure {
+    /** The members that a name reaches if it is a group's, with its field and suffix; null for any other name. */
+    @Nullable
+    List<Name> members(Context context, Name name) throws Failure {
         String key = new Evaluator(context, Map.of()).key(name);
         int dot = key.indexOf('.');
         String head = dot < 0 ? key : key.substring(0, dot);
+        String field = dot < 0 ? "" : key.substring(dot);
         if (!groups.contains(head) || find(context, key) != null) {
-            return List.of(obtain(context, key, make));
+            return null;
         }
-        List<Variable> targets = new ArrayList<>();
-        for (String leaf : groups.leaves(head)) {
-            targets.add(obtain(context, dot < 0 ? leaf : leaf + key.substring(dot), make));
-        }
-        return targets;
+        return groups.leaves(head).stream()
+                .map(leaf -> Name.of(leaf + field).withSuffix(name.suffix()))
+                .toList();
     }
 
     /** Replaces a variable by a plain one; hardware behind it is cut off (URBI sheet, section 5). */

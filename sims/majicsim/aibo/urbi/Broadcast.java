@@ -1,0 +1,26 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A command to a group: the kernel runs in place of it the same command for each member, all with its tag and flags, side by side
+ * (URBI sheet, sections 10 and 21). A group inside a group counts as its members.
+ */
+final class Broadcast {
+    private Broadcast() {}
+
+    /** Gives what runs in place of the command, or null if the name is no group's. */
+    static @Nullable Task of(Context context, Name name, Function<Name, Statement> command) throws Failure {
+        List<Name> members = context.kernel().variables().members(context, name);
+        if (members == null) {
+            return null;
+        }
+        List<Task> tasks = members.stream()
+                .map(member -> new Statement.Tagged(context.tag(), context.flags(), command.apply(member)))
+                .map(each -> each.start(context))
+                .toList();
+        return new Substitute(context, BothTask.of(Substitute.context(context), tasks));
+    }
+}

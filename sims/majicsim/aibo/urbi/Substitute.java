@@ -1,0 +1,39 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/**
+ * A command that the kernel runs in place of the one that was given: it has the flags of that one, a tag of the kernel's own, and
+ * the given one never reports its end (URBI sheet, section 21).
+ */
+final class Substitute extends Task {
+    /** The tag of commands that the kernel makes itself. */
+    static final String TAG = "__system__";
+
+    private final Task command;
+
+    Substitute(Context context, Task body) {
+        super(context);
+        command = new TaggedTask(body.context, context.flags(), body);
+    }
+
+    /** The context for the body of a substitute. */
+    static Context context(Context given) {
+        return given.inner(TAG, given.flags());
+    }
+
+    @Override
+    protected boolean advance() {
+        return command.step();
+    }
+
+    @Override
+    protected List<Task> parts() {
+        return List.of(command);
+    }
+
+    @Override
+    boolean isReplaced() {
+        return true;
+    }
+}
