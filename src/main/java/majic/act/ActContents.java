@@ -54,7 +54,7 @@ record ActContents(
 
     private static ActContents ofStream(byte[] file, ClassLoader majic) throws IOException {
         Set<String> saved = SerialScan.classes(file);
-        String actClass = saved.iterator().next();
+        String actClass = saved.stream().findFirst().orElseThrow(() -> new Unfit("holds no act, but other data"));
         ActManifest manifest =
                 new ActManifest(actClass, ActDetails.named(ActNames.simple(actClass)), "", List.of(Role.any(Role.ME)));
         Family family = Family.of(actClass, Map.of(), majic);

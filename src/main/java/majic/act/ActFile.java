@@ -31,6 +31,9 @@ public final class ActFile {
             this.contents = ActContents.of(bytes, MAJIC);
         } catch (IOException e) {
             throw new ActException(Printable.of(label + " " + e.getMessage()), e);
+        } catch (RuntimeException e) {
+            // The JDK's readers of manifests and certificates do not promise more than that.
+            throw new ActException(Printable.of(label + " is damaged: its contents make no sense"), e);
         }
     }
 

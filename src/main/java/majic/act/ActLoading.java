@@ -24,7 +24,7 @@ record ActLoading(String label, ActContents contents) {
         } catch (ClassNotFoundException | NoClassDefFoundError e) {
             throw refused("uses the class " + dotted(e) + ", which is neither in it nor in this MAJIC", e);
         } catch (ExceptionInInitializerError e) {
-            throw refused("failed in its own code when it was loaded: " + e.getCause(), e);
+            throw refused("failed in its own code when it was loaded: " + Blame.named(cause(e)), e);
         } catch (LinkageError e) {
             throw refused("has a class that this Java cannot use: " + e.getMessage(), e);
         } catch (IOException e) {
@@ -32,7 +32,7 @@ record ActLoading(String label, ActContents contents) {
         } catch (ActException e) {
             throw e;
         } catch (RuntimeException | Error e) {
-            throw refused("failed in its own code when it was loaded: " + e, e);
+            throw refused("failed in its own code when it was loaded: " + Blame.named(e), e);
         }
     }
 
@@ -44,6 +44,11 @@ record ActLoading(String label, ActContents contents) {
         throw new ActException(label + " says that it is a "
                 + contents.manifest().actClass() + ", but holds "
                 + (loaded == null ? "nothing" : loaded.getClass().getName()));
+    }
+
+    private static Throwable cause(ExceptionInInitializerError failed) {
+        Throwable cause = failed.getCause();
+        return cause == null ? failed : cause;
     }
 
     private static String dotted(Throwable missing) {

@@ -12,9 +12,13 @@ final class Blame {
         if (failure instanceof BotException) {
             return String.valueOf(failure.getMessage());
         }
-        String what = failure.getClass().getSimpleName();
+        return named(failure) + place(act.getClass(), failure);
+    }
+
+    /** What kind of failure it is and its own words, in one line. */
+    static String named(Throwable failure) {
         String message = failure.getMessage();
-        return what + (message == null ? "" : ": " + message) + place(act.getClass(), failure);
+        return Printable.of(failure.getClass().getSimpleName() + (message == null ? "" : ": " + message));
     }
 
     private static String place(Class<?> act, Throwable failure) {

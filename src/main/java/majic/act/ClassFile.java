@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.UTFDataFormatException;
 import java.lang.reflect.Modifier;
 import java.util.Set;
 import java.util.TreeSet;
@@ -42,6 +43,8 @@ record ClassFile(String name, String parent, int major, int flags, Nesting nesti
             return parse(in);
         } catch (EOFException e) {
             throw new Unfit("is a class file that is cut off", e);
+        } catch (UTFDataFormatException e) {
+            throw new Unfit("is a damaged class file", e);
         }
     }
 

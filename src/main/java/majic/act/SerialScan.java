@@ -6,6 +6,7 @@ import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.UTFDataFormatException;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -37,6 +38,8 @@ final class SerialScan {
             return new SerialScan(stream).scan();
         } catch (EOFException e) {
             throw new Unfit("is cut off: its data has no end", e);
+        } catch (UTFDataFormatException e) {
+            throw damaged();
         }
     }
 

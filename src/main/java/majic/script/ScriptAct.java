@@ -1,5 +1,8 @@
 package majic.script;
 
+import java.io.IOException;
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -71,6 +74,19 @@ public final class ScriptAct extends MajicAct {
      */
     public String text() {
         return text;
+    }
+
+    private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+        in.defaultReadObject();
+        if (title == null || text == null) {
+            throw new InvalidObjectException("its script is missing");
+        }
+        try {
+            Behaviour.of(title, text);
+        } catch (BotException e) {
+            String first = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
+            throw (IOException) new InvalidObjectException(first).initCause(e);
+        }
     }
 
     @Override
