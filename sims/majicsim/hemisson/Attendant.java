@@ -157,6 +157,28 @@ public final class Attendant {
         return modules.io.isHigh(checked("line", line, GeneralIo.DIGITALS - 1));
     }
 
+    /**
+     * Puts a level on a pin of its extension connector. Shows while the pin is an input; an input that nothing drives is low.
+     *
+     * @param pin 0 for RB0, 1 for RB6, 2 for RB7
+     * @param high the level
+     * @throws IllegalArgumentException if there is no such pin; nothing happened
+     */
+    public void pinInput(int pin, boolean high) {
+        board.pins.drive(checked("pin", pin, Pins.COUNT - 1), high);
+    }
+
+    /**
+     * The level of a pin of its extension connector: that of its output, or the one put on its input.
+     *
+     * @param pin 0 for RB0, 1 for RB6, 2 for RB7
+     * @return true for high
+     * @throws IllegalArgumentException if there is no such pin
+     */
+    public boolean pinLevel(int pin) {
+        return board.pins.isHigh(checked("pin", pin, Pins.COUNT - 1));
+    }
+
     private static int checked(String what, int value, int most) {
         if (value < 0 || value > most) {
             throw new IllegalArgumentException(what + " must be 0 to " + most + ", not " + value);

@@ -5,14 +5,13 @@ import java.util.Arrays;
 /** What sits on the robot's board and keeps a state: LEDs, buzzer, switches as last read, TV code, pins. */
 final class Board {
     static final int LEDS = 4;
-    static final int PINS = 3;
     static final int FRONT_LEFT = 2;
     static final int FRONT_RIGHT = 3;
     private static final int ON_OFF = 0;
     private static final double HEARTBEAT_SECONDS = 0.45;
 
     final boolean[] leds = new boolean[LEDS];
-    final boolean[] pins = new boolean[PINS];
+    final Pins pins = new Pins();
     boolean buzzer;
     int tvCode;
     private String switches;
@@ -49,7 +48,7 @@ final class Board {
 
     void reset() {
         Arrays.fill(leds, false);
-        Arrays.fill(pins, false);
+        pins.reset();
         buzzer = false;
         tvCode = 0;
         readSwitches();

@@ -17,6 +17,7 @@ final class CommandBuffer {
     private final char[] memory = new char[SIZE];
     private final boolean sticks;
     private int fill;
+    private char last;
     private int length;
     private boolean overflowed;
 
@@ -25,12 +26,17 @@ final class CommandBuffer {
         this.sticks = sticks;
     }
 
-    /** Takes one character; true when it ends a command. */
-    boolean put(char c) {
+    /** Takes one character. */
+    void put(char c) {
+        last = c;
         if (fill < SIZE) {
             memory[fill++] = c;
         }
-        if (c != END || isStuck()) {
+    }
+
+    /** Whether the character put last ends a command; if so, the next one begins another. */
+    boolean takeCommand() {
+        if (last != END || isStuck()) {
             return false;
         }
         overflowed = fill == SIZE;

@@ -14,21 +14,33 @@ final class Commands implements Interpreter {
     private static final String GREETING = "HemiOS V1.50" + GREETING_END;
     private static final String UNKNOWN = "Unknown Command ?!";
 
+    /** What D takes beside the interrupt (sheet 15: 0.31 ms to the end of its answer). */
+    private static final double SPEEDS_SECONDS = 22e-6;
+
     private final CommandBuffer buffer;
     private final Motors motors;
     private final InfraRed infraRed;
     private final Board board;
     private final ModuleCommands modules;
     private final FastCommands fast;
+    private final BotStudio botStudio;
     private final Power power;
 
-    Commands(CommandBuffer buffer, Motors motors, InfraRed infraRed, Board board, I2cBus bus, Power power) {
+    Commands(
+            CommandBuffer buffer,
+            Motors motors,
+            InfraRed infraRed,
+            Board board,
+            I2cBus bus,
+            BotStudio botStudio,
+            Power power) {
         this.buffer = buffer;
         this.motors = motors;
         this.infraRed = infraRed;
         this.board = board;
         this.modules = new ModuleCommands(buffer, bus);
         this.fast = new FastCommands(buffer, motors, infraRed, board, power);
+        this.botStudio = botStudio;
         this.power = power;
     }
 
@@ -61,8 +73,9 @@ final class Commands implements Interpreter {
             case '!' -> fast.fresh();
             case '&' -> fast.read();
             case '*' -> fast.write();
-            case 'S', 'X' -> giveLineAway();
-            case 'Q', 'U' -> Reply.NONE;
+            case 'Q' -> botStudio.status();
+            case 'S', 'U' -> botStudio.begin(buffer.at(0));
+            case 'X' -> botStudio.end();
             default -> Reply.line(UNKNOWN);
         };
     }
@@ -78,7 +91,7 @@ final class Commands implements Interpreter {
         boolean rightBack = buffer.at(second) == '-';
         int right = rightBack ? -buffer.digit(second + 1) : buffer.digit(second);
         power.drive(left, right);
-        return Reply.line("d");
+        return Reply.line("d").thinking(SPEEDS_SECONDS);
     }
 
     private Reply speeds() {
@@ -121,29 +134,20 @@ final class Commands implements Interpreter {
 
     private Reply pinLevel() {
         int pin = buffer.digit(2);
-        return Reply.line("1," + (isPin(pin) ? board.pins[pin] ? "1" : "0" : UNKNOWN));
+        return Reply.line("1," + (Pins.exists(pin) ? board.pins.read(pin) ? "1" : "0" : UNKNOWN));
     }
 
     private Reply setPin() {
         int pin = buffer.digit(2);
-        if (!isPin(pin)) {
+        if (!Pins.exists(pin)) {
             return Reply.line("2" + EOL + UNKNOWN);
         }
-        board.pins[pin] = buffer.isOn(4);
+        board.pins.write(pin, buffer.isOn(4));
         return Reply.line("2");
-    }
-
-    private static boolean isPin(int pin) {
-        return pin >= 0 && pin < Board.PINS;
     }
 
     private Reply reset() {
         power.reset();
         return Reply.line("z");
-    }
-
-    private Reply giveLineAway() {
-        power.deafen();
-        return Reply.NONE;
     }
 }

@@ -30,6 +30,7 @@ public final class HemissonRobot implements Firmware {
     private final InfraRed infraRed;
     private final Board board;
     private final I2cBus bus;
+    private final BotStudio botStudio;
     private final Uart uart;
     private final Interpreter interpreter;
     private final Modes modes;
@@ -75,6 +76,7 @@ public final class HemissonRobot implements Firmware {
         board = new Board(options.switches());
         Modules modules = new Modules(world, body);
         bus = new I2cBus(modules.fitted(options.modules()));
+        botStudio = new BotStudio(motors, board, infraRed);
         uart = new Uart(options);
         interpreter = interpreter(options.dialect(), new Controls());
         modes = new Modes(motors, board, infraRed);
@@ -143,7 +145,7 @@ public final class HemissonRobot implements Firmware {
     }
 
     private Interpreter interpreter(Dialect dialect, Power power) {
-        Commands stock = new Commands(buffer, motors, infraRed, board, bus, power);
+        Commands stock = new Commands(buffer, motors, infraRed, board, bus, botStudio, power);
         return switch (dialect) {
             case KTEAM -> stock;
             case ROADNARROWS -> new RoadNarrows(buffer, stock, motors, bus, power);
@@ -152,12 +154,22 @@ public final class HemissonRobot implements Firmware {
 
     private void listen(boolean inStep) {
         for (Uart.Arrival a = uart.next(inStep); a != null; a = uart.next(inStep)) {
-            if (buffer.put(a.character())) {
-                uart.reply(a.from(), interpreter.carryOut());
-                if (restarting) {
-                    restarting = false;
-                    restart();
-                }
+            if (botStudio.isTakingBytes()) {
+                uart.reply(a.from(), botStudio.take(a.character()));
+            } else {
+                take(a);
+            }
+        }
+    }
+
+    /** A command is looked for only when the receiver is empty, so a character behind the CR, taken together with it, hides it. */
+    private void take(Uart.Arrival arrival) {
+        buffer.put(arrival.character());
+        if (!uart.hasMore() && buffer.takeCommand()) {
+            uart.reply(arrival.from(), interpreter.carryOut());
+            if (restarting) {
+                restarting = false;
+                restart();
             }
         }
     }
@@ -166,6 +178,7 @@ public final class HemissonRobot implements Firmware {
         motors.set(0, 0);
         buffer.clear();
         board.reset();
+        botStudio.reset();
         infraRed.refresh();
         startMode();
         uart.busyFor(BOOT_SECONDS);
@@ -189,11 +202,6 @@ public final class HemissonRobot implements Firmware {
         @Override
         public void reset() {
             restarting = true;
-        }
-
-        @Override
-        public void deafen() {
-            uart.deafen();
         }
     }
 }

@@ -28,11 +28,13 @@ final class ModuleCommands {
         return Reply.line(reply.toString()).scanning(SCAN_SECONDS);
     }
 
+    /** A count of 0 reads one register. */
     Reply read() {
         int address = buffer.hex(ADDRESS);
         int register = buffer.hex(REGISTER);
         StringBuilder reply = new StringBuilder("r");
-        for (int i = 0; i < buffer.hex(VALUE); i++) {
+        int count = Math.max(1, buffer.hex(VALUE));
+        for (int i = 0; i < count; i++) {
             reply.append(',').append(Commands.threeDigits(bus.read(address, register, i)));
         }
         return Reply.line(reply.toString()).thinking(TALK_SECONDS);

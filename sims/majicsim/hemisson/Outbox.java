@@ -2,6 +2,8 @@ package majicsim.hemisson;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import majicsim.net.Line;
 
 /** Characters on their way out, each with the time at which it has left. */
@@ -14,14 +16,12 @@ final class Outbox {
 
     /** What has left by now goes out, in one message for each line. */
     void sendUntil(double now) {
+        Map<Line, StringBuilder> messages = new LinkedHashMap<>();
         while (isDue(now)) {
-            Line to = leaving.element().to();
-            StringBuilder message = new StringBuilder();
-            while (isDue(now) && leaving.element().to() == to) {
-                message.append(leaving.remove().character());
-            }
-            to.send(message.toString().getBytes(StandardCharsets.ISO_8859_1));
+            Departure next = leaving.remove();
+            messages.computeIfAbsent(next.to(), line -> new StringBuilder()).append(next.character());
         }
+        messages.forEach((line, message) -> line.send(message.toString().getBytes(StandardCharsets.ISO_8859_1)));
     }
 
     void clear() {

@@ -7,7 +7,4 @@ interface Power {
 
     /** Processor reset: motors 0, switches read anew, greeting. */
     void reset();
-
-    /** Nothing is heard any more until the power is switched off and on. */
-    void deafen();
 }

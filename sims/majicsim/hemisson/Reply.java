@@ -5,18 +5,15 @@ package majicsim.hemisson;
  * measuring takes time.
  *
  * @param text all of it, in Latin-1; empty for no reply at all
- * @param thinkingSeconds before the first character
+ * @param thinkingSeconds from taking the command to writing the first character
  * @param scanningSeconds between the first character and the others
  * @param measuringSeconds before the first character, paced or not
  */
 record Reply(String text, double thinkingSeconds, double scanningSeconds, double measuringSeconds) {
-    /** Sheet 4.6: 0.02 to 0.04 ms. */
-    private static final double USUAL_SECONDS = 30e-6;
-
     static final Reply NONE = of("");
 
     static Reply of(String text) {
-        return new Reply(text, USUAL_SECONDS, 0, 0);
+        return new Reply(text, 0, 0, 0);
     }
 
     /** A reply of one line. */

@@ -1,26 +1,36 @@
 package majicsim.hemisson;
 
 import java.util.ArrayDeque;
+import java.util.Collection;
+import java.util.Iterator;
+import java.util.List;
 import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robot's serial port and the time its characters take. A lenient one lets characters wait while the robot is busy, as a serial
- * server would; with overrun, a third waiting one deafens the robot (sheet 4.4). With pacing a character takes 88 µs, both ways, and
- * everything happens at its own time within a step of the lab; without it all happens at once.
+ * The robot's serial port as its firmware uses it: an interrupt takes the characters that have arrived out of the receiver, and a command
+ * is answered inside that interrupt, which lasts until the transmitter has a place for the last character of the answer. The receiver
+ * holds two characters; with overrun a third one stops it until the power is switched off and on (sheet 4.4). Without overrun characters
+ * wait outside until they are taken, as behind a serial server. With pacing a character takes 88 µs, both ways, and everything happens
+ * at its own time within a step of the lab; without it all happens at once.
  */
 final class Uart {
     static final double CHARACTER_SECONDS = 88e-6;
+
+    /** From a character's arrival, or the end of the interrupt before, until the interrupt takes it. */
+    private static final double INTERRUPT_SECONDS = 24e-6;
+
     private static final int RECEIVER_HOLDS = 2;
 
     private final boolean overrun;
     private final boolean timed;
     private final ArrayDeque<Arrival> waiting = new ArrayDeque<>();
     private final Outbox outbox = new Outbox();
+    private final Transmitter transmitter;
     private double now;
     private double lastArrival;
-    private double commandTime;
-    private double busyUntil;
+    private double takenAt;
+    private double freeAt;
     private boolean lookingRarely;
     private boolean deaf;
 
@@ -28,6 +38,7 @@ final class Uart {
     Uart(HemissonOptions options) {
         overrun = options.hasOverrun();
         timed = options.isPaced() || overrun;
+        transmitter = new Transmitter(timed ? CHARACTER_SECONDS : 0);
     }
 
     void arrive(Line from, byte[] bytes) {
@@ -39,69 +50,55 @@ final class Uart {
         }
     }
 
-    /** The firmware looks at its receiver only once a step; nothing but two characters can wait for it, whoever sends them. */
+    /** The firmware looks at its receiver only once a step; nothing but two characters can wait for it. */
     void lookRarely(boolean rarely) {
         lookingRarely = rarely;
     }
 
-    /** The next character that the firmware gets round to by now; null if there is none. */
+    /** The next character that the firmware takes by now; null if there is none. */
     @Nullable
     Arrival next(boolean inStep) {
         if (lookingRarely && !inStep) {
             return null;
         }
-        if (receiverOverflows()) {
-            deafen();
-        }
         Arrival first = waiting.peek();
-        if (first == null || Math.max(first.seconds(), busyUntil) > now) {
+        if (first == null) {
             return null;
         }
-        commandTime = Math.max(first.seconds(), busyUntil);
+        double taken = lookingRarely ? now : Math.max(first.seconds(), freeAt) + (timed ? INTERRUPT_SECONDS : 0);
+        overflow(Math.min(taken, now));
+        if (taken > now) {
+            return null;
+        }
+        takenAt = taken;
+        freeAt = taken;
         return waiting.remove();
+    }
+
+    /** Whether the interrupt that took the last character finds one more in the receiver. */
+    boolean hasMore() {
+        Arrival next = waiting.peek();
+        return isBounded() && next != null && next.seconds() <= takenAt;
     }
 
     /** Answers the command whose last character was taken last. */
     void reply(Line to, Reply reply) {
-        double start = commandTime + reply.measuringSeconds() + (timed ? reply.thinkingSeconds() : 0);
-        double scanning = timed ? reply.scanningSeconds() : 0;
-        double time = start;
-        for (int i = 0; i < reply.text().length(); i++) {
-            time += (timed ? CHARACTER_SECONDS : 0) + (i == 1 ? scanning : 0);
-            outbox.add(to, reply.text().charAt(i), time);
-        }
-        busyUntil = time;
-        outbox.sendUntil(now);
+        send(List.of(to), reply);
     }
 
     /** Says something to all lines, by itself. */
-    void say(Iterable<Line> lines, String text) {
-        double before = busyUntil;
-        for (Line line : lines) {
-            busyUntil = before;
-            commandTime = before;
-            reply(line, Reply.of(text));
-        }
+    void say(Collection<Line> lines, String text) {
+        send(lines, Reply.of(text));
     }
 
     /** The firmware does something else for a while; what is said then, follows it. */
     void busyFor(double seconds) {
-        busyUntil = Math.max(commandTime, busyUntil) + seconds;
-        commandTime = busyUntil;
+        freeAt += seconds;
     }
 
     void step(double seconds) {
         now += seconds;
         outbox.sendUntil(now);
-    }
-
-    double now() {
-        return now;
-    }
-
-    void deafen() {
-        deaf = true;
-        waiting.clear();
     }
 
     boolean isDeaf() {
@@ -113,16 +110,39 @@ final class Uart {
         deaf = false;
         waiting.clear();
         outbox.clear();
-        busyUntil = now;
-        commandTime = now;
+        transmitter.reset(now);
+        freeAt = now;
     }
 
-    private boolean receiverOverflows() {
-        if (!overrun && !lookingRarely) {
-            return false;
+    private void send(Collection<Line> lines, Reply reply) {
+        double written = freeAt + reply.measuringSeconds() + (timed ? reply.thinkingSeconds() : 0);
+        for (int i = 0; i < reply.text().length(); i++) {
+            written = transmitter.place(written) + (timed && i == 1 ? reply.scanningSeconds() : 0);
+            double left = transmitter.write(written);
+            for (Line line : lines) {
+                outbox.add(line, reply.text().charAt(i), left);
+            }
         }
-        double until = lookingRarely ? now : Math.min(now, busyUntil);
-        return waiting.stream().filter(arrival -> arrival.seconds() <= until).count() > RECEIVER_HOLDS;
+        freeAt = written;
+        outbox.sendUntil(now);
+    }
+
+    /** A third character that has arrived before the first was taken stops the receiver; the two in it can still be taken. */
+    private void overflow(double until) {
+        Iterator<Arrival> arrivals = waiting.iterator();
+        for (int i = 0; i < RECEIVER_HOLDS && arrivals.hasNext(); i++) {
+            arrivals.next();
+        }
+        if (isBounded() && arrivals.hasNext() && arrivals.next().seconds() <= until) {
+            deaf = true;
+            while (waiting.size() > RECEIVER_HOLDS) {
+                waiting.removeLast();
+            }
+        }
+    }
+
+    private boolean isBounded() {
+        return overrun || lookingRarely;
     }
 
     record Arrival(Line from, char character, double seconds) {}

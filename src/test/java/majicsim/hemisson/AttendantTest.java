@@ -111,4 +111,14 @@ class AttendantTest {
         assertThatThrownBy(() -> attendant.moveSwitches("12"))
                 .hasMessage("switches must be four characters 0 or 1, not '12'");
     }
+
+    @Test
+    void aPinIsAnInputOnceItIsReadAndAnOutputOnceItIsSet() {
+        attendant.pinInput(1, true);
+        assertThat(desk.ask("2,1,0")).isEqualTo("2");
+        assertThat(attendant.pinLevel(1)).isFalse();
+
+        assertThat(desk.ask("1,1")).isEqualTo("1,1");
+        assertThat(attendant.pinLevel(1)).isTrue();
+    }
 }

@@ -3,6 +3,7 @@ package majicsim.hemisson;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Locale;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,16 +23,18 @@ class LineTimingTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "D,1,1 | 0.3",
+                "D,1,1 | 0.31",
                 "H,0 | 0.3",
                 "L,1,1,1,1 | 0.3",
-                "E | 0.8",
-                "I | 1.0",
+                "E | 0.81",
+                "T | 0.64",
+                "I | 0.99",
                 "P,0 | 1.4",
-                "B | 1.5",
+                "B | 1.52",
                 "& | 2.2",
-                "N | 3.1",
-                "O | 3.1",
+                "N | 3.10",
+                "O | 3.10",
+                "R,C0,10,FF | 90.4",
                 "R,C0,10,66 | 37",
                 "Z | 14",
             })
@@ -77,6 +80,61 @@ class LineTimingTest {
         assertThat(desk.ask("B")).isEmpty();
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "D,5,5 | 0",
+                "H,1 | 0",
+                "L,1,1,1,1 | 0",
+                "T | 0.24",
+                "E | 0.40",
+                "I | 0.58",
+                "B | 1.10",
+                "N | 2.70",
+            })
+    void theNextCommandSurvivesFromTheMomentThatWasMeasuredOn(String command, double ms) {
+        assertThat(survives(command, ms + 0.02)).isTrue();
+        assertThat(survives(command, ms - 0.04)).isEqualTo(ms == 0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"D,5,5␍D,0,0␍D,5,5␍", "H,1␍H,0␍", "D,5,5␍D,0,0␍D,5,5␍D,1,1␍D,2,2␍"})
+    void briefAnswersLetTheNextCommandFollowInTheSameWrite(String burst) {
+        Desk desk = new Desk(TRUE_RECEIVER);
+        desk.say(burst);
+        String letters = burst.toLowerCase(Locale.ROOT).replaceAll("[^dh]", "").replaceAll(".", "$0␍␊");
+        assertThat(desk.after(0.02)).isEqualTo(letters);
+        assertThat(desk.robot.attendant().isDeaf()).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"T␍T␍T␍", "␍␍␍␍␍␍"})
+    void afterALongerAnswerOnlyTwoCharactersAreStillTaken(String burst) {
+        Desk desk = new Desk(TRUE_RECEIVER);
+        desk.say(burst);
+        desk.after(0.1);
+        assertThat(desk.robot.attendant().isDeaf()).isTrue();
+    }
+
+    @Test
+    void theTwoCharactersInAReceiverThatOverflowsAreStillTaken() {
+        Desk desk = new Desk(TRUE_RECEIVER);
+        desk.say("E␍E␍E␍");
+        assertThat(desk.after(0.02)).isEqualTo("e,00,00␍␊e,00,00␍␊");
+        assertThat(desk.ask("E")).isEmpty();
+    }
+
+    @Test
+    void aCharacterThatIsTakenTogetherWithTheEndOfACommandHidesIt() {
+        Desk desk = new Desk(TRUE_RECEIVER);
+        desk.say("N␍");
+        desk.tick(0.0005);
+        desk.say("␍B");
+        desk.tick(0.01);
+        assertThat(desk.ask("")).isEqualTo("Unknown Command ?!");
+    }
+
     @Test
     void twoThatWaitAreAnswered() {
         Desk desk = new Desk(TRUE_RECEIVER);
@@ -106,6 +164,16 @@ class LineTimingTest {
 
         assertThat(hard.robot.attendant().isDeaf()).isTrue();
         assertThat(kind.after(0.02)).endsWith("␍␊␍␊e,00,00␍␊e,00,00␍␊");
+    }
+
+    /** Whether the robot still hears after a command whose first character was sent so long after the CR of the one before. */
+    private static boolean survives(String command, double laterMs) {
+        Desk desk = new Desk(TRUE_RECEIVER);
+        desk.say(command + "␍");
+        desk.tick(CHARACTER_SECONDS * (command.length() + 1) + laterMs / 1000);
+        desk.say("D,1,1␍");
+        desk.tick(0.02);
+        return desk.ask("E").equals("e,01,01");
     }
 
     private static double endOfReplyMs(Desk desk, String command) {
