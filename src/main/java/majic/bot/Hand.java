@@ -18,6 +18,7 @@ public final class Hand implements AutoCloseable {
     private final Owner owner;
     private final Permit lease = new Permit();
     private final Signal wanted;
+    private final ManualLog done;
     private final Map<String, Consumer<BotControl>> wishes = new LinkedHashMap<>();
     private boolean finishing;
     private volatile boolean released;
@@ -33,6 +34,7 @@ public final class Hand implements AutoCloseable {
         this.member = member;
         this.owner = new Owner(Owner.Kind.HAND, "the hand", this::release);
         this.wanted = member.bot().time().signal();
+        this.done = new ManualLog(member.teamTime());
         member.check(true, null);
         if (!member.isIdle()) {
             throw new BotException(member.number() + " is busy; \"" + member.number() + " stop\" ends it");
@@ -51,7 +53,10 @@ public final class Hand implements AutoCloseable {
      * @param degPerSec counterclockwise positive
      */
     public void drive(double mmPerSec, double degPerSec) {
-        wish(DRIVE, robot -> robot.drive(mmPerSec, degPerSec));
+        wish(DRIVE, robot -> {
+            robot.drive(mmPerSec, degPerSec);
+            done.drove(mmPerSec, degPerSec);
+        });
     }
 
     /**
@@ -63,7 +68,10 @@ public final class Hand implements AutoCloseable {
      * @return false if the hand is off the robot already, or about to be; nothing will be set then
      */
     public boolean set(String parameter, double number) {
-        return wish(parameter, robot -> robot.set(parameter, number));
+        return wish(parameter, robot -> {
+            robot.set(parameter, number);
+            done.set(parameter, number);
+        });
     }
 
     private boolean wish(String what, Consumer<BotControl> how) {
@@ -138,6 +146,7 @@ public final class Hand implements AutoCloseable {
         } finally {
             member.free(owner);
             off = true;
+            member.tellByHand(done.end());
         }
     }
 

@@ -15,7 +15,7 @@ final class Helm {
     private static final Logger LOG = System.getLogger(Helm.class.getName());
 
     /** How long a drive holds without being renewed, seconds. */
-    private static final double DRIVE_LEASE_S = 0.6;
+    static final double DRIVE_LEASE_S = 0.6;
 
     /** How often a timed drive renews itself, seconds. */
     private static final double DRIVE_RENEWAL_S = 0.3;

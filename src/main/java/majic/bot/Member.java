@@ -294,6 +294,18 @@ public final class Member implements TeamPlace {
         team.tell(listener -> listener.noticed(number, number + ": " + problem.getMessage()));
     }
 
+    /** The clock of the team, which may be another than the robot's. */
+    TimeSource teamTime() {
+        return team.time();
+    }
+
+    /** Tells what was done by hand, once the robot was let go. */
+    void tellByHand(List<ManualCommand> commands) {
+        if (!commands.isEmpty()) {
+            team.tell(listener -> listener.drivenByHand(this, commands));
+        }
+    }
+
     /** After a lost link nothing resumes by itself, not even when somebody has connected the robot again. */
     void linkLost(String reason) {
         Loan ended;

@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.util.Collection;
+import java.util.List;
 
 /** Hears of a team. Called on worker threads: be quick, and cross over to another thread for anything slow. */
 public interface TeamListener {
@@ -54,6 +55,14 @@ public interface TeamListener {
      * @param member which robot; ask it who
      */
     default void ownerChanged(Member member) {}
+
+    /**
+     * A person has driven a robot by hand, or set by hand what moves it, and let it go.
+     *
+     * @param member which robot
+     * @param commands what was done, oldest first; at least one
+     */
+    default void drivenByHand(Member member, List<ManualCommand> commands) {}
 
     /**
      * A person stops some robots, but not all by STOP; told before they are.

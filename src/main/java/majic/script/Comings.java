@@ -111,9 +111,11 @@ final class Comings {
 
     /** Stops a robot, closes it and lets it go; the session says so. */
     void remove(Member member) {
+        boolean busy = !member.isIdle() || member.owner() != null;
+        long atNanos = session.team().time().nanos();
         session.team().remove(member.number());
         addresses.remove(member.number());
-        session.record().removed(member.number());
+        session.record().removed(member.number(), busy, atNanos);
     }
 
     /** Where a robot was found. */

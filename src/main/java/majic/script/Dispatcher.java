@@ -150,24 +150,19 @@ final class Dispatcher {
     private void perform(Given line) {
         Execution execution = Execution.ofLine(
                 session, source == Source.PROMPT ? Execution.Manner.TYPED : Execution.Manner.IN_TURN, tally);
-        SessionRecord.Entry entry = session.record().prepare(line, selection, execution.isTyped());
         if (line.isStop()) {
             stop(line, execution);
         } else if (line.isBlock()) {
-            session.record().commit(entry);
             runBlock(line, execution);
-            session.record().took(line, execution.isTyped());
-            return;
         } else {
             new Interpreter(execution).run(List.of(line.statement()));
         }
-        session.record().commit(entry);
-        session.record().took(line, execution.isTyped());
     }
 
     private void runBlock(Given line, Execution execution) {
-        ScriptRun run = new ScriptRun(execution.asScript(line.title()), line.title(), "", source == Source.PROMPT);
-        if (!run.run(List.of(line.statement()))) {
+        boolean waits = source == Source.PROMPT;
+        Execution script = execution.asScript(line.title(), line.text().strip(), waits);
+        if (!new ScriptRun(script, line.title(), "", waits).run(List.of(line.statement()))) {
             tally.fail(line.title());
         }
     }

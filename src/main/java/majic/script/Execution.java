@@ -28,6 +28,7 @@ final class Execution {
     private final Tally own = new Tally();
     private final @Nullable Owner owner;
     private final Holdings holdings;
+    private final Recording recording;
     private final long stopsBefore;
     private final boolean latchedBefore;
     private volatile boolean ended;
@@ -43,7 +44,12 @@ final class Execution {
     }
 
     private Execution(
-            Session session, Selection selection, Manner manner, Tally lines, @Nullable Owner act, long stopsBefore) {
+            Session session,
+            Selection selection,
+            Manner manner,
+            Tally lines,
+            @Nullable Owner act,
+            Recording recording) {
         this.session = session;
         this.team = session.team();
         this.selection = selection;
@@ -51,11 +57,12 @@ final class Execution {
         this.lines = lines;
         this.owner = act;
         this.holdings = new Holdings(team, act, act != null);
-        this.stopsBefore = stopsBefore;
+        this.recording = recording;
+        this.stopsBefore = session.stops().all();
         this.latchedBefore = session.team().isLatched();
     }
 
-    private Execution(Execution line, String script) {
+    private Execution(Execution line, String script, Recording recording) {
         this.session = line.session;
         this.team = line.team;
         this.selection = line.selection;
@@ -63,6 +70,7 @@ final class Execution {
         this.lines = line.lines;
         this.owner = new Owner(Owner.Kind.SCRIPT, script, this::end);
         this.holdings = new Holdings(team, owner, false);
+        this.recording = recording;
         this.stopsBefore = line.stopsBefore;
         this.latchedBefore = line.team.isLatched();
     }
@@ -70,28 +78,28 @@ final class Execution {
     /** One line, which has no robot to itself and ends only by its own end. */
     static Execution ofLine(Session session, Manner manner, Tally lines) {
         return new Execution(
-                session,
-                new Selection(session.team()),
-                manner,
-                lines,
-                null,
-                session.stops().all());
+                session, new Selection(session.team()), manner, lines, null, new Recording(session.record(), null));
     }
 
     /** A behaviour, whose robots were lent to it. */
     static Execution ofAct(Session session, Owner act, Selection robots) {
-        return new Execution(
-                session,
-                robots,
-                Manner.IN_TURN,
-                new Tally(),
-                act,
-                session.stops().all());
+        return new Execution(session, robots, Manner.IN_TURN, new Tally(), act, Recording.OFF);
     }
 
-    /** A script that this line begins, which has every robot it commands to itself. */
-    Execution asScript(String name) {
-        return new Execution(this, name);
+    /**
+     * A script that this line begins, which has every robot it commands to itself.
+     *
+     * @param name what messages call it
+     * @param text the lines that run it again
+     * @param waits whether it ends only when its robots have finished
+     */
+    Execution asScript(String name, String text, boolean waits) {
+        return new Execution(this, name, recording.begin(text, waits));
+    }
+
+    /** Keeps what this does, for a saved session. */
+    Recording recording() {
+        return recording;
     }
 
     /** Counts the line as not succeeded. */
@@ -266,7 +274,10 @@ final class Execution {
      */
     void stopAllUsed() {
         ended = true;
-        holdings.stopBusy(own.trouble().map(Tally.Trouble::robot).orElse(null));
+        long atNanos = team.time().nanos();
+        Collection<Member> stopped =
+                holdings.stopBusy(own.trouble().map(Tally.Trouble::robot).orElse(null));
+        recording.stopped(stopped, atNanos);
     }
 
     /** Gives the robots of a script back. */

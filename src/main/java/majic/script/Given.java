@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import majic.bot.Member;
-import majic.bot.Team;
 
 /**
  * A line or block as it was given to a parser. Immutable.
@@ -91,35 +90,5 @@ record Given(Statement statement, String text, Set<Integer> robots, long stops) 
         return Commanded.in(List.of(statement), selection).stream()
                 .map(Member::number)
                 .collect(Collectors.toSet());
-    }
-
-    /**
-     * How a saved session repeats it: a reading at once stays one, a STOP becomes a stop of the robots there are, which
-     * does not end the script that replays it.
-     *
-     * @return empty if there is nothing to repeat
-     */
-    String forRecord(Team team, boolean typed) {
-        if (statement instanceof Statement.ForRobots line) {
-            return forRecord(line, typed);
-        }
-        if (isStopAll()) {
-            String robots = team.members().stream()
-                    .map(member -> String.valueOf(member.number()))
-                    .collect(Collectors.joining(","));
-            return robots.isEmpty() ? "" : robots + " stop";
-        }
-        boolean repeats = isBlock() || isWait() || mayMove();
-        return repeats ? text.strip() : "";
-    }
-
-    private String forRecord(Statement.ForRobots line, boolean typed) {
-        if (line.command() instanceof Command.Help) {
-            return "";
-        }
-        if (typed && line.command() instanceof Command.Get get) {
-            return Wording.of(line.robots()) + " " + Wording.of(new Command.Get(get.at(), get.parameters(), true));
-        }
-        return text.strip();
     }
 }

@@ -2,6 +2,7 @@ package majic.script;
 
 import java.util.Collection;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
 import majic.bot.Member;
 import majic.bot.Owner;
@@ -52,14 +53,16 @@ final class Holdings {
         }
     }
 
-    /** Stops those that still do something, but for one, and those that a stop is on its way to. */
-    void stopBusy(@Nullable Member exempt) {
+    /** Stops and returns those that still do something, but for one, and those that a stop is on its way to. */
+    Collection<Member> stopBusy(@Nullable Member exempt) {
         Collection<Member> busy = used.stream()
                 .filter(member -> member != exempt && !member.isIdle(owner) && !member.isStopping())
                 .toList();
-        if (!team.isLatched() && !busy.isEmpty()) {
-            team.stop(busy, owner);
+        if (team.isLatched() || busy.isEmpty()) {
+            return List.of();
         }
+        team.stop(busy, owner);
+        return busy;
     }
 
     /** Gives them all back. */

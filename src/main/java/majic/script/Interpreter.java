@@ -55,7 +55,9 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
         List<Member> members = execution.selection().members(line.robots());
         members.forEach(member -> line.command()
                 .accept(new CommandCheck(execution.session().behaviours(), execution.selection(), member)));
-        line.command().accept(new Telling(execution, members));
+        execution
+                .recording()
+                .command(line, members, execution, () -> line.command().accept(new Telling(execution, members)));
         return null;
     }
 

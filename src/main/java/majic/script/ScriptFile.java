@@ -28,7 +28,7 @@ final class ScriptFile {
             execution.nested(file, () -> new Interpreter(execution).run(script));
             return;
         }
-        Execution alone = execution.asScript(String.valueOf(path.getFileName()));
+        Execution alone = execution.asScript(String.valueOf(path.getFileName()), ReplayWording.run(path), true);
         String title = "run " + SessionRecord.quoted(file);
         if (!new ScriptRun(alone, title, file, true).run(script)) {
             execution.fail(title);

@@ -92,10 +92,12 @@ final class ScriptRun {
                 execution.finish();
                 say(String.format(Locale.ROOT, "done (%.1f s)", time.secondsSince(began)));
             }
+            execution.recording().end(true);
             return true;
         } catch (RuntimeException | Error e) {
             String ending = ending(e);
             execution.stopAllUsed();
+            execution.recording().end(false);
             say(ending);
         } finally {
             execution.freeAll();

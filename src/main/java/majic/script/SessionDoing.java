@@ -2,6 +2,7 @@ package majic.script;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.BotException;
@@ -151,7 +152,9 @@ final class SessionDoing implements SessionCommand.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void await(SessionCommand.Await await) {
-        execution.awaitFinished(execution.everybody());
+        Collection<Member> all = execution.everybody();
+        execution.awaitFinished(all);
+        execution.recording().waitedForAll(all);
         return null;
     }
 

@@ -4,128 +4,158 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import majic.bot.Answer;
-import majic.bot.BotException;
+import majic.bot.ManualCommand;
 import majic.bot.Member;
+import majic.bot.Owner;
 import majic.bot.Team;
 import majic.bot.TeamListener;
+import org.jspecify.annotations.Nullable;
 
 /**
- * What was done in a session, as a script that does it again: with the pauses between the lines, and waits where one
- * robot was started after another had finished. Thread-safe.
+ * Collects what is done in a session, with its times, so that a script can do it again: commands, and what reaches the
+ * robots past the script, as stops by button or key and driving by hand. Of these the team tells after they were sent, so
+ * recording delays none of them. Thread-safe.
  */
 final class SessionRecord {
-    private static final double SHORTEST_PAUSE_S = 0.1;
-
     private final Team team;
-    private final List<String> lines = new ArrayList<>();
-    private final Map<Integer, Long> lastAnswerNanos = new LinkedHashMap<>();
+    private final List<RecordedEvent> events = new ArrayList<>();
+    private final Map<Integer, Long> lastAnswerNanos = new HashMap<>();
+    private final Map<Integer, Map<Integer, Long>> finishedBeforeHand = new HashMap<>();
     private final Set<Integer> started = new TreeSet<>();
-    private long lastNanos;
 
     SessionRecord(Team team) {
         this.team = team;
-        team.addListener(new TeamListener() {
-            @Override
-            public void answered(Answer answer) {
-                finished(answer.robot());
-            }
-        });
+        team.addListener(new PastTheScript());
     }
 
-    private synchronized void finished(int robot) {
-        lastAnswerNanos.put(robot, team.time().nanos());
+    private long now() {
+        return team.time().nanos();
     }
 
+    /** Keeps that a robot joined. */
     synchronized void added(String address, int number) {
-        lines.add("add " + quoted(address) + " as " + number);
-        lastNanos = team.time().nanos();
+        String line = "add " + quoted(address) + " as " + number;
+        keep(new RecordedEvent(RecordedEvent.Kind.ADD, now(), line, Set.of(number), Set.of(), Map.of(), null));
     }
 
-    synchronized void removed(int number) {
-        lines.add("remove " + number);
+    /** Keeps that a robot was removed at a time, and stopped by that if it was busy. */
+    synchronized void removed(int number, boolean wasBusy, long atNanos) {
+        if (wasBusy) {
+            stopped(Set.of(number), atNanos, null);
+        }
+        keep(event(RecordedEvent.Kind.COMMAND, atNanos, "remove " + number, Set.of(number), null));
         started.remove(number);
-        lastNanos = team.time().nanos();
     }
 
     /**
-     * A line about to be carried out, with what has to go before it.
+     * Looks at a command that is about to be given; nothing is kept before {@link #keep}.
      *
-     * @param line empty if a replay can do without it
+     * @param text the line that does it again
      * @param robots those it makes do something
-     * @param finished the others that had finished by then, and when
-     * @param atNanos when it began
+     * @param by the script that gives it; null for a line
+     * @param block the block it stands in; null for a line of its own
      */
-    record Entry(String line, Set<Integer> robots, Map<Integer, Long> finished, long atNanos) {}
-
-    /** Looks at what had finished when a line began; nothing is kept before {@link #commit}. */
-    synchronized Entry prepare(Given given, Selection selection, boolean typed) {
-        Set<Integer> robots = Given.robots(given.statement(), selection);
-        Map<Integer, Long> finished = robots.isEmpty() ? Map.of() : finishedOthers(robots);
-        return new Entry(
-                given.forRecord(team, typed), robots, finished, team.time().nanos());
+    synchronized RecordedEvent command(
+            String text, Set<Integer> robots, @Nullable Owner by, @Nullable RecordedBlock block) {
+        Set<Integer> begins =
+                robots.stream().filter(number -> hasFinished(number, by)).collect(Collectors.toSet());
+        Map<Integer, Long> finished = robots.isEmpty() ? Map.of() : finishedOthers(robots, by);
+        return new RecordedEvent(RecordedEvent.Kind.COMMAND, now(), text, robots, begins, finished, block);
     }
 
-    /** Keeps a line. */
-    synchronized void commit(Entry entry) {
-        if (entry.line.isEmpty()) {
+    /** Keeps that robots were waited for, as a line says it. */
+    synchronized void waited(String text, Set<Integer> robots, @Nullable RecordedBlock block) {
+        keep(event(RecordedEvent.Kind.WAIT, now(), text, robots, block));
+    }
+
+    /** Keeps that robots were stopped. */
+    synchronized void stopped(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
+        RecordedEvent last = events.isEmpty() ? null : events.get(events.size() - 1);
+        boolean again = last != null
+                && last.kind() == RecordedEvent.Kind.STOP
+                && last.robots().containsAll(robots);
+        if (!robots.isEmpty() && !again) {
+            keep(stop(atNanos, ReplayScript.numbers(robots) + " stop", robots, block));
+        }
+    }
+
+    /** Keeps that the act of robots was ended. */
+    synchronized void calledOff(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
+        keep(stop(atNanos, ReplayScript.numbers(robots) + " act off", robots, block));
+    }
+
+    private RecordedEvent stop(long atNanos, String text, Set<Integer> robots, @Nullable RecordedBlock block) {
+        Set<Integer> moving = new TreeSet<>(robots);
+        moving.retainAll(started);
+        return new RecordedEvent(RecordedEvent.Kind.STOP, atNanos, text, robots, moving, Map.of(), block);
+    }
+
+    /** Begins a block or a file that is run as a script. */
+    synchronized RecordedBlock begin(String text, boolean waits) {
+        return new RecordedBlock(text, now(), waits);
+    }
+
+    /** Ends a block; {@code completed} tells whether it came to its own end. */
+    synchronized void end(RecordedBlock block, boolean completed) {
+        block.end(now(), completed);
+    }
+
+    private static RecordedEvent event(
+            RecordedEvent.Kind kind, long atNanos, String text, Set<Integer> robots, @Nullable RecordedBlock block) {
+        return new RecordedEvent(kind, atNanos, text, robots, Set.of(), Map.of(), block);
+    }
+
+    /** Keeps an event in the order of times. Of a block that goes on for ever only the first commands are kept. */
+    synchronized void keep(RecordedEvent event) {
+        if (event.text().isEmpty() || (event.block() != null && !event.block().hasRoom())) {
             return;
         }
-        if (!entry.finished.isEmpty()) {
-            lines.add(entry.finished.keySet().stream().map(String::valueOf).collect(Collectors.joining(",")) + " wait");
-            entry.finished.values().forEach(atNanos -> lastNanos = Math.max(lastNanos, atNanos));
-            started.removeAll(entry.finished.keySet());
+        int place = events.size();
+        while (place > 0 && events.get(place - 1).atNanos() > event.atNanos()) {
+            place--;
         }
-        pause((entry.atNanos - lastNanos) / 1e9);
-        lines.addAll(entry.line.lines().toList());
-        started.addAll(entry.robots);
-        lastNanos = entry.atNanos;
-    }
-
-    /** A line is over; what takes its time in a replay as well is not to be paused for once more. */
-    synchronized void took(Given given, boolean typed) {
-        if (given.isWait() || (!typed && !given.isQuick())) {
-            lastNanos = team.time().nanos();
+        events.add(place, event);
+        started.removeAll(event.finished().keySet());
+        if (event.kind() == RecordedEvent.Kind.STOP) {
+            started.removeAll(event.robots());
+        } else if (event.kind() == RecordedEvent.Kind.COMMAND) {
+            started.addAll(event.robots());
         }
     }
 
-    private Map<Integer, Long> finishedOthers(Set<Integer> robots) {
+    private Map<Integer, Long> finishedOthers(Set<Integer> robots, @Nullable Owner by) {
         Map<Integer, Long> finished = new TreeMap<>();
         for (int number : started) {
-            if (!robots.contains(number) && isIdle(number)) {
-                finished.put(number, lastAnswerNanos.getOrDefault(number, lastNanos));
+            if (!robots.contains(number) && hasFinished(number, by)) {
+                finished.put(number, lastAnswerNanos.getOrDefault(number, now()));
             }
         }
         return finished;
     }
 
-    private boolean isIdle(int number) {
-        try {
-            Member member = team.member(number);
-            return member.isIdle();
-        } catch (BotException e) {
-            return false;
-        }
+    /** A robot that a script, an act or a hand has is not free, though it may have nothing to do just now. */
+    private boolean hasFinished(int number, @Nullable Owner by) {
+        return team.members().stream()
+                .filter(member -> member.number() == number)
+                .anyMatch(member -> member.isIdle(by) && (member.owner() == null || member.owner() == by));
     }
 
-    private void pause(double seconds) {
-        boolean first = lines.stream().allMatch(line -> line.startsWith("add "));
-        if (!first && seconds >= SHORTEST_PAUSE_S) {
-            lines.add(String.format(Locale.ROOT, "wait %.1fs", seconds));
+    /** Everything so far, as a script. */
+    List<String> lines() {
+        List<RecordedEvent> all;
+        synchronized (this) {
+            all = List.copyOf(events);
         }
-    }
-
-    /** Everything so far. */
-    synchronized List<String> lines() {
-        return List.copyOf(lines);
+        return ReplayScript.of(all);
     }
 
     void save(Path file) throws IOException {
@@ -138,5 +168,60 @@ final class SessionRecord {
     /** An address or a file as a script would write it. */
     static String quoted(String value) {
         return value.matches("[^\\s#\"]+") ? value : '"' + value + '"';
+    }
+
+    private static Set<Integer> numbers(Collection<Member> members) {
+        return members.stream().map(Member::number).collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    /** Hears from the team what was done without a command. */
+    private final class PastTheScript implements TeamListener {
+        @Override
+        public void answered(Answer answer) {
+            synchronized (SessionRecord.this) {
+                lastAnswerNanos.put(answer.robot(), now());
+            }
+        }
+
+        @Override
+        public void stopped(Collection<Member> members) {
+            SessionRecord.this.stopped(numbers(members), now(), null);
+        }
+
+        @Override
+        public void latchChanged(boolean latched) {
+            if (latched) {
+                SessionRecord.this.stopped(numbers(team.members()), now(), null);
+            }
+        }
+
+        /** A hand takes a robot that is free, and what was done by it is told when it lets go. */
+        @Override
+        public void ownerChanged(Member member) {
+            Owner owner = member.owner();
+            if (owner != null && owner.kind() == Owner.Kind.HAND) {
+                synchronized (SessionRecord.this) {
+                    finishedBeforeHand.put(member.number(), finishedOthers(Set.of(member.number()), null));
+                }
+            }
+        }
+
+        @Override
+        public void drivenByHand(Member member, List<ManualCommand> commands) {
+            synchronized (SessionRecord.this) {
+                Set<Integer> robot = Set.of(member.number());
+                Map<Integer, Long> finished = finishedBeforeHand.getOrDefault(member.number(), Map.of());
+                finishedBeforeHand.remove(member.number());
+                Set<Integer> begins = robot;
+                for (ManualCommand command : commands) {
+                    String line = member.number() + " " + command.text();
+                    keep(new RecordedEvent(
+                            RecordedEvent.Kind.COMMAND, command.atNanos(), line, robot, begins, finished, null));
+                    finished = Map.of();
+                    begins = Set.of();
+                }
+                lastAnswerNanos.put(member.number(), now());
+            }
+        }
     }
 }

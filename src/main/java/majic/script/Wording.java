@@ -1,9 +1,9 @@
 package majic.script;
 
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /** How answers repeat a command: without its robots, in lower-case words, numbers as they were written. */
@@ -34,7 +34,7 @@ final class Wording implements Command.Visitor<String> {
     public String drive(Command.Drive drive) {
         String speeds = "drive " + drive.speed().text() + " " + drive.rate().text();
         return drive.seconds().isPresent()
-                ? speeds + " for " + Value.plain(drive.seconds().getAsDouble()) + "s"
+                ? speeds + " for " + seconds(drive.seconds().getAsDouble()) + "s"
                 : speeds + until(drive.until());
     }
 
@@ -88,6 +88,11 @@ final class Wording implements Command.Visitor<String> {
     @Override
     public String own(Command.Own own) {
         return own.at().text().toLowerCase(Locale.ROOT) + values(own.arguments());
+    }
+
+    /** In full, as a rounded time would drive further. */
+    private static String seconds(double seconds) {
+        return BigDecimal.valueOf(seconds).stripTrailingZeros().toPlainString();
     }
 
     private static String until(@Nullable Condition condition) {

@@ -1,0 +1,39 @@
+package majic.script;
+
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Something that was done in a session. Immutable.
+ *
+ * @param kind what it is
+ * @param atNanos when it was done, on the clock of the team; of a wait, when it was over
+ * @param text the lines that do it again
+ * @param robots those that it makes do something, stops or waits for
+ * @param begins those of them that had nothing to do before it; of a stop, those that may have been moving
+ * @param finished others that had done what they were told by then, and when they had
+ * @param block the block it was done by; null for a line of its own
+ */
+record RecordedEvent(
+        Kind kind,
+        long atNanos,
+        String text,
+        Set<Integer> robots,
+        Set<Integer> begins,
+        Map<Integer, Long> finished,
+        @Nullable RecordedBlock block) {
+    /** What can be recorded. */
+    enum Kind {
+        /** A robot was connected, which takes its own time when it is done again. */
+        ADD,
+        /** A command. */
+        COMMAND,
+        /** Robots were waited for. */
+        WAIT,
+        /** Robots were stopped, or their act was ended. */
+        STOP,
+        /** A whole block, from its beginning on. */
+        BLOCK
+    }
+}

@@ -1,0 +1,142 @@
+package majic.script;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+
+/**
+ * Writes what was done in a session as a script that does it again. Robots that had finished before another was started
+ * are waited for; otherwise time decides. A motion that was stopped is replayed by time alone, from its beginning to the
+ * stop, so that it ends no later than it did.
+ */
+final class ReplayScript {
+    private static final long NANOS_PER_MS = 1_000_000;
+    private static final long SHORTEST_PAUSE_MS = 100;
+
+    private final List<String> lines = new ArrayList<>();
+    private long reachedNanos;
+    private boolean begun;
+
+    private ReplayScript() {}
+
+    /**
+     * Writes the script.
+     *
+     * @param events in the order of their times
+     * @return its lines
+     */
+    static List<String> of(List<RecordedEvent> events) {
+        List<RecordedEvent> folded = fold(events);
+        List<Set<Integer>> stopped = stoppedLater(folded);
+        ReplayScript script = new ReplayScript();
+        for (int index = 0; index < folded.size(); index++) {
+            script.add(folded.get(index), stopped.get(index));
+        }
+        return script.lines;
+    }
+
+    private static List<RecordedEvent> fold(List<RecordedEvent> events) {
+        Map<RecordedBlock, List<RecordedEvent>> blocks = new LinkedHashMap<>();
+        for (RecordedEvent event : events) {
+            if (event.block() != null) {
+                blocks.computeIfAbsent(event.block(), block -> new ArrayList<>())
+                        .add(event);
+            }
+        }
+        blocks.keySet().removeIf(block -> !block.standsForItself(events));
+        List<RecordedEvent> folded = new ArrayList<>();
+        for (RecordedEvent event : events) {
+            List<RecordedEvent> its = event.block() == null ? null : blocks.get(event.block());
+            if (its == null) {
+                folded.add(event);
+            } else if (its.get(0) == event) {
+                folded.add(event.block().inPlaceOf(its));
+            }
+        }
+        return folded;
+    }
+
+    /** For each event the robots that have something to do when it has been done, and are stopped before they end. */
+    private static List<Set<Integer>> stoppedLater(List<RecordedEvent> events) {
+        List<Set<Integer>> all = new ArrayList<>();
+        Set<Integer> stopped = new HashSet<>();
+        for (int index = events.size() - 1; index >= 0; index--) {
+            RecordedEvent event = events.get(index);
+            all.add(0, Set.copyOf(stopped));
+            if (event.kind() == RecordedEvent.Kind.STOP) {
+                stopped.addAll(event.begins());
+            } else {
+                stopped.removeAll(event.kind() == RecordedEvent.Kind.WAIT ? event.robots() : event.begins());
+                stopped.removeAll(event.finished().keySet());
+            }
+        }
+        return all;
+    }
+
+    private void add(RecordedEvent event, Set<Integer> stoppedLater) {
+        boolean untimed = event.begins().containsAll(stoppedLater) && event.kind() != RecordedEvent.Kind.STOP;
+        if (event.kind() == RecordedEvent.Kind.WAIT) {
+            if (stoppedLater.isEmpty()) {
+                await(event.text(), event.atNanos());
+            }
+            return;
+        }
+        if (untimed && !event.finished().isEmpty()) {
+            long last = event.finished().values().stream()
+                    .mapToLong(Long::longValue)
+                    .max()
+                    .orElseThrow();
+            await(numbers(event.finished().keySet()) + " wait", last);
+        }
+        if (event.kind() == RecordedEvent.Kind.ADD) {
+            reachedNanos = Math.max(reachedNanos, event.atNanos());
+        } else {
+            pause(event, stoppedLater.isEmpty() && untimed ? SHORTEST_PAUSE_MS : 1);
+        }
+        lines.addAll(event.text().lines().toList());
+        if (event.kind() == RecordedEvent.Kind.BLOCK) {
+            end(event);
+        }
+    }
+
+    private void end(RecordedEvent event) {
+        RecordedBlock block = event.block();
+        if (block == null || block.isRunning()) {
+            return;
+        }
+        reachedNanos = Math.max(reachedNanos, block.endedNanos());
+        if (block.hasFinished() && !event.robots().isEmpty()) {
+            lines.add(numbers(event.robots()) + " wait");
+        }
+    }
+
+    private void await(String line, long finishedNanos) {
+        lines.add(line);
+        reachedNanos = Math.max(reachedNanos, finishedNanos);
+    }
+
+    /** Pauses that are too short are made up for by the next. What was done before anything else begins at once. */
+    private void pause(RecordedEvent event, long shortestMs) {
+        long pauseMs = (event.atNanos() - reachedNanos) / NANOS_PER_MS;
+        if (!begun) {
+            begun = true;
+            reachedNanos = event.atNanos();
+        } else if (pauseMs >= shortestMs) {
+            lines.add("wait "
+                    + BigDecimal.valueOf(pauseMs, 3).stripTrailingZeros().toPlainString() + "s");
+            reachedNanos += pauseMs * NANOS_PER_MS;
+        }
+    }
+
+    /** Robots as a line names them. */
+    static String numbers(Collection<Integer> robots) {
+        return new TreeSet<>(robots).stream().map(String::valueOf).collect(Collectors.joining(","));
+    }
+}

@@ -1,0 +1,78 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import majic.bot.Hand;
+import majic.bot.Member;
+import majic.bot.Pose;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A saved session that is run again takes a simulated robot to where it was. */
+@Timeout(60)
+class SavedSessionInLabTest {
+    /** How far a replay may end from where the session ended; the robot covers this in a twentieth of a second. */
+    private static final double NEAR_MM = 12;
+
+    /** How much less far it gets by hand, as it brakes where it changed from ahead to a curve. */
+    private static final double BRAKED_MM = 60;
+
+    @TempDir
+    private Path folder;
+
+    private static Pose replayed(String type, Path saved) throws InterruptedException {
+        try (LabRig again = LabRig.exact()) {
+            assertThat(again.run("run \"" + saved + "\"")).noneMatch(line -> line.contains("failed"));
+            return again.truePose(type);
+        }
+    }
+
+    private static double apart(Pose one, Pose other) {
+        return Math.hypot(one.xMm() - other.xMm(), one.yMm() - other.yMm());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"pioneer", "hemisson", "aibo"})
+    void aMoveThatWasCutIsCutAgain(String type) throws InterruptedException {
+        Path saved = folder.resolve("cut.majic");
+        try (LabRig lab = LabRig.exact()) {
+            lab.run("add sim:" + type);
+            Pose start = lab.truePose(type);
+            lab.say("1 move 480");
+            lab.await(() -> apart(start, lab.truePose(type)) > 100);
+            lab.team().stopAll();
+            lab.await(lab.team().member(1)::isIdle);
+            Pose end = lab.truePose(type);
+            lab.run("save session \"" + saved + "\"");
+            assertThat(apart(start, end)).isBetween(100.0, 300.0);
+            assertThat(apart(replayed(type, saved), end)).isLessThan(NEAR_MM);
+        }
+    }
+
+    @Test
+    void drivingByHandIsDoneAgain() throws InterruptedException {
+        Path saved = folder.resolve("hand.majic");
+        try (LabRig lab = LabRig.exact()) {
+            lab.run("add sim:pioneer");
+            Pose start = lab.truePose("pioneer");
+            Member member = lab.team().member(1);
+            Hand hand = new Hand(member);
+            for (int tick = 0; tick < 20; tick++) {
+                hand.drive(200, tick < 10 ? 0 : 20);
+                lab.lab().time().sleep(0.15);
+            }
+            hand.close();
+            lab.await(() -> hand.isOff() && !member.bot().state().moving());
+            Pose end = lab.truePose("pioneer");
+            lab.run("save session \"" + saved + "\"");
+            Pose again = replayed("pioneer", saved);
+            assertThat(apart(start, end)).isGreaterThan(500);
+            assertThat(apart(start, again)).isLessThan(apart(start, end) + NEAR_MM);
+            assertThat(apart(again, end)).isLessThan(BRAKED_MM);
+        }
+    }
+}
