@@ -5,7 +5,6 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
@@ -30,6 +29,9 @@ public final class ActRun {
         OVER
     }
 
+    /** After how long an act that is still ending is said to be, by the system's clock. */
+    private static final double SOON_S = 0.5;
+
     /** How long an act has for its ending, by the system's clock: an act that does not wait holds up a lab's. */
     static final double GRACE_S = 2;
 
@@ -44,6 +46,7 @@ public final class ActRun {
     private volatile boolean calledOff;
     private volatile boolean halted;
     private volatile boolean over;
+    private volatile boolean leftBehind;
 
     /**
      * A run that has not begun.
@@ -108,12 +111,22 @@ public final class ActRun {
     private void report() {
         Throwable failure = act.failure();
         boolean lost = failure instanceof LinkLost;
-        boolean stopped = !lost && (isCutShort() || failure instanceof MotionStopped);
-        if (stopped && !calledOff) {
-            throw new MotionStopped("the act was ended");
+        if (!lost && (isCutShort() || failure instanceof MotionStopped)) {
+            reportStop();
+        } else {
+            Blame.of(act).ifPresent(why -> {
+                throw new BotException(why, failure == null ? act.endingFailure() : failure);
+            });
         }
-        if (failure != null && !stopped) {
-            throw new BotException(Blame.of(act, failure), failure);
+    }
+
+    private void reportStop() {
+        Throwable ending = act.endingFailure();
+        if (ending != null && !(ending instanceof MotionStopped)) {
+            tell(Blame.ofEnding(act, ending));
+        }
+        if (!calledOff) {
+            throw new MotionStopped("the act was ended");
         }
     }
 
@@ -132,6 +145,15 @@ public final class ActRun {
     public void callOff() {
         calledOff = true;
         end();
+    }
+
+    /**
+     * Whether its thread still ran when its robots were taken back for good.
+     *
+     * @return true once {@link #run} has given up waiting for its end
+     */
+    public boolean isLeftBehind() {
+        return leftBehind;
     }
 
     /**
@@ -163,14 +185,22 @@ public final class ActRun {
 
     private void awaitEnding() {
         try {
-            act.join(TimeUnit.SECONDS.toMillis((long) GRACE_S));
-            if (act.isAlive()) {
+            if (isAliveAfter(SOON_S)) {
+                tell("is still ending; its robots stand and obey it no more");
+                leftBehind = isAliveAfter(GRACE_S - SOON_S);
+            }
+            if (leftBehind) {
                 tell("does not end; it is left behind without a robot");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
         finish();
+    }
+
+    private boolean isAliveAfter(double seconds) throws InterruptedException {
+        act.join((long) (seconds * 1000));
+        return act.isAlive();
     }
 
     private void finish() {

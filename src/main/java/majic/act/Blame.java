@@ -1,11 +1,26 @@
 package majic.act;
 
+import java.util.Optional;
 import java.util.stream.Stream;
 import majic.bot.BotException;
 
 /** Puts into words for an act's author what his act failed by. */
 final class Blame {
     private Blame() {}
+
+    /** The reason why its {@code behave()} failed, then the one of its {@code ended()}; either may be missing. */
+    static Optional<String> of(MajicAct act) {
+        Throwable failure = act.failure();
+        Throwable ending = act.endingFailure();
+        if (failure == null) {
+            return Optional.ofNullable(ending).map(reason -> ofEnding(act, reason));
+        }
+        return Optional.of(of(act, failure) + (ending == null ? "" : "; then " + ofEnding(act, ending)));
+    }
+
+    static String ofEnding(MajicAct act, Throwable failure) {
+        return "its ended() failed: " + of(act, failure);
+    }
 
     /** The robots' own complaints speak for themselves; anything else is a mistake in the act, and said with its place. */
     static String of(MajicAct act, Throwable failure) {

@@ -29,14 +29,19 @@ public abstract class MajicAct extends Thread implements Serializable {
     /** Nothing of this class is saved: a saved act has no thread, no robot and no clock, and is as new when read. */
     private static final ObjectStreamField[] serialPersistentFields = {};
 
-    /** The robot, from the start of {@link #behave()} to its end; null before and after. */
+    /**
+     * The robot; null before the act is started. Once {@link #behave()} has ended, or the act was ended, every use of it
+     * throws {@link MotionStopped}, on whatever thread.
+     */
     protected transient volatile @Nullable BotControl bot;
 
     private transient volatile @Nullable Cast cast;
     private transient volatile @Nullable Audience audience;
     private transient volatile @Nullable Throwable failure;
+    private transient volatile @Nullable Throwable endingFailure;
     private transient volatile @Nullable CountDownLatch joined;
     private transient volatile boolean calledOff;
+    private transient volatile boolean hasBehaved;
 
     /** A behaviour that has no robot yet. Reading a saved act does not come by here. */
     protected MajicAct() {
@@ -60,7 +65,7 @@ public abstract class MajicAct extends Thread implements Serializable {
     protected abstract void behave();
 
     /**
-     * Called when the act has ended, on its thread, for tidying up. There is no robot any more.
+     * Called when the act has ended, on its thread, for tidying up. Its robots obey it no more.
      *
      * @param cutShort true if the act was ended from outside or failed, false if {@link #behave()} came to its end
      */
@@ -74,15 +79,24 @@ public abstract class MajicAct extends Thread implements Serializable {
      * @throws MotionStopped if the act was ended meanwhile
      */
     protected final void pause(double seconds) {
+        checkMayGoOn();
         Cast robots = cast;
         try {
             if (robots != null) {
                 robots.clock().sleep(seconds);
             }
         } catch (InterruptedException e) {
-            interrupt();
+            Thread.currentThread().interrupt();
         }
-        if (isInterrupted() || (bot != null && robots != null && robots.revocation() != null)) {
+        checkMayGoOn();
+    }
+
+    /** Only {@link #ended(boolean)} goes on without a robot. */
+    private void checkMayGoOn() {
+        Thread current = Thread.currentThread();
+        Cast robots = cast;
+        boolean tidying = hasBehaved && current == this;
+        if (current.isInterrupted() || (!tidying && robots != null && robots.revocation() != null)) {
             throw new MotionStopped("the act was ended");
         }
     }
@@ -149,12 +163,16 @@ public abstract class MajicAct extends Thread implements Serializable {
 
             @Override
             public void ended() {
-                Throwable reason = failure;
-                if (reason != null && !(reason instanceof MotionStopped)) {
-                    LOG.log(Level.WARNING, getName() + " failed", reason);
-                }
+                warn(failure, " failed");
+                warn(endingFailure, " failed in its ended()");
             }
         });
+    }
+
+    private void warn(@Nullable Throwable reason, String how) {
+        if (reason != null && !(reason instanceof MotionStopped)) {
+            LOG.log(Level.WARNING, getName() + how, reason);
+        }
     }
 
     /** Starts the act with all its robots; returns as soon as it lives by the clock of its own. */
@@ -173,7 +191,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         setDaemon(true);
         setName("act " + getClass().getSimpleName());
         setContextClassLoader(getClass().getClassLoader());
-        start();
+        super.start();
         awaitQuietly(begun);
     }
 
@@ -205,6 +223,21 @@ public abstract class MajicAct extends Thread implements Serializable {
         return failure;
     }
 
+    /** What {@link #ended(boolean)} failed by; null if it did not, or was not called yet. */
+    final @Nullable Throwable endingFailure() {
+        return endingFailure;
+    }
+
+    /**
+     * An act is started with its robot, by {@link #start(MajicBot)} or by a session.
+     *
+     * @throws IllegalStateException always
+     */
+    @Override
+    public final void start() {
+        throw new IllegalStateException("an act is started with its robot");
+    }
+
     /** Runs the behaviour; called by the thread's start and by nobody else. */
     @Override
     public final void run() {
@@ -214,25 +247,39 @@ public abstract class MajicAct extends Thread implements Serializable {
         if (robots == null || listening == null || begun == null) {
             throw new IllegalStateException("an act is started with its robot");
         }
-        TimeSource.Membership membership = robots.clock().join();
-        begun.countDown();
+        TimeSource.Membership membership = () -> {};
         try {
+            membership = join(robots.clock(), begun);
             boolean cutShort = !behaveToTheEnd(robots);
-            bot = null;
+            hasBehaved = true;
             tidyUp(cutShort);
+        } catch (Throwable e) {
+            failure = e;
         } finally {
-            listening.ended();
-            membership.close();
+            try {
+                listening.ended();
+            } finally {
+                membership.close();
+            }
         }
     }
 
+    private static TimeSource.Membership join(TimeSource clock, CountDownLatch begun) {
+        try {
+            return clock.join();
+        } finally {
+            begun.countDown();
+        }
+    }
+
+    /** Whatever the author's code throws, also what its methods do not declare, the robots are taken back and halted. */
     private boolean behaveToTheEnd(Cast robots) {
         try {
             if (robots.revocation() == null) {
                 behave();
             }
             failure = robots.revocation();
-        } catch (RuntimeException | Error e) {
+        } catch (Throwable e) {
             BotException taken = robots.revocation();
             failure = taken == null ? e : taken;
         } finally {
@@ -246,8 +293,8 @@ public abstract class MajicAct extends Thread implements Serializable {
     private void tidyUp(boolean cutShort) {
         try {
             ended(cutShort);
-        } catch (RuntimeException | Error e) {
-            failure = e;
+        } catch (Throwable e) {
+            endingFailure = e;
         }
     }
 }

@@ -18,6 +18,7 @@ import majic.bot.Member;
 import majic.bot.MotionStopped;
 import majic.bot.Order;
 import majic.bot.Permit;
+import majic.bot.Signal;
 
 /** Runs behaviours on the robots of a session: finds them, sees that robots and roles fit, ends them. Thread-safe. */
 final class Behaviours {
@@ -68,9 +69,10 @@ final class Behaviours {
             Found found = find(act.name());
             Map<String, List<Member>> cast = Casting.cast(act.name().text(), found.roles(), me, others);
             long began = me.time().nanos();
-            run(found, cast, leave, execution);
+            ActRun run = run(found, cast, leave, execution);
+            String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
             return List.of(text
-                    + String.format(Locale.ROOT, ": done (%.1f s)", me.time().secondsSince(began)));
+                    + String.format(Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
         });
     }
 
@@ -86,7 +88,7 @@ final class Behaviours {
         return member.leave().and(ordered.computeIfAbsent(member, its -> new Permit()));
     }
 
-    private void run(Found found, Map<String, List<Member>> cast, Permit leave, Execution execution) {
+    private ActRun run(Found found, Map<String, List<Member>> cast, Permit leave, Execution execution) {
         MajicAct act = found.fresh().get();
         ActRun run = new ActRun(act, found.name(), cast, leave);
         if (act instanceof ScriptAct script) {
@@ -97,14 +99,19 @@ final class Behaviours {
             run.run(execution.owner());
         } finally {
             running.remove(run);
+            session.team().changes().raise();
         }
+        return run;
     }
 
     /**
-     * Ends the behaviour that a robot runs, or plays a part in; says so if there is none. One that was ordered and still
-     * waits for its turn is stopped when that comes.
+     * Ends the behaviour that a robot runs, or plays a part in. One that was ordered and still waits for its turn is
+     * stopped when that comes.
+     *
+     * @return answers once the robot is free, which takes as long as its stop and at most {@code ActRun}'s grace; answers
+     *     at once if no behaviour runs on it
      */
-    void callOff(Member member) {
+    Order callOff(Member member) {
         Permit before = ordered.remove(member);
         if (before != null) {
             before.revoke(() -> new MotionStopped("called off"));
@@ -112,9 +119,18 @@ final class Behaviours {
         List<ActRun> its =
                 running.stream().filter(run -> run.owner() == member.owner()).toList();
         its.forEach(ActRun::callOff);
-        session.say(
-                Line.Kind.ANSWER,
-                member.number() + " act off: " + (its.isEmpty() ? "no behaviour runs on it" : "done"));
+        return new Order("act off", false, robot -> {
+            awaitEnd(its);
+            return List.of("act off: " + (its.isEmpty() ? "no behaviour runs on it" : "done"));
+        });
+    }
+
+    private void awaitEnd(List<ActRun> ending) {
+        try {
+            session.team().changes().await(() -> ending.stream().noneMatch(running::contains), Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** One line for each behaviour that needs no path. */

@@ -87,10 +87,11 @@ final class Dispatcher {
 
     private boolean goesNow(Given line) {
         boolean free = queue.isEmpty() && line.isQuick();
+        boolean inTurn = free && hasRoom(line) && !line.isActOff();
         return switch (source) {
             case PROMPT -> free || line.overtakes();
-            case PIPE -> free && hasRoom(line);
-            case SOCKET -> line.isStop() || (free && hasRoom(line));
+            case PIPE -> inTurn;
+            case SOCKET -> line.isStop() || inTurn;
         };
     }
 

@@ -1,5 +1,6 @@
 package majic.script;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -184,9 +185,21 @@ final class Execution {
     }
 
     /** Carries an order out beside the queue. */
-    void runNow(List<Member> members, Function<Member, Order> orders) {
-        for (Member member : members) {
-            track(member, member.runNow(orders.apply(member)));
+    List<Pending> runNow(List<Member> members, Function<Member, Order> orders) {
+        List<Order> ready = members.stream().map(orders).toList();
+        List<Pending> begun = new ArrayList<>();
+        for (int index = 0; index < ready.size(); index++) {
+            begun.add(members.get(index).runNow(ready.get(index)));
+            track(members.get(index), begun.get(index));
+        }
+        return begun;
+    }
+
+    /** As {@link #runNow}; in a pipe or script what follows waits for the answers. */
+    void runToEnd(List<Member> members, Function<Member, Order> orders) {
+        List<Pending> begun = runNow(members, orders);
+        if (manner == Manner.IN_TURN) {
+            await(() -> begun.stream().allMatch(Pending::hasEnded), Double.POSITIVE_INFINITY);
         }
     }
 

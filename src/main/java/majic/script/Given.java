@@ -49,6 +49,11 @@ record Given(Statement statement, String text, Set<Integer> robots, long stops) 
         return statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.Add;
     }
 
+    /** Whether it waits until the behaviour it ends has given its robots back. */
+    boolean isActOff() {
+        return statement instanceof Statement.ForRobots line && line.command() instanceof Command.ActOff;
+    }
+
     /** Whether it holds up the lines behind it, also those a person types. */
     boolean isWait() {
         return (statement instanceof Statement.ForRobots line && line.command() instanceof Command.Await)

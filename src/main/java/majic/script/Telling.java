@@ -86,7 +86,7 @@ final class Telling implements Command.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void actOff(Command.ActOff actOff) {
-        members.forEach(member -> behaviours().callOff(member));
+        execution.runToEnd(members, member -> behaviours().callOff(member));
         return null;
     }
 

@@ -23,6 +23,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** An act has its robots to itself, and whoever stops one of them ends it for all. */
 @Timeout(30)
@@ -195,6 +197,50 @@ class ActRunTest implements TeamListener {
         assertThat(said)
                 .anyMatch(line ->
                         line.matches("1 act: failed: IllegalStateException: no idea \\(ActRunTest.java, line \\d+\\)"));
+    }
+
+    /** Fails with its first word, and again when it tidies up. */
+    private static final class Failing extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        private final String first;
+
+        private Failing(String first) {
+            this.first = first;
+        }
+
+        @Override
+        protected void behave() {
+            if (first.equals("undeclared")) {
+                throwAnything(new java.io.IOException("undeclared"));
+            }
+            if (!first.isEmpty()) {
+                throw new IllegalStateException(first);
+            }
+        }
+
+        @Override
+        protected void ended(boolean cutShort) {
+            throw new IllegalArgumentException("second");
+        }
+
+        @SuppressWarnings("unchecked")
+        private static <T extends Throwable> void throwAnything(Throwable thrown) throws T {
+            throw (T) thrown;
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "no idea, 'IllegalStateException: no idea .*; then its ended\\(\\) failed: IllegalArgumentException: second .*'",
+        "undeclared, 'IOException: undeclared .*; then its ended\\(\\) failed: IllegalArgumentException: second .*'",
+        "'', 'its ended\\(\\) failed: IllegalArgumentException: second .*'"
+    })
+    void allThatFailedIsToldWithTheFirstReasonFirst(String first, String why) throws InterruptedException {
+        order(alone(new Failing(first)));
+        awaitIdle();
+        assertThat(said).anyMatch(line -> line.matches("1 act: failed: " + why));
+        assertThat(leader.sent()).endsWith("halt");
     }
 
     /** Pays no attention to anything, until the test is over. */

@@ -47,6 +47,61 @@ class MajicActTest {
         team.close();
     }
 
+    /** Why something is refused. */
+    private static String reason(Runnable refused) {
+        try {
+            refused.run();
+            return "none";
+        } catch (MotionStopped e) {
+            return e.getMessage();
+        }
+    }
+
+    /** Leaves a thread behind that drives its robot and pauses. */
+    private static final class Leaving extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        private final transient CountDownLatch over = new CountDownLatch(1);
+        private final transient CountDownLatch told = new CountDownLatch(1);
+
+        @Override
+        protected void behave() {
+            new Thread(this::driveOn).start();
+        }
+
+        private void driveOn() {
+            try {
+                over.await();
+                SAID.add("first: " + reason(() -> bot.move(100)));
+                SAID.add("second: " + reason(() -> bot.drive(100, 0)));
+                SAID.add("pause: " + reason(() -> pause(1)));
+            } catch (InterruptedException e) {
+                SAID.add("interrupted");
+            } finally {
+                told.countDown();
+            }
+        }
+    }
+
+    @Test
+    void aThreadThatItLeavesBehindIsRefusedEachTimeInTheSameWay() throws InterruptedException {
+        Leaving act = new Leaving();
+        act.start(robot);
+        act.join();
+        act.over.countDown();
+        act.told.await();
+        assertThat(SAID)
+                .containsExactly("first: the act has ended", "second: the act has ended", "pause: the act was ended");
+        assertThat(robot.sent()).doesNotContain("move 100");
+    }
+
+    @Test
+    void itIsNotStartedAsAThread() {
+        assertThatThrownBy(() -> new Square(1).start())
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("an act is started with its robot");
+    }
+
     /** Drives a square, and goes on with its first side when it is cut short. */
     private static final class Square extends MajicAct {
         private static final long serialVersionUID = 1;
@@ -73,7 +128,7 @@ class MajicActTest {
 
         @Override
         protected void ended(boolean cutShort) {
-            SAID.add("cut short: " + cutShort + ", robot: " + bot);
+            SAID.add("cut short: " + cutShort + ", robot: " + reason(() -> bot.move(100)));
         }
     }
 
@@ -84,7 +139,7 @@ class MajicActTest {
         time.sleep(8.5);
         square.join();
         assertThat(robot.sent()).startsWith("move 300", "turn 90", "move 300", "turn 90");
-        assertThat(SAID).containsExactly("cut short: false, robot: null");
+        assertThat(SAID).containsExactly("cut short: false, robot: the act has ended");
     }
 
     @Test
@@ -95,7 +150,7 @@ class MajicActTest {
         square.end();
         square.join();
         assertThat(robot.sent()).startsWith("move 300", "halt").containsOnlyOnce("move 300");
-        assertThat(SAID).containsExactly("cut short: true, robot: null");
+        assertThat(SAID).containsExactly("cut short: true, robot: the act has ended");
     }
 
     @Test
@@ -160,7 +215,7 @@ class MajicActTest {
         square.start(robot);
         square.join();
         assertThat(robot.sent()).doesNotContain("move 300");
-        assertThat(SAID).containsExactly("cut short: true, robot: null");
+        assertThat(SAID).containsExactly("cut short: true, robot: the act has ended");
     }
 
     /** Swallows an interrupt, as many a library does. */

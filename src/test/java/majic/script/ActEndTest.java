@@ -6,7 +6,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import majic.act.ActDetails;
+import majic.act.ActFile;
+import majic.act.ActMaker;
 import majic.bot.FakeBot;
+import majic.bot.Owner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -77,6 +84,70 @@ class ActEndTest {
         assertThat(desk.runPipe("1 move 300", "1 act " + drive, "1 act off", "1 turn 90"))
                 .contains("1 act off: no behaviour runs on it", "1 act " + drive + ": stopped");
         assertThat(driver.sent()).containsSubsequence("move 300", "turn 90").doesNotContain("move 5000");
+    }
+
+    @Test
+    void doneMeansForTheNextLineThatTheRobotIsFree() throws Exception {
+        String ahead = file("repeat", "me move 100", "end");
+        assertThat(desk.runPipe("1 act " + ahead, "wait 3s", "1 act off", "1 turn 20"))
+                .contains("1 act off: done")
+                .noneMatch(line -> line.contains("is running"));
+        assertThat(driver.sent()).containsSubsequence("move 100", "halt", "turn 20");
+    }
+
+    @Test
+    void atAPromptItIsAnsweredWhenTheRobotIsFree() throws Exception {
+        List<Optional<Owner>> owners = new CopyOnWriteArrayList<>();
+        desk.session.addListener(line -> {
+            if (line.text().equals("1 act off: done")) {
+                owners.add(Optional.ofNullable(desk.team.member(1).owner()));
+            }
+        });
+        driver.standAfter(1);
+        desk.prompt.parseText("1 act " + file("repeat", "me move 100", "end"));
+        desk.pause(3);
+        desk.prompt.parseText("1 act off");
+        desk.prompt.awaitAll();
+        assertThat(owners).containsExactly(Optional.empty());
+    }
+
+    @Test
+    void oneThatIgnoresItsEndIsSaidToBeLeftBehind() throws Exception {
+        CountDownLatch begun = new CountDownLatch(1);
+        desk.session.addListener(line -> {
+            if (line.text().endsWith("Deaf: deaf")) {
+                begun.countDown();
+            }
+        });
+        String name = deaf();
+        desk.prompt.parseText("1 act " + name);
+        begun.await();
+        List<String> said = desk.runPipe("1 act off");
+        assertThat(desk.prompt.parseText("1 turn 20")).isEmpty();
+        assertThat(said)
+                .containsSubsequence(
+                        "1: Deaf: is still ending; its robots stand and obey it no more",
+                        "1: Deaf: does not end; it is left behind without a robot",
+                        "1 act off: done");
+        assertThat(desk.said()).noneMatch(line -> line.startsWith("1 act " + name + ": done"));
+        System.setProperty("deaf.hears", "now");
+    }
+
+    /** The file of an act that pays no attention to anything until a property is set, and waits on no clock. */
+    private String deaf() throws IOException {
+        System.clearProperty("deaf.hears");
+        Path source = Files.writeString(
+                folder.resolve("Deaf.java"),
+                "public class Deaf extends majic.act.MajicAct {\n"
+                        + "  protected void behave() {\n"
+                        + "    say(\"deaf\");\n"
+                        + "    while (System.getProperty(\"deaf.hears\") == null) { Thread.onSpinWait(); }\n"
+                        + "  }\n"
+                        + "}\n");
+        Path act =
+                Files.write(folder.resolve("Deaf.act"), ActMaker.from(source).make("Deaf", ActDetails.named("Deaf")));
+        desk.session.behaviours().acts().trust().agree(ActFile.read(act));
+        return '"' + act.toString() + '"';
     }
 
     @Test
