@@ -28,11 +28,14 @@ class ArchitectureTest {
     private static final Map<String, Set<String>> MAY_USE = Map.ofEntries(
             Map.entry("majic.bot", Set.of()),
             Map.entry("majic.link", Set.of()),
+            Map.entry("majic.driver", Set.of("majic.bot", "majic.link")),
             Map.entry("majic.panel", Set.of("majic.bot")),
-            Map.entry("majic.aibo", Set.of("majic.bot", "majic.link", "majic.panel")),
-            Map.entry("majic.pioneer", Set.of("majic.bot", "majic.link", "majic.panel", "majic.pioneer.arcos")),
+            Map.entry("majic.aibo", Set.of("majic.bot", "majic.driver", "majic.link", "majic.panel")),
+            Map.entry(
+                    "majic.pioneer",
+                    Set.of("majic.bot", "majic.driver", "majic.link", "majic.panel", "majic.pioneer.arcos")),
             Map.entry("majic.pioneer.arcos", Set.of()),
-            Map.entry("majic.hemisson", Set.of("majic.bot", "majic.link", "majic.panel")),
+            Map.entry("majic.hemisson", Set.of("majic.bot", "majic.driver", "majic.link", "majic.panel")),
             Map.entry("majic.act", Set.of("majic.bot")),
             Map.entry("majic.log", Set.of("majic.bot")),
             Map.entry("majic.script", Set.of("majic.bot", "majic.act", "majic.log")),

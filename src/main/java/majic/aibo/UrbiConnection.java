@@ -5,8 +5,10 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.function.Consumer;
 import majic.bot.LinkLost;
-import majic.bot.Patience;
+import majic.driver.LinkHandler;
+import majic.driver.LinkReader;
 import majic.link.Link;
 
 /**
@@ -49,29 +51,30 @@ final class UrbiConnection {
     /** Opens the link and starts to listen. */
     void open(int timeoutMs) throws IOException {
         link.open(timeoutMs);
-        Thread reader = new Thread(() -> Patience.without(this::readLoop), "aibo " + purpose + " reader");
-        reader.setDaemon(true);
-        reader.start();
+        new LinkReader<>(link, "the dog closed it", new Messages()).start("aibo " + purpose + " reader");
     }
 
-    private void readLoop() {
-        UrbiReader reader = new UrbiReader(watch.time());
-        byte[] chunk = new byte[4096];
-        String why = "the dog closed it";
-        try {
-            for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
-                logIncoming(chunk, count);
-                reader.read(chunk, count).forEach(this::handle);
-            }
-        } catch (IOException e) {
-            why = String.valueOf(e.getMessage());
-        } catch (RuntimeException e) {
-            LOG.log(Level.ERROR, "a message of the dog could not be handled", e);
-            why = "an error in MAJIC, see its log (" + e + ")";
+    /** What the server says. */
+    private final class Messages implements LinkHandler<UrbiMessage> {
+        private final UrbiReader reader = new UrbiReader(watch.time());
+
+        @Override
+        public void decode(byte[] bytes, int count, Consumer<UrbiMessage> messages) {
+            logIncoming(bytes, count);
+            reader.read(bytes, count).forEach(messages);
         }
-        ended = true;
-        watch.changes().raise();
-        breakDown(why);
+
+        @Override
+        public void received(UrbiMessage message) {
+            handle(message);
+        }
+
+        @Override
+        public void ended(IOException cause) {
+            ended = true;
+            watch.changes().raise();
+            breakDown(String.valueOf(cause.getMessage()));
+        }
     }
 
     private void handle(UrbiMessage message) {

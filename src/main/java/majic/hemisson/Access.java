@@ -84,9 +84,9 @@ final class Access {
         return bot.answers().ask(question);
     }
 
-    /** Tells the robot something and waits until it has confirmed it. */
+    /** Tells the robot something, and waits until it has confirmed it where the thread may wait. */
     void tell(Question order) {
-        ask(order);
+        bot.answers().tell(order);
     }
 
     static Value count(int number) {

@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
+import majic.bot.Patience;
 import majic.bot.Signal;
 
 /** Waits for what the robot answers, for whoever may wait; never longer than an answer can take. Thread-safe. */
@@ -21,12 +22,30 @@ final class Answers {
     }
 
     /**
-     * Asks one question and waits for the answer, whoever else talks.
+     * Asks one question and waits for the answer. A thread that must not wait is refused.
      *
      * @throws BotException if there is none; the message says why
      */
     Reply ask(Question question) {
-        Exchange exchange = sessions.conversation().ask(question);
+        if (!Patience.isAllowed()) {
+            throw new BotException("the robot tells it only when asked");
+        }
+        return awaited(sessions.conversation().ask(question));
+    }
+
+    /**
+     * Tells the robot something, and waits until it has confirmed it where the thread may wait.
+     *
+     * @throws BotException if it is refused, or not confirmed; the message says why
+     */
+    void tell(Question order) {
+        Exchange exchange = sessions.conversation().ask(order);
+        if (Patience.isAllowed() || exchange.isDone()) {
+            awaited(exchange);
+        }
+    }
+
+    private Reply awaited(Exchange exchange) {
         await(exchange::isDone);
         Reply reply = exchange.reply();
         if (reply == null) {

@@ -23,13 +23,13 @@ final class Lamps {
     /** Changes the lamps and waits for the robot to confirm. */
     void light(UnaryOperator<Leds> change) {
         Leds wanted = change.apply(leds);
-        bot.answers().ask(Question.leds(wanted));
+        bot.answers().tell(Question.leds(wanted));
         leds = wanted;
     }
 
     /** Switches the buzzer and waits for the robot to confirm. */
     void buzz(boolean on) {
-        bot.answers().ask(Question.buzzer(on));
+        bot.answers().tell(Question.buzzer(on));
         buzzing = on;
     }
 

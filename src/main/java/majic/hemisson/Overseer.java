@@ -87,10 +87,13 @@ final class Overseer implements ConversationListener {
     @Override
     public void answered(Exchange exchange) {
         Reply reply = exchange.reply();
-        if (reply != null) {
-            take(exchange, reply);
+        try {
+            if (reply != null) {
+                take(exchange, reply);
+            }
+        } finally {
+            bot.raise();
         }
-        bot.raise();
     }
 
     private void take(Exchange exchange, Reply reply) {

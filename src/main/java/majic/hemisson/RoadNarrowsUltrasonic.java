@@ -3,8 +3,10 @@ package majic.hemisson;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
+import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
 
@@ -30,10 +32,10 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
     public void describe(ParameterTable table, Access access) {
         table.add(
                 Parameter.number("ultrasonic", Unit.MM, "the nearest echo, 30 to 6000 mm ahead; not while it moves"),
-                () -> nearest(echoes(access)));
+                () -> measured(access, RoadNarrowsUltrasonic::nearest));
         table.add(
                 Parameter.list("ultrasonicEchoes", Unit.MM, "all echoes, nearest first; not while it moves"),
-                () -> Value.many(echoes(access)));
+                () -> measured(access, Value::many));
         table.add(
                 Parameter.number("ultrasonicLight", Unit.NONE, "how bright its front is, 0 dark to 255"),
                 access.wanted(
@@ -44,6 +46,11 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
             String hex = String.format(Locale.ROOT, "A,U,R,%04X", mm);
             return new UntoldSetting.Order(Question.ask(hex, "a,U,R(,.*)?", Question.msFor(10)), Value.of(mm, Unit.MM));
         });
+    }
+
+    /** The robot measures only when it is asked, so a thread that must not wait gets nothing. */
+    private static Value measured(Access access, Function<List<Value>, Value> reading) {
+        return Patience.isAllowed() ? reading.apply(echoes(access)) : Value.unknown("no echo yet");
     }
 
     private static List<Value> echoes(Access access) {

@@ -1,18 +1,17 @@
 package majic.hemisson;
 
 import java.io.IOException;
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import majic.bot.TimeSource;
+import majic.driver.LinkHandler;
+import majic.driver.LinkReader;
 import majic.link.Link;
 import org.jspecify.annotations.Nullable;
 
 /** One connection, from opening to its end: the link, its reader thread and the conversation over it. */
 final class Session {
-    private static final Logger LOG = System.getLogger(Session.class.getName());
-
     /** How long an answer may take on a cable or over TCP, seconds (Hemisson sheet 4.6). */
     static final double CABLE_TIMEOUT_S = 0.3;
 
@@ -22,7 +21,6 @@ final class Session {
     private final Link link;
     private final ConversationListener listener;
     private final Conversation conversation;
-    private final LineDecoder decoder = new LineDecoder();
     private final double timeoutSeconds;
     private volatile boolean closed;
     private volatile @Nullable String end;
@@ -36,9 +34,7 @@ final class Session {
     }
 
     void start() {
-        Thread reader = new Thread(this::readLoop, "hemisson reader");
-        reader.setDaemon(true);
-        reader.start();
+        new LinkReader<>(link, "the serial server closed it", new Lines()).start("hemisson reader");
     }
 
     Conversation conversation() {
@@ -75,39 +71,29 @@ final class Session {
         return address.contains("rfcomm") || address.toLowerCase(Locale.ROOT).contains("bluetooth");
     }
 
-    private void readLoop() {
-        byte[] chunk = new byte[512];
-        try {
-            for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
-                take(chunk, count);
+    /** Lines of text, for the conversation. */
+    private final class Lines implements LinkHandler<String> {
+        private final LineDecoder decoder = new LineDecoder();
+
+        @Override
+        public void decode(byte[] bytes, int count, Consumer<String> messages) {
+            conversation.heard();
+            List<String> lines = decoder.feed(bytes, count);
+            telnet = decoder.isTelnet();
+            lines.forEach(messages);
+        }
+
+        @Override
+        public void received(String line) {
+            conversation.received(Reply.of(line));
+        }
+
+        @Override
+        public void ended(IOException cause) {
+            if (!closed) {
+                end = cause.getMessage();
+                listener.broken(cause);
             }
-            broken(new IOException(
-                    link.address().startsWith("serial:") ? "the serial port is gone" : "the serial server closed it"));
-        } catch (IOException e) {
-            broken(e);
-        }
-    }
-
-    private void take(byte[] chunk, int count) {
-        conversation.heard();
-        List<String> lines = decoder.feed(chunk, count);
-        telnet = decoder.isTelnet();
-        lines.forEach(line -> receive(Reply.of(line)));
-    }
-
-    /** Whatever a line does to its hearer, the next ones are read: the answer to a stop may be among them. */
-    private void receive(Reply reply) {
-        try {
-            conversation.received(reply);
-        } catch (RuntimeException e) {
-            LOG.log(Level.WARNING, "could not take in " + reply.text(), e);
-        }
-    }
-
-    private void broken(IOException cause) {
-        if (!closed) {
-            end = cause.getMessage();
-            listener.broken(cause);
         }
     }
 }

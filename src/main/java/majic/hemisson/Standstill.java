@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.Patience;
 import majic.bot.Signal;
 import org.jspecify.annotations.Nullable;
 
@@ -29,13 +30,13 @@ final class Standstill {
     }
 
     /**
-     * Waits for it.
+     * Waits for it, where the thread may wait.
      *
      * @throws BotException if it is not confirmed in time, or cannot be any more; says what a person can do
      */
     void confirm() {
         Session open = sessions.current();
-        if (open == null) {
+        if (open == null || !Patience.isAllowed()) {
             return;
         }
         double patience = 2 * open.timeoutSeconds() + BESIDE_ANSWERS_S;

@@ -7,8 +7,9 @@ import java.util.HexFormat;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Patience;
 import majic.bot.TimeSource;
+import majic.driver.LinkHandler;
+import majic.driver.LinkReader;
 import majic.link.Link;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
@@ -60,45 +61,39 @@ final class ArcosLine {
         } catch (IOException e) {
             throw new BotException(String.valueOf(e.getMessage()), e);
         }
-        Thread reader = new Thread(() -> Patience.without(() -> read(listener)), "pioneer reader " + link.address());
-        reader.setDaemon(true);
-        reader.start();
+        new LinkReader<>(link, "the robot closed it", new Packets(listener)).start("pioneer reader " + link.address());
     }
 
-    private void read(Listener listener) {
-        LinkLost cause = readToTheEnd(listener::received);
-        LinkLost first = end(cause);
-        link.close();
-        listener.ended(first);
-    }
+    /** What the robot sends. */
+    private final class Packets implements LinkHandler<Packet> {
+        private final Listener listener;
+        private long lastNanos = time.nanos();
 
-    private LinkLost readToTheEnd(Consumer<Packet> sink) {
-        byte[] chunk = new byte[1024];
-        Consumer<Packet> safeSink = packet -> hand(packet, sink);
-        long lastNanos = time.nanos();
-        try {
-            for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
-                if (time.secondsSince(lastNanos) > FRAGMENT_S) {
-                    decoder.dropFragment(safeSink);
-                }
-                lastNanos = time.nanos();
-                firstWords.heard(chunk, count);
-                decoder.feed(chunk, count, safeSink);
-            }
-            return new LinkLost("connection lost: "
-                    + (link.address().startsWith("serial:") ? "the serial port is gone" : "the robot closed it"));
-        } catch (IOException e) {
-            return new LinkLost("connection lost: " + e.getMessage(), e);
+        Packets(Listener listener) {
+            this.listener = listener;
         }
-    }
 
-    /** Whatever one packet leads to, the reader goes on with the next. */
-    private static void hand(Packet packet, Consumer<Packet> sink) {
-        LOG.log(Level.TRACE, () -> "< " + packet);
-        try {
-            sink.accept(packet);
-        } catch (RuntimeException e) {
-            LOG.log(Level.WARNING, "a packet could not be dealt with: " + packet, e);
+        @Override
+        public void decode(byte[] bytes, int count, Consumer<Packet> messages) {
+            if (time.secondsSince(lastNanos) > FRAGMENT_S) {
+                decoder.dropFragment(messages);
+            }
+            lastNanos = time.nanos();
+            firstWords.heard(bytes, count);
+            decoder.feed(bytes, count, messages);
+        }
+
+        @Override
+        public void received(Packet packet) {
+            LOG.log(Level.TRACE, () -> "< " + packet);
+            listener.received(packet);
+        }
+
+        @Override
+        public void ended(IOException cause) {
+            LinkLost first = end(new LinkLost("connection lost: " + cause.getMessage(), cause));
+            link.close();
+            listener.ended(first);
         }
     }
 

@@ -1,0 +1,85 @@
+package majic.driver;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.function.Consumer;
+import majic.bot.Patience;
+import majic.link.Link;
+
+/**
+ * Reads a link on a daemon thread and hands each message to its handler. The thread brings the answers of the robot, so it
+ * must not wait for one: it runs without {@link Patience}.
+ *
+ * <p>One rule for everything thrown, {@link Error} included. What a single message causes is logged and costs that message
+ * only: the link stays, because a stop has to go through it, and its answer may come next. If nothing useful arrives any
+ * more, the driver's time-outs notice it. What reading or decoding causes ends the link, as its close by the peer does:
+ * the handler is told once.
+ *
+ * @param <M> a message of the protocol
+ */
+public final class LinkReader<M> {
+    private static final Logger LOG = System.getLogger(LinkReader.class.getName());
+    private static final int CHUNK = 4096;
+
+    private final Link link;
+    private final String closed;
+    private final LinkHandler<M> handler;
+
+    /**
+     * Stores what is to be read; reads nothing yet.
+     *
+     * @param link open when {@link #start} is called
+     * @param closed what is told when the peer closes a network link, as half a sentence: "the robot closed it"
+     * @param handler takes what arrives
+     */
+    public LinkReader(Link link, String closed, LinkHandler<M> handler) {
+        this.link = link;
+        this.closed = closed;
+        this.handler = handler;
+    }
+
+    /**
+     * Starts the thread. It ends with the link.
+     *
+     * @param name what a thread dump shows
+     */
+    public void start(String name) {
+        Thread reader = new Thread(() -> Patience.without(this::run), name);
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    private void run() {
+        IOException cause = readToTheEnd();
+        try {
+            handler.ended(cause);
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.ERROR, "the end of " + link.address() + " could not be handled", e);
+        }
+    }
+
+    private IOException readToTheEnd() {
+        byte[] chunk = new byte[CHUNK];
+        Consumer<M> each = this::receive;
+        try {
+            for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
+                handler.decode(chunk, count, each);
+            }
+            return new IOException(link.address().startsWith("serial:") ? "the serial port is gone" : closed);
+        } catch (IOException e) {
+            return e;
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.ERROR, "could not read " + link.address(), e);
+            return new IOException("an error in MAJIC, see its log", e);
+        }
+    }
+
+    private void receive(M message) {
+        try {
+            handler.received(message);
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.WARNING, "could not take in " + message, e);
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package majic.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.MajicBot;
+import majic.bot.TimeSource;
+import majic.driver.ReplayLink;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The thread that reads the robot's line, and what listeners and errors do to it. */
+@Timeout(20)
+class ReaderTest {
+    private static final int ROUNDS = 5;
+
+    @Test
+    void aListenerThatReadsWhatMustBeAskedForHoldsUpNeitherTheLineNorAStop() throws IOException {
+        List<Long> waits = new CopyOnWriteArrayList<>();
+        try (DrivenHemisson pair = new DrivenHemisson()) {
+            MajicHemisson bot = pair.bot();
+            bot.addListener(new BotListener() {
+                @Override
+                public void stateChanged(MajicBot who, BotState state) {
+                    if (waits.size() < ROUNDS) {
+                        long before = bot.nanos();
+                        bot.get("tvRemote");
+                        bot.set("ledLeft", "on");
+                        bot.stop();
+                        waits.add(bot.nanos() - before);
+                    }
+                }
+            });
+            bot.connect();
+            pair.await(() -> waits.size() == ROUNDS);
+
+            bot.stop();
+
+            assertThat(waits).containsOnly(0L);
+            pair.await(() -> pair.robot().count("T") > 0);
+            assertThat(pair.robot().count("L,0,0,1,0")).isPositive();
+            assertThat(bot.isConnected()).isTrue();
+        }
+    }
+
+    @Test
+    void anErrorOverOneLineLeavesTheLinkToTheNextOnes() throws InterruptedException {
+        CountDownLatch ended = new CountDownLatch(1);
+        List<String> resets = new CopyOnWriteArrayList<>();
+        byte[] greeting = "HemiOS V1.50\r\n".getBytes(StandardCharsets.ISO_8859_1);
+
+        Session session =
+                new Session(new ReplayLink(greeting, greeting), TimeSource.system(), new ConversationListener() {
+                    @Override
+                    public void answered(Exchange exchange) {}
+
+                    @Override
+                    public void missed(Exchange exchange, boolean inMotion) {}
+
+                    @Override
+                    public void wasReset() {
+                        resets.add("reset");
+                        throw new LinkageError("made up");
+                    }
+
+                    @Override
+                    public void broken(IOException cause) {
+                        ended.countDown();
+                    }
+                });
+        session.start();
+        ended.await();
+
+        assertThat(resets).hasSize(2);
+    }
+}
