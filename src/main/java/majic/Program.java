@@ -13,6 +13,7 @@ import majic.act.Acts;
 import majic.bot.BotException;
 import majic.bot.BotFactory;
 import majic.bot.Settings;
+import majic.bot.ShutdownHook;
 import majic.bot.Team;
 import majic.bot.TimeSource;
 import majic.log.SessionLog;
@@ -39,7 +40,6 @@ final class Program implements AutoCloseable {
     private final CountDownLatch quit = new CountDownLatch(1);
     private final AtomicBoolean closing = new AtomicBoolean();
     private final CountDownLatch closed = new CountDownLatch(1);
-    private final Thread closeAtEnd = new Thread(this::closeRobots, "shutdown");
 
     /**
      * Builds everything and starts nothing but the session log.
@@ -64,9 +64,9 @@ final class Program implements AutoCloseable {
         session = new Session(team, factory, log, acts, quit::countDown);
     }
 
-    /** From now on the end of the program, for whatever reason, closes the robots first. */
+    /** From now on the end of the Java program, for whatever reason, closes this one once the robots are closed. */
     void closeWhenProgramEnds() {
-        Runtime.getRuntime().addShutdownHook(closeAtEnd);
+        ShutdownHook.afterwards(this::close);
     }
 
     /**

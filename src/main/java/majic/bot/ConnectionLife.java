@@ -93,21 +93,17 @@ final class ConnectionLife {
     }
 
     /**
-     * Ends it for good.
+     * Ends it for good. Listeners hear of it at the next {@link #tell()}, after the robot was stopped.
      *
      * @param first done before it counts as closed, unless it does already
      * @return what it was before
      */
-    Connection close(Runnable first) {
-        Connection before;
-        synchronized (this) {
-            before = now;
-            if (before != Connection.CLOSED) {
-                first.run();
-                become(Connection.CLOSED);
-            }
+    synchronized Connection close(Runnable first) {
+        Connection before = now;
+        if (before != Connection.CLOSED) {
+            first.run();
+            become(Connection.CLOSED);
         }
-        tell();
         return before;
     }
 
@@ -116,7 +112,8 @@ final class ConnectionLife {
         untold.add(next);
     }
 
-    private void tell() {
+    /** Tells the listener of all changes that it has not heard of. */
+    void tell() {
         for (Connection next = firstUntold(); next != null; next = nextUntold()) {
             listener.accept(next);
         }

@@ -192,17 +192,36 @@ final class Helm {
         bot.confirmHalt();
     }
 
-    /** Waits until what is being sent has been sent: nothing follows any more when all permits are revoked. */
-    void settle() {
+    /**
+     * Sends the stop for good, behind what is being sent: nothing follows any more when all permits are revoked. Does not
+     * wait until it is confirmed.
+     *
+     * @param connected whether there is a robot to tell
+     */
+    void end(boolean connected) {
+        if (connected) {
+            haltAhead();
+        }
         synchronized (commandLock) {
             driving = false;
+            if (connected) {
+                haltQuietly();
+            }
+        }
+    }
+
+    private void haltQuietly() {
+        try {
+            bot.halt();
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.DEBUG, "could not halt " + bot.name(), e);
         }
     }
 
     private void haltAhead() {
         try {
             bot.haltAhead();
-        } catch (BotException e) {
+        } catch (RuntimeException e) {
             LOG.log(Level.DEBUG, "no early stop for " + bot.name(), e);
         }
     }

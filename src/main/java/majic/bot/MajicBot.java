@@ -76,14 +76,18 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     /**
      * Connects, without moving the robot or switching its motors on. May be called again after the connection was lost.
      *
-     * @throws BotException if the robot is not there, refuses, or does not answer in the driver's time; the message says
-     *     what to try, and the robot is in state {@link Connection#LOST}
+     * <p>Until it is closed, a robot that was connected is also stopped and closed when the Java program ends by
+     * {@code System.exit}, Ctrl-C or a signal; see {@link ShutdownHook}.
+     *
+     * @throws BotException if the robot is not there, refuses, or does not answer in the driver's time, or if the program
+     *     is ending; the message says what to try, and the robot is in state {@link Connection#LOST}
      */
     public final void connect() {
         if (life.begin(name)) {
             keeper.start(type.name());
         }
         try {
+            ShutdownHook.add(this);
             open();
         } catch (RuntimeException | Error e) {
             life.end(Connection.LOST);
@@ -254,16 +258,26 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      */
     @Override
     public final void close() {
-        Connection before = life.close(() -> helm.permits().latch(() -> new BotException(name + " is closed")));
+        Connection before = life.close(() -> revokeForGood(name + " is closed"));
         if (before == Connection.CLOSED) {
             return;
         }
-        keeper.close();
-        changes.raise();
-        helm.settle();
-        if (before != Connection.NEW) {
-            shut();
+        try {
+            keeper.close();
+            helm.end(before == Connection.CONNECTED);
+            if (before != Connection.NEW) {
+                shut();
+            }
+        } finally {
+            ShutdownHook.remove(this);
+            life.tell();
         }
+    }
+
+    /** Ends all motions and allows no other; quick, sends nothing. */
+    final void revokeForGood(String reason) {
+        helm.permits().close(() -> new BotException(reason));
+        changes.raise();
     }
 
     /**

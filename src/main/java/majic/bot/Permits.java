@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 final class Permits {
     private Permit current = new Permit();
     private boolean latched;
+    private boolean closed;
 
     synchronized Permit current() {
         return current;
@@ -21,14 +22,25 @@ final class Permits {
 
     /** Ends all motions and gives out only revoked permits from now on. */
     synchronized void latch(Supplier<? extends BotException> reason) {
+        if (closed) {
+            return;
+        }
         current.revoke(() -> new MotionStopped("stopped"));
         current = new Permit();
         current.revoke(reason);
         latched = true;
     }
 
+    /** As {@link #latch}, for good: {@link #unlatch} does nothing any more. The first reason stays. */
+    synchronized void close(Supplier<? extends BotException> reason) {
+        if (!closed) {
+            latch(reason);
+            closed = true;
+        }
+    }
+
     synchronized void unlatch() {
-        if (latched) {
+        if (latched && !closed) {
             latched = false;
             current = new Permit();
         }

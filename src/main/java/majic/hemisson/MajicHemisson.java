@@ -57,7 +57,7 @@ public final class MajicHemisson extends MajicBot {
      */
     public MajicHemisson(String address, BotEnvironment environment) {
         super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
-        this.sessions = new Sessions(address, time(), changes());
+        this.sessions = new Sessions(address, time());
         this.answers = new Answers(sessions, changes(), this::isConnected);
         this.standstill = new Standstill(sessions, changes(), this::isConnected);
         this.calibration = new Calibration(settings(), address);

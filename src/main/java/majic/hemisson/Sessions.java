@@ -3,7 +3,6 @@ package majic.hemisson;
 import java.io.IOException;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Signal;
 import majic.bot.TimeSource;
 import majic.link.Link;
 import majic.link.Links;
@@ -16,19 +15,16 @@ final class Sessions {
 
     private final String address;
     private final TimeSource time;
-    private final Signal changes;
     private volatile @Nullable Session session;
-    private volatile @Nullable LastWord lastWord;
 
     /**
      * Opens nothing yet.
      *
      * @throws BotException if the address is none
      */
-    Sessions(String address, TimeSource time, Signal changes) {
+    Sessions(String address, TimeSource time) {
         this.address = address;
         this.time = time;
-        this.changes = changes;
         newLink();
     }
 
@@ -51,23 +47,10 @@ final class Sessions {
         }
         Session opened = new Session(link, time, listener);
         session = opened;
-        lastWord = LastWord.begin(() -> sayLast(opened));
         return opened;
     }
 
-    /** The clock of a simulated lab may not go on when the program ends, nor does its robot. */
-    private void sayLast(Session open) {
-        if (time == TimeSource.system()) {
-            Farewell.say(open, changes);
-            open.close();
-        }
-    }
-
     void end() {
-        LastWord last = lastWord;
-        if (last != null) {
-            last.end();
-        }
         Session open = session;
         session = null;
         if (open != null) {

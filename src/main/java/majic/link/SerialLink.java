@@ -75,6 +75,7 @@ final class SerialLink implements Link {
     }
 
     private SerialPort find() throws IOException {
+        SerialLibrary.load();
         try {
             return SerialPort.getCommPort(name);
         } catch (SerialPortInvalidPortException e) {

@@ -29,6 +29,7 @@ public final class SerialPorts {
      * @return the ports in the order of their names; empty if there are none
      */
     public static List<Port> list() {
+        SerialLibrary.load();
         return Arrays.stream(SerialPort.getCommPorts())
                 .map(port -> new Port(port.getSystemPortPath(), describe(port)))
                 .sorted(Comparator.comparing(Port::name))

@@ -1,0 +1,151 @@
+package majic;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import majic.link.PseudoTerminal;
+
+/** A line to a simulated robot that records what is sent to the robot: a TCP port or a serial port of the system. */
+final class RecordedLine implements AutoCloseable {
+    private static final int NO_ROBOT = 0;
+
+    private final StringBuilder sent = new StringBuilder();
+    private final AutoCloseable plug;
+    private final String address;
+
+    /** Passes text on. */
+    private interface Sink {
+        void take(String text) throws IOException;
+    }
+
+    private RecordedLine(AutoCloseable plug, String address) {
+        this.plug = plug;
+        this.address = address;
+    }
+
+    /** A TCP port in front of a robot's. */
+    static RecordedLine tcp(int robotPort) throws IOException {
+        ServerSocket server = new ServerSocket(0, 8, InetAddress.getLoopbackAddress());
+        RecordedLine line = new RecordedLine(server, "//127.0.0.1:" + server.getLocalPort());
+        begin(() -> {
+            while (true) {
+                line.connect(server.accept(), robotPort);
+            }
+        });
+        return line;
+    }
+
+    /** A TCP port of a robot that takes everything and never answers. */
+    static RecordedLine mute() throws IOException {
+        return tcp(NO_ROBOT);
+    }
+
+    /** A serial port in front of a robot's TCP port. */
+    static RecordedLine serial(int robotPort) throws IOException {
+        PseudoTerminal terminal = new PseudoTerminal();
+        RecordedLine line = new RecordedLine(terminal, terminal.name());
+        Socket robot = new Socket(InetAddress.getLoopbackAddress(), robotPort);
+        Sink toRobot = toSocket(robot);
+        begin(() -> pump(robot.getInputStream(), terminal::write));
+        begin(() -> {
+            try (robot) {
+                while (true) {
+                    line.pass(terminal.read(), toRobot);
+                }
+            }
+        });
+        return line;
+    }
+
+    private void connect(Socket client, int robotPort) throws IOException {
+        if (robotPort == NO_ROBOT) {
+            begin(() -> pump(client.getInputStream(), text -> pass(text, nothing -> {})));
+            return;
+        }
+        Socket robot = new Socket(InetAddress.getLoopbackAddress(), robotPort);
+        Sink toRobot = toSocket(robot);
+        begin(() -> {
+            try (robot) {
+                pump(client.getInputStream(), text -> pass(text, toRobot));
+            }
+        });
+        begin(() -> {
+            try (client) {
+                pump(robot.getInputStream(), toSocket(client));
+            }
+        });
+    }
+
+    private void pass(String text, Sink robot) throws IOException {
+        synchronized (sent) {
+            sent.append(text);
+            sent.notifyAll();
+        }
+        robot.take(text);
+    }
+
+    private static Sink toSocket(Socket socket) throws IOException {
+        OutputStream out = socket.getOutputStream();
+        return text -> out.write(text.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    private static void pump(InputStream in, Sink sink) throws IOException {
+        byte[] chunk = new byte[1024];
+        for (int count = in.read(chunk); count >= 0; count = in.read(chunk)) {
+            sink.take(new String(chunk, 0, count, StandardCharsets.ISO_8859_1));
+        }
+    }
+
+    private interface Work {
+        void run() throws IOException;
+    }
+
+    private static void begin(Work work) {
+        Thread thread = new Thread(
+                () -> {
+                    try {
+                        work.run();
+                    } catch (IOException e) {
+                        // one of the two ends was closed
+                    }
+                },
+                "recorded line");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /** What a driver's address says behind the type of robot. */
+    String address() {
+        return address;
+    }
+
+    /** How many bytes were sent so far. */
+    int length() {
+        synchronized (sent) {
+            return sent.length();
+        }
+    }
+
+    /** Waits until a text has been sent, behind the first bytes. */
+    void await(String text, int from) throws InterruptedException {
+        synchronized (sent) {
+            while (sent.indexOf(text, from) < 0) {
+                sent.wait();
+            }
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            plug.close();
+        } catch (Exception e) {
+            throw new UncheckedIOException(new IOException(e));
+        }
+    }
+}

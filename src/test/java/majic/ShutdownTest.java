@@ -1,0 +1,190 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.jna.Function;
+import com.sun.jna.Memory;
+import com.sun.jna.NativeLibrary;
+import com.sun.jna.Platform;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import majic.bot.Pose;
+import majicsim.LabOptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** A program of its own that embeds a robot ends in mid-motion, and the robot is stopped. */
+@Timeout(60)
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has neither signals nor pseudo-terminals")
+class ShutdownTest {
+    private static final String PIONEER_STOP = "\u00FA\u00FB\u0003\u001D\0\u001D";
+
+    enum Robot {
+        PIONEER("pioneer", PIONEER_STOP),
+        PIONEER_ON_A_PORT("pioneer", PIONEER_STOP),
+        AIBO("aibo", "stop walk, stop turn,"),
+        HEMISSON_ON_A_PORT("hemisson", "D,0,0\r"),
+        PLUGIN("cart", "halt\n");
+
+        private final String type;
+        private final String stop;
+
+        Robot(String type, String stop) {
+            this.type = type;
+            this.stop = stop;
+        }
+
+        RecordedLine line(SimulatedLab lab) throws IOException {
+            if (this == PLUGIN) {
+                return RecordedLine.mute();
+            }
+            String address = lab.address(type).orElseThrow().toString();
+            int port = Integer.parseInt(address.substring(address.lastIndexOf(':') + 1));
+            return name().endsWith("PORT") ? RecordedLine.serial(port) : RecordedLine.tcp(port);
+        }
+    }
+
+    enum End {
+        INT,
+        TERM,
+        HUP,
+        EXIT
+    }
+
+    static Stream<Arguments> robotsAndEnds() {
+        return Stream.of(Robot.values())
+                .flatMap(robot -> Stream.of(End.values()).map(end -> Arguments.of(robot, end)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("robotsAndEnds")
+    void theRobotIsStoppedHoweverTheProgramEnds(Robot robot, End end) throws Exception {
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+                RecordedLine line = robot.line(lab)) {
+            Process program = start(EndedProgram.class, Map.of(), robot.type + ":" + line.address());
+            try {
+                awaitMotion(program);
+                int before = line.length();
+
+                end(program, end);
+
+                assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
+                line.await(robot.stop, before);
+                awaitStationary(lab, robot.type);
+            } finally {
+                program.destroyForcibly();
+            }
+        }
+    }
+
+    @Test
+    void aScriptEndsWithItsTerminalThoughASerialPortIsOpen(@TempDir Path folder) throws Exception {
+        Path script = Files.writeString(folder.resolve("far.majic"), "1 move 1000");
+        Map<String, String> home = Map.of("MAJIC_HOME", folder.toString());
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+                RecordedLine line = Robot.HEMISSON_ON_A_PORT.line(lab)) {
+            Process program = start(Majic.class, home, "run", "--add", "hemisson:" + line.address(), script.toString());
+            try {
+                line.await("D,3,3\r", 0);
+                int before = line.length();
+
+                end(program, End.HUP);
+
+                assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
+                line.await("D,0,0\r", before);
+                awaitStationary(lab, "hemisson");
+            } finally {
+                program.destroyForcibly();
+            }
+        }
+    }
+
+    private static void awaitMotion(Process program) throws IOException {
+        BufferedReader printed =
+                new BufferedReader(new InputStreamReader(program.getInputStream(), StandardCharsets.UTF_8));
+        List<String> lines = new ArrayList<>();
+        for (String line = printed.readLine(); !"moving".equals(line); line = printed.readLine()) {
+            assertThat(line).as("printed before: %s", lines).isNotNull();
+            lines.add(line);
+        }
+    }
+
+    private static void awaitStationary(SimulatedLab lab, String type) throws InterruptedException {
+        Pose before = null;
+        for (Pose now = lab.truePoses().get(type); now != null && !now.equals(before); ) {
+            before = now;
+            lab.time().sleep(0.2);
+            now = lab.truePoses().get(type);
+        }
+    }
+
+    private static void end(Process program, End end) throws Exception {
+        if (end == End.EXIT) {
+            program.getOutputStream().write('\n');
+            program.getOutputStream().flush();
+        } else {
+            new ProcessBuilder("kill", "-" + end, String.valueOf(program.pid()))
+                    .start()
+                    .waitFor();
+        }
+    }
+
+    private static Process start(Class<?> program, Map<String, String> environment, String... args) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
+                program.getName()));
+        command.addAll(List.of(args));
+        ProcessBuilder process = new ProcessBuilder(command).redirectErrorStream(true);
+        process.environment().putAll(environment);
+        UsualSignals signals = new UsualSignals();
+        try {
+            return process.start();
+        } finally {
+            signals.restore();
+        }
+    }
+
+    /**
+     * Lets a new process begin with the usual actions of its signals. It inherits which ones are ignored, and a shell
+     * script has SIGINT ignored by what it starts in the background, a test run for instance.
+     */
+    private static final class UsualSignals {
+        private static final Function SIGACTION =
+                NativeLibrary.getInstance(Platform.C_LIBRARY_NAME).getFunction("sigaction");
+        private static final List<Integer> SIGHUP_AND_SIGINT = List.of(1, 2);
+
+        private final Map<Integer, Memory> before = new HashMap<>();
+
+        UsualSignals() {
+            Memory usual = new Memory(512);
+            usual.clear();
+            for (int signal : SIGHUP_AND_SIGINT) {
+                before.put(signal, new Memory(512));
+                SIGACTION.invokeInt(new Object[] {signal, usual, before.get(signal)});
+            }
+        }
+
+        void restore() {
+            before.forEach((signal, action) -> SIGACTION.invokeInt(new Object[] {signal, action, null}));
+        }
+    }
+}
