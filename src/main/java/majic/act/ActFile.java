@@ -2,7 +2,6 @@ package majic.act;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
@@ -45,13 +44,12 @@ public final class ActFile {
      * @throws ActException if it cannot be read, or is no act that this MAJIC can load
      */
     public static ActFile read(Path file) {
-        try (InputStream in = Files.newInputStream(file)) {
-            return of(String.valueOf(file.getFileName()), in.readNBytes(BoundedZip.MAX_FILE_BYTES + 1));
+        try {
+            return of(String.valueOf(file.getFileName()), RegularFile.read(file, BoundedZip.MAX_FILE_BYTES + 1));
         } catch (NoSuchFileException e) {
             throw new ActException("there is no file " + file, e);
         } catch (IOException e) {
-            String why = Files.isDirectory(file) ? "it is a folder" : e.getMessage();
-            throw new ActException("cannot read " + file + ": " + why, e);
+            throw new ActException("cannot read " + file + ": " + e.getMessage(), e);
         }
     }
 

@@ -6,7 +6,6 @@ import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
@@ -16,8 +15,8 @@ import majic.script.MajicParser;
 
 /**
  * Where commands are typed. An accepted line is cleared away; a wrong one stays, is marked, and its message is shown
- * until the line is mended. Up and Down walk through earlier lines, Tab completes. While a line is checked for which files
- * are read, it cannot be changed; STOP is not for the command line alone.
+ * until the line is mended. Up and Down walk through earlier lines, Tab completes. The line can be edited at all times: what
+ * a line names in files is read elsewhere, and if it is refused for that it comes back, unless another is being typed.
  */
 final class CommandLine extends JTextField {
     private static final long serialVersionUID = 1L;
@@ -40,8 +39,8 @@ final class CommandLine extends JTextField {
         putClientProperty("FlatLaf.styleClass", "monospaced");
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of());
         addActionListener(event -> enter());
-        bind(KeyEvent.VK_UP, "older line", () -> show(history.older(getText())));
-        bind(KeyEvent.VK_DOWN, "newer line", () -> show(history.newer(getText())));
+        bind(KeyEvent.VK_UP, "older line", () -> setText(history.older(getText())));
+        bind(KeyEvent.VK_DOWN, "newer line", () -> setText(history.newer(getText())));
         bind(KeyEvent.VK_TAB, "complete", this::complete);
         getDocument().addDocumentListener(new Mending());
     }
@@ -64,36 +63,28 @@ final class CommandLine extends JTextField {
             setText("");
             return;
         }
-        ask(() -> parser.parseText(line), wrong -> entered(line, wrong));
-    }
-
-    /** Has the parser do something; beside the window, with the line held, if it has to look at files for it. */
-    private <T> void ask(Supplier<T> question, Consumer<T> answer) {
-        if (!isEditable()) {
-            return;
-        }
-        if (!MajicParser.readsFiles(getText())) {
-            answer.accept(question.get());
-            return;
-        }
-        setEditable(false);
-        Edt.background("reading for the command line", () -> {
-            T told = question.get();
-            Edt.later(() -> {
-                setEditable(true);
-                answer.accept(told);
-            });
-        });
-    }
-
-    private void entered(String line, Optional<String> wrong) {
+        Optional<String> wrong = parser.parseText(line, why -> Edt.later(() -> refusedLater(line, why)));
         if (wrong.isEmpty()) {
             history.add(line);
             setText("");
         } else {
-            putClientProperty("JComponent.outline", "error");
-            hint.accept(wrong.get());
+            mark(wrong.get());
         }
+    }
+
+    /** Never touches what was typed since. */
+    private void refusedLater(String line, String why) {
+        if (getText().isEmpty()) {
+            setText(line);
+            mark(why);
+        } else {
+            hint.accept(why);
+        }
+    }
+
+    private void mark(String why) {
+        putClientProperty("JComponent.outline", "error");
+        hint.accept(why);
     }
 
     private void complete() {
@@ -103,7 +94,21 @@ final class CommandLine extends JTextField {
         }
         String text = getText();
         int caret = getCaretPosition();
-        ask(() -> parser.complete(text, caret), words -> complete(Completer.complete(text, caret, words)));
+        if (!MajicParser.readsFiles(text)) {
+            complete(Completer.complete(text, caret, parser.complete(text, caret)));
+            return;
+        }
+        Edt.background("reading for the command line", () -> {
+            Completer done = Completer.complete(text, caret, parser.complete(text, caret));
+            Edt.later(() -> completeIfSame(text, caret, done));
+        });
+    }
+
+    /** What was typed while files were looked at counts, and the completion does not. */
+    private void completeIfSame(String text, int caret, Completer done) {
+        if (getText().equals(text) && getCaretPosition() == caret) {
+            complete(done);
+        }
     }
 
     private void complete(Completer done) {
@@ -112,12 +117,6 @@ final class CommandLine extends JTextField {
         }
         setCaretPosition(done.caret());
         hint.accept(String.join("   ", done.choices()));
-    }
-
-    private void show(String line) {
-        if (isEditable()) {
-            setText(line);
-        }
     }
 
     /** Takes the mark away as soon as the line is touched. */

@@ -187,7 +187,8 @@ final class Behaviours {
                 : acts.find(nameOrHash).sha256();
     }
 
-    private static List<Member> others(Command.Act act, Selection selection) {
+    /** The further robots a command names. */
+    static List<Member> others(Command.Act act, Selection selection) {
         Robots others = act.others();
         return others == null ? List.of() : selection.members(others);
     }

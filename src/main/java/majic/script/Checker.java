@@ -2,7 +2,6 @@ package majic.script;
 
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import majic.bot.Member;
 import org.jspecify.annotations.Nullable;
@@ -15,23 +14,28 @@ final class Checker extends Inspection {
     private final Session session;
     private final Selection selection;
     private final Set<Member> limitsSet = new HashSet<>();
+    private final boolean readsFiles;
     private boolean teamMayChange;
 
-    private Checker(Session session, Selection selection) {
+    private Checker(Session session, Selection selection, boolean readsFiles) {
         this.session = session;
         this.selection = selection;
+        this.readsFiles = readsFiles;
     }
 
-    /** Everything wrong in a script, in its order. */
+    /** Everything wrong in a script, in its order. Reads the files it names, so it may block. */
     static List<Mistake> check(List<Statement> script, Session session, Selection selection) {
-        Checker checker = new Checker(session, selection);
+        return check(script, new Checker(session, selection, true));
+    }
+
+    /** Everything wrong in a script but for what only its files can tell. Reads no file. */
+    static List<Mistake> checkWithoutFiles(List<Statement> script, Session session, Selection selection) {
+        return check(script, new Checker(session, selection, false));
+    }
+
+    private static List<Mistake> check(List<Statement> script, Checker checker) {
         checker.walk(script);
         return checker.mistakes();
-    }
-
-    /** What is wrong with one command, if anything. */
-    static Optional<Mistake> check(Statement statement, Session session, Selection selection) {
-        return check(List.of(statement), session, selection).stream().findFirst();
     }
 
     @Override
@@ -45,14 +49,21 @@ final class Checker extends Inspection {
     public @Nullable Void forRobots(Statement.ForRobots line) {
         if (!teamMayChange) {
             for (Member member : selection.members(line.robots())) {
-                line.command()
-                        .accept(new CommandCheck(session.behaviours(), selection, member, limitsSet.contains(member)));
+                check(line.command(), member);
                 if (setsLimit(line.command())) {
                     limitsSet.add(member);
                 }
             }
         }
         return null;
+    }
+
+    private void check(Command command, Member member) {
+        if (command instanceof Command.Act act && !readsFiles) {
+            Behaviours.others(act, selection);
+            return;
+        }
+        command.accept(new CommandCheck(session.behaviours(), selection, member, limitsSet.contains(member)));
     }
 
     /** Behind it, only the robot can tell how far a move may go. */
@@ -63,7 +74,7 @@ final class Checker extends Inspection {
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
         SessionCommand command = line.command();
-        if (!teamMayChange) {
+        if (!teamMayChange && (readsFiles || !FileUse.by(command))) {
             command.accept(new SessionCheck(session, selection));
         }
         teamMayChange |= changesTeam(command);

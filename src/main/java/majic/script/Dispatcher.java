@@ -1,8 +1,10 @@
 package majic.script;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.Member;
 import majic.bot.Signal;
@@ -66,17 +68,18 @@ final class Dispatcher {
     }
 
     /**
-     * Takes a line.
+     * Takes a line. Never waits. A line that names files is checked, and carried out, on a thread of this source.
      *
+     * @param refused gets the reason if a file the line names does not let it be done
      * @throws BotException if it cannot be done now; nothing happened
      * @throws ScriptException if it cannot be done with the robots there are; nothing happened
      */
-    void give(Statement statement, String text) {
+    void give(Statement statement, String text, Consumer<String> refused) {
         Set<Integer> robots = Given.robots(statement, selection);
-        Given line = new Given(statement, text, robots, stops(robots));
+        Given line = new Given(statement, text, robots, stops(robots), refused);
         if (goesNow(line)) {
-            perform(line);
-        } else if (goesBeside(line) && queue.isEmpty()) {
+            perform(line, Execution.Manner.AT_ONCE);
+        } else if (goesBeside(line) && !line.namesFile() && queue.isEmpty()) {
             begin(line);
         } else if (source == Source.PROMPT && queue.size() >= MOST_HELD) {
             throw new BotException("too many lines wait already (" + MOST_HELD + "); \"stop\" ends the wait");
@@ -86,7 +89,7 @@ final class Dispatcher {
     }
 
     private boolean goesNow(Given line) {
-        boolean free = queue.isEmpty() && line.isQuick();
+        boolean free = queue.isEmpty() && line.isQuick() && !line.namesFile();
         boolean inTurn = free && hasRoom(line) && !line.isActOff();
         return switch (source) {
             case PROMPT -> free || line.overtakes();
@@ -98,6 +101,30 @@ final class Dispatcher {
     /** For a person everything that takes its time runs beside what is typed next, but a wait, which holds it. */
     private boolean goesBeside(Given line) {
         return source == Source.PROMPT && !line.isWait() && !line.isQuick();
+    }
+
+    /** Whether the files that a line names let it be done; if not, says so. Reads them, so it may block. */
+    private boolean filesAllow(Given line) {
+        if (!line.namesFile()) {
+            return true;
+        }
+        Optional<String> wrong = wrongWithFiles(line);
+        wrong.ifPresent(line.refused());
+        return wrong.isEmpty();
+    }
+
+    private Optional<String> wrongWithFiles(Given line) {
+        try {
+            return Checker.check(List.of(line.statement()), session, selection).stream()
+                    .findFirst()
+                    .map(Mistake::message);
+        } catch (RuntimeException | Error e) {
+            return Optional.of(Mishap.told(line.title(), e));
+        }
+    }
+
+    private boolean wasStopped(Given line) {
+        return line.mayMove() && line.stops() != stops(line.robots());
     }
 
     private boolean hasRoom(Given line) {
@@ -122,9 +149,21 @@ final class Dispatcher {
     }
 
     private void inTurn(Given line) {
-        if (line.mayMove() && line.stops() != stops(line.robots())) {
-            tally.fail(line.title());
-            session.say(Line.Kind.ANSWER, line.title() + ": not run: stopped");
+        if (wasStopped(line)) {
+            tellStopped(line);
+        } else if (filesAllow(line)) {
+            takeTurn(line);
+        }
+    }
+
+    private void tellStopped(Given line) {
+        tally.fail(line.title());
+        session.say(Line.Kind.ANSWER, line.title() + ": not run: stopped");
+    }
+
+    private void takeTurn(Given line) {
+        if (wasStopped(line)) {
+            tellStopped(line);
         } else if (goesBeside(line)) {
             begin(line);
         } else {
@@ -135,7 +174,7 @@ final class Dispatcher {
     /** Carries a line out whose giver has gone; what goes wrong can only be said. */
     private void attempt(Given line) {
         try {
-            perform(line);
+            perform(line, Execution.Manner.IN_TURN);
         } catch (ExecutionEnded e) {
             tally.fail(line.title());
             session.say(Line.Kind.ANSWER, line.title() + ": " + e.ending());
@@ -148,9 +187,10 @@ final class Dispatcher {
         }
     }
 
-    private void perform(Given line) {
-        Execution execution = Execution.ofLine(
-                session, source == Source.PROMPT ? Execution.Manner.TYPED : Execution.Manner.IN_TURN, tally);
+    private void perform(Given line, Execution.Manner unlessTyped) {
+        Execution execution =
+                Execution.ofLine(session, source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped, tally)
+                        .unless(() -> wasStopped(line));
         if (line.isStop()) {
             stop(line, execution);
         } else if (line.isBlock()) {
@@ -169,17 +209,16 @@ final class Dispatcher {
     }
 
     /** A stop drops the lines that are held for its robots, unless it is one of the held itself and had its turn. */
-    private synchronized void stop(Given line, Execution execution) {
-        boolean inTurn = queue.isEmpty() || queue.isCurrent(line);
-        new Interpreter(execution).run(List.of(line.statement()));
-        if (inTurn && line.isStopAll()) {
-            ownStops.stoppedAll();
-        } else if (inTurn && line.statement() instanceof Statement.ForRobots robots) {
-            ownStops.stopped(selection.present(robots.robots()));
+    private void stop(Given line, Execution execution) {
+        Runnable stopping = () -> new Interpreter(execution).run(List.of(line.statement()));
+        if (queue.isEmpty() || queue.isCurrent(line)) {
+            ownStops.during(stopping);
+        } else {
+            stopping.run();
         }
     }
 
-    private synchronized long stops(Set<Integer> robots) {
-        return session.stops().of(robots) - ownStops.of(robots);
+    private long stops(Set<Integer> robots) {
+        return session.stops().ofOthers(robots, ownStops);
     }
 }

@@ -32,6 +32,7 @@ final class Execution {
     private final Recording recording;
     private final long stopsBefore;
     private final boolean latchedBefore;
+    private BooleanSupplier overtaken = () -> false;
     private volatile boolean ended;
     private long motions;
     private int files;
@@ -41,7 +42,9 @@ final class Execution {
         /** By a person: readings at once, nothing waits for room in a queue. */
         TYPED,
         /** One after the other, as in a pipe or a file. */
-        IN_TURN
+        IN_TURN,
+        /** As {@link #IN_TURN}, by a thread that must not wait: a queue without room refuses. */
+        AT_ONCE
     }
 
     private Execution(
@@ -80,6 +83,12 @@ final class Execution {
     static Execution ofLine(Session session, Manner manner, Tally lines) {
         return new Execution(
                 session, new Selection(session.team()), manner, lines, null, new Recording(session.record(), null));
+    }
+
+    /** Orders nothing any more once this holds: a stop came since the line was given. */
+    Execution unless(BooleanSupplier overtakenByStop) {
+        overtaken = overtakenByStop;
+        return this;
     }
 
     /** A behaviour, whose robots were lent to it. */
@@ -299,7 +308,7 @@ final class Execution {
     }
 
     void checkAlive() {
-        if (ended || session.stops().all() != stopsBefore) {
+        if (ended || session.stops().all() != stopsBefore || overtaken.getAsBoolean()) {
             throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
         }
         own.trouble().ifPresent(trouble -> {

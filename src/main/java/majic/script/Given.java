@@ -2,6 +2,7 @@ package majic.script;
 
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.bot.Member;
 
@@ -12,8 +13,9 @@ import majic.bot.Member;
  * @param text as it was typed
  * @param robots those it makes do something, as far as they were there by then
  * @param stops how often they had been stopped by then
+ * @param refused gets the reason if the files it names do not let it be done
  */
-record Given(Statement statement, String text, Set<Integer> robots, long stops) {
+record Given(Statement statement, String text, Set<Integer> robots, long stops, Consumer<String> refused) {
     /** Its first line, as answers call it. */
     String title() {
         return text.strip().lines().findFirst().orElse("").replaceAll("\\s+", " ");
@@ -35,6 +37,11 @@ record Given(Statement statement, String text, Set<Integer> robots, long stops) 
                         || line.command() instanceof SessionCommand.Bots
                         || line.command() instanceof SessionCommand.Release
                         || line.command() instanceof SessionCommand.Quit);
+    }
+
+    /** Whether checking it reads files. */
+    boolean namesFile() {
+        return FileUse.in(statement);
     }
 
     boolean isStop() {

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
 
@@ -16,7 +17,7 @@ public final class MajicParser {
     static final String TOO_LONG = "the line is longer than " + LONGEST_LINE + " characters";
 
     private static final Pattern STOP = Pattern.compile("(?iu)\\bstop\\b");
-    private static final Pattern READING = Pattern.compile("(?iu)\\b(acts?|trust|run|end)\\b");
+    private static final Pattern READING = Pattern.compile("(?iu)\\b(acts?|trust|run)\\b");
     private static final int MOST_REMEMBERED = 10_000;
 
     private final Session session;
@@ -58,13 +59,28 @@ public final class MajicParser {
      * Takes one line, checks it, and gives the orders in it or queues it behind a {@code wait}. Returns at once. Lines
      * of an open block are kept until its {@code end}. The session's listeners hear the line, then what becomes of it;
      * they hear of a refusal as well, so whoever calls need not show it again. A line with the word {@code stop} that
-     * cannot be understood is taken as STOP.
+     * cannot be understood is taken as STOP. Reads no file and waits for no robot: what a line with {@code act},
+     * {@code trust} or {@code run} names is read on a thread of this parser, and the lines behind it wait for that; a
+     * {@code stop} does not.
      *
      * @param text the line; if there are several, all up to the first wrong one are taken
-     * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence
+     * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence; what is
+     *     wrong with a file is told to the listeners only
      */
     public Optional<String> parseText(String text) {
-        return parse(text, "");
+        return parse(text, "", refusal -> {});
+    }
+
+    /**
+     * Takes one line as {@link #parseText(String)} does, and tells of a later refusal as well.
+     *
+     * @param text the line
+     * @param refusedLater gets the same kind of sentence when the line was accepted, but a file that it names does not
+     *     let it be done; called on another thread
+     * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence
+     */
+    public Optional<String> parseText(String text, Consumer<String> refusedLater) {
+        return parse(text, "", refusedLater);
     }
 
     /**
@@ -75,12 +91,12 @@ public final class MajicParser {
      * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence
      */
     public Optional<String> parseLine(int number, String text) {
-        return parse(text, "line " + number + ": ");
+        return parse(text, "line " + number + ": ", refusal -> {});
     }
 
-    private Optional<String> parse(String text, String place) {
+    private Optional<String> parse(String text, String place, Consumer<String> refusedLater) {
         for (String line : text.split("\\R")) {
-            Optional<String> wrong = line.isBlank() ? Optional.empty() : parseOne(line, place);
+            Optional<String> wrong = line.isBlank() ? Optional.empty() : parseOne(line, place, refusedLater);
             if (wrong.isPresent()) {
                 return wrong;
             }
@@ -89,20 +105,21 @@ public final class MajicParser {
     }
 
     /**
-     * Whether taking a line, or completing it, means looking at files, and so may wait for a disk or a network.
+     * Whether completing a line means looking at files, and so may wait for a disk or a network.
      *
      * @param line the line so far
-     * @return true if it may name behaviours or scripts, or ends a block in which they may be named
+     * @return true if it may name behaviours or scripts
      */
     public static boolean readsFiles(String line) {
         return READING.matcher(line).find();
     }
 
-    private synchronized Optional<String> parseOne(String line, String place) {
+    private Optional<String> parseOne(String line, String place, Consumer<String> refusedLater) {
         session.say(Line.Kind.COMMAND, line);
         try {
-            take(line);
+            Taken taken = take(line);
             remember(line);
+            give(taken, line, why -> refusedLater.accept(refuse(taken.text(), place, why)));
             return Optional.empty();
         } catch (ScriptException | BotException | ExecutionEnded e) {
             return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
@@ -111,19 +128,45 @@ public final class MajicParser {
         }
     }
 
+    private void give(Taken taken, String line, Consumer<String> refused) {
+        Consumer<String> forgotten = why -> {
+            forget(line);
+            refused.accept(why);
+        };
+        try {
+            taken.statements().forEach(statement -> dispatcher.give(statement, taken.text(), forgotten));
+        } catch (RuntimeException | Error e) {
+            forget(line);
+            throw e;
+        }
+    }
+
     private String refuse(String line, String place, String why) {
         dispatcher.tally().fail(line);
         String message = place + why;
         if (STOP.matcher(line).find()) {
             message = place + "taken as STOP: " + why;
-            block.take();
             session.team().stopAll();
+            takeBlock();
         }
         session.say(Line.Kind.ERROR, message);
         return message;
     }
 
-    private void take(String line) {
+    private synchronized String takeBlock() {
+        return block.take();
+    }
+
+    /**
+     * What a line lets be done now.
+     *
+     * @param statements nothing while a block is open
+     * @param text the line, or all lines of the block
+     */
+    private record Taken(List<Statement> statements, String text) {}
+
+    /** Reads and checks a line. Waits for no file and no robot, since it holds the lock. */
+    private synchronized Taken take(String line) {
         if (line.length() > LONGEST_LINE) {
             throw new BotException(TOO_LONG);
         }
@@ -132,40 +175,40 @@ public final class MajicParser {
         refuseMistakes(parser.mistakes());
         if (piece instanceof Piece.Plain plain) {
             check(plain.statement());
-            takePlain(plain, line);
-        } else if (!(piece instanceof Piece.Nothing)) {
-            takeBlockLine(piece, line);
+            return takePlain(plain, line);
         }
+        return piece instanceof Piece.Nothing ? new Taken(List.of(), line) : takeBlockLine(piece, line);
     }
 
-    private void takePlain(Piece.Plain plain, String line) {
+    private Taken takePlain(Piece.Plain plain, String line) {
         if (block.isOpen() && !isUrgent(line)) {
             block.add(plain, line);
-            return;
+            return new Taken(List.of(), line);
         }
         block.take();
-        dispatcher.give(plain.statement(), line);
+        return new Taken(List.of(plain.statement()), line);
     }
 
-    /** Alone on a line at a prompt these two cannot wait for the end of a block; "all stop" is for use in one. */
+    /** Alone on a line, but for a pipe's, these two cannot wait for the end of a block; "all stop" is for use in one. */
     private boolean isUrgent(String line) {
         String word = line.strip();
-        return source == Source.PROMPT && (word.equalsIgnoreCase("stop") || word.equalsIgnoreCase("quit"));
+        return source != Source.PIPE && (word.equalsIgnoreCase("stop") || word.equalsIgnoreCase("quit"));
     }
 
-    private void takeBlockLine(Piece piece, String line) {
+    private Taken takeBlockLine(Piece piece, String line) {
         if (piece instanceof Piece.Open open) {
             check(open.head());
         }
         block.add(piece, line);
-        if (!block.isOpen()) {
-            String text = block.take();
-            Parser whole = parser(text);
-            List<Statement> script = whole.script();
-            refuseMistakes(whole.mistakes());
-            script.forEach(this::check);
-            script.forEach(statement -> dispatcher.give(statement, text));
+        if (block.isOpen()) {
+            return new Taken(List.of(), line);
         }
+        String text = block.take();
+        Parser whole = parser(text);
+        List<Statement> script = whole.script();
+        refuseMistakes(whole.mistakes());
+        script.forEach(this::check);
+        return new Taken(script, text);
     }
 
     private Parser parser(String text) {
@@ -174,7 +217,7 @@ public final class MajicParser {
 
     private void check(Statement statement) {
         if (!dispatcher.teamMayChange()) {
-            refuseMistakes(Checker.check(List.of(statement), session, dispatcher.selection()));
+            refuseMistakes(Checker.checkWithoutFiles(List.of(statement), session, dispatcher.selection()));
         }
     }
 
@@ -184,11 +227,17 @@ public final class MajicParser {
         }
     }
 
-    private void remember(String line) {
+    private synchronized void remember(String line) {
         total++;
         commands.add(line);
         if (commands.size() > MOST_REMEMBERED) {
             commands.remove();
+        }
+    }
+
+    private synchronized void forget(String line) {
+        if (commands.removeLastOccurrence(line)) {
+            total--;
         }
     }
 
@@ -236,10 +285,8 @@ public final class MajicParser {
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
     public boolean awaitAll() throws InterruptedException {
-        synchronized (this) {
-            if (block.isOpen()) {
-                refuse(block.take(), "", "the \"end\" of the last block is missing; nothing of it was run");
-            }
+        if (isBlockOpen()) {
+            refuse(takeBlock(), "", "the \"end\" of the last block is missing; nothing of it was run");
         }
         dispatcher.awaitAll();
         session.flush();

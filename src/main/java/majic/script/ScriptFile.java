@@ -1,17 +1,20 @@
 package majic.script;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
+import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
+import majic.act.RegularFile;
 import majic.bot.BotException;
 
 /** A script in a file: read whole and checked before anything of it runs. */
 final class ScriptFile {
-    private static final long LARGEST_BYTES = 1_000_000;
+    private static final int LARGEST_BYTES = 1_000_000;
 
     private ScriptFile() {}
 
@@ -38,13 +41,16 @@ final class ScriptFile {
     /** The text of a file, if it may be a script. */
     static String read(Path path) {
         try {
-            if (!Files.isRegularFile(path)) {
-                throw new BotException(path + ": there is no such file");
-            }
-            if (Files.size(path) > LARGEST_BYTES) {
+            byte[] bytes = RegularFile.read(path, LARGEST_BYTES + 1);
+            if (bytes.length > LARGEST_BYTES) {
                 throw new BotException(path + ": too long for a script, more than " + LARGEST_BYTES + " bytes");
             }
-            return Files.readString(path);
+            return StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(bytes))
+                    .toString();
+        } catch (NoSuchFileException e) {
+            throw new BotException(path + ": there is no such file", e);
         } catch (IOException e) {
             throw new BotException(path + ": cannot be read (" + reason(e) + ")", e);
         }
@@ -61,6 +67,8 @@ final class ScriptFile {
         if (problem instanceof CharacterCodingException) {
             return "it is not UTF-8 text";
         }
-        return problem.getClass().getSimpleName() + ", " + problem.getMessage();
+        return problem instanceof FileSystemException
+                ? problem.getClass().getSimpleName() + ", " + problem.getMessage()
+                : String.valueOf(problem.getMessage());
     }
 }

@@ -44,10 +44,7 @@ class ActCommandTest {
     @Test
     void numbersInItAreRolesThatRobotsAreAssignedTo() throws Exception {
         String both = file("both.majic", "7 move 100", "8 move 200", "wait");
-        assertThat(desk.prompt.parseText("1 act " + both))
-                .get()
-                .asString()
-                .contains("needs 1 more (robot8): 1 act NAME with N");
+        assertThat(desk.refusal("1 act " + both)).get().asString().contains("needs 1 more (robot8): 1 act NAME with N");
         desk.runPipe("2 act " + both + " with 1");
         assertThat(desk.bot(2).sent()).startsWith("move 100");
         assertThat(desk.bot(1).sent()).startsWith("move 200");
@@ -56,7 +53,7 @@ class ActCommandTest {
     @Test
     void aSavedSessionBecomesOneWithItsTypesOfRobots() throws Exception {
         String saved = file("saved.majic", "add sim:aibo as 1", "add sim:pioneer as 2", "1 move 100", "2 move 100");
-        assertThat(desk.prompt.parseText("2 act " + saved + " with 1"))
+        assertThat(desk.refusal("2 act " + saved + " with 1"))
                 .get()
                 .asString()
                 .contains("robot 2 is of type pioneer, not aibo");
@@ -66,7 +63,7 @@ class ActCommandTest {
     @Test
     void whatOnlyASessionMaySayIsRefusedWithItsPlace() throws Exception {
         String bad = file("bad.majic", "me move 100", "quit", "1-3 move 5", "me act Other");
-        assertThat(desk.prompt.parseText("1 act " + bad))
+        assertThat(desk.refusal("1 act " + bad))
                 .get()
                 .asString()
                 .contains(
@@ -100,8 +97,8 @@ class ActCommandTest {
     }
 
     @Test
-    void anUnknownNameIsRefusedWithWhatWouldBeRight() {
-        assertThat(desk.prompt.parseText("1 act Wandr"))
+    void anUnknownNameIsRefusedWithWhatWouldBeRight() throws Exception {
+        assertThat(desk.refusal("1 act Wandr"))
                 .get()
                 .asString()
                 .contains("there is no behaviour Wandr")
@@ -123,7 +120,7 @@ class ActCommandTest {
                 .anyMatch(line -> line.endsWith("done") && line.startsWith("trust "));
         assertThat(desk.bot(1).sent()).startsWith("move 70");
         assertThat(desk.runPipe("trust off " + name)).contains("trust off " + act + ": done");
-        assertThat(desk.prompt.parseText("1 act " + name)).get().asString().contains("it brings code of its own");
+        assertThat(desk.refusal("1 act " + name)).get().asString().contains("it brings code of its own");
         assertThat(desk.runPipe("trust off \"" + hash + "\""))
                 .anyMatch(line -> line.endsWith("nobody had agreed to that file"));
     }

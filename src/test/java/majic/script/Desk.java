@@ -3,7 +3,10 @@ package majic.script;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.act.NoActs;
 import majic.bot.BotFactory;
@@ -68,6 +71,14 @@ final class Desk implements AutoCloseable {
                     .map(Line::text)
                     .toList();
         }
+    }
+
+    /** Gives a line to the prompt and returns why it was refused, at once or once its files were read. */
+    Optional<String> refusal(String line) throws InterruptedException {
+        BlockingQueue<String> later = new LinkedBlockingQueue<>();
+        Optional<String> now = prompt.parseText(line, later::add);
+        prompt.awaitAll();
+        return now.or(() -> Optional.ofNullable(later.poll()));
     }
 
     /** Gives lines to the pipe, waits for its end and returns what was said. */

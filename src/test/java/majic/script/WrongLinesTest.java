@@ -72,9 +72,9 @@ class WrongLinesTest {
                 "1.5 move 3 | 1.5: a robot's number is expected here",
                 "% | %: a robot (a number, a range, a type, all) is expected here"
             })
-    void isRefusedWithASentence(String line, String sentence) {
+    void isRefusedWithASentence(String line, String sentence) throws InterruptedException {
         try (Desk desk = Desk.withTwo()) {
-            assertThat(desk.prompt.parseText(line)).hasValue(sentence);
+            assertThat(desk.refusal(line)).hasValue(sentence);
             assertThat(desk.said()).containsExactly(sentence);
             assertThat(desk.bot(1).sent()).isEmpty();
             assertThat(desk.prompt.totalCommands()).isZero();

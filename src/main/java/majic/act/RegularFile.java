@@ -1,0 +1,40 @@
+package majic.act;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+
+/**
+ * Reads a file up to a given size. A named pipe, a terminal or another device is refused without being opened, since
+ * opening or reading one may block for ever.
+ */
+public final class RegularFile {
+    private RegularFile() {}
+
+    /**
+     * Reads the bytes of a regular file, or of the regular file a symbolic link leads to. Blocks for as long as the file
+     * system takes.
+     *
+     * @param file which file
+     * @param mostBytes how many bytes are read at most
+     * @return its bytes from the beginning
+     * @throws NoSuchFileException if there is nothing of that name
+     * @throws IOException if it is a folder, a pipe or a device, or cannot be read; the message says which
+     */
+    public static byte[] read(Path file, int mostBytes) throws IOException {
+        if (!Files.exists(file)) {
+            throw new NoSuchFileException(file.toString());
+        }
+        if (Files.isDirectory(file)) {
+            throw new IOException("it is a folder");
+        }
+        if (!Files.isRegularFile(file)) {
+            throw new IOException("it is a pipe or a device, not a regular file");
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            return in.readNBytes(mostBytes);
+        }
+    }
+}
