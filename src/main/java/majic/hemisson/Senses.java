@@ -25,10 +25,15 @@ final class Senses {
     /** An answer and when it came. */
     record Heard(Reply reply, long nanos) {}
 
-    /** Raw questions could be ever new ones. */
+    /** The answers used last, for raw questions could be ever new ones; in the order of use, so that common ones stay. */
     private static final class Newest extends LinkedHashMap<String, Heard> {
         private static final long serialVersionUID = 1;
         private static final int MOST = 100;
+        private static final float USUAL_LOAD = 0.75f;
+
+        Newest() {
+            super(MOST, USUAL_LOAD, true);
+        }
 
         @Override
         protected boolean removeEldestEntry(Map.Entry<String, Heard> eldest) {

@@ -1,0 +1,27 @@
+package majic.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class SensesTest {
+    private static final int MANY = 300;
+
+    private final Senses senses = new Senses();
+
+    @Test
+    void whatIsAnsweredAgainAndAgainIsKeptAndOldRawAnswersAreForgotten() {
+        for (int register = 0; register < MANY; register++) {
+            senses.take(raw(register), Reply.of("r,255"), register);
+            senses.take(Question.PROXIMITY, Reply.of(DrivenHemisson.FAR), register);
+        }
+
+        assertThat(senses.knows(Question.PROXIMITY)).isTrue();
+        assertThat(senses.knows(raw(MANY - 1))).isTrue();
+        assertThat(senses.knows(raw(0))).isFalse();
+    }
+
+    private static Question raw(int register) {
+        return Bus.read(0xC0, register, 1);
+    }
+}
