@@ -57,15 +57,15 @@ final class Opening {
         }
     }
 
+    /** The first CONFIG is asked for together with OPEN; its answer then comes while the first SIP is awaited. */
     private void startSips() {
-        line.send(Command.OPEN.packet(1));
+        line.send(Command.OPEN.packet(1), Command.CONFIG.packet(1));
         require(session::hasSpoken, FIRST_SIP_S, "answered the handshake, but sends no data within 2 s");
     }
 
     private void askConfig() {
-        for (int tries = 0; tries < CONFIG_TRIES && session.config() == null; tries++) {
+        for (int tries = 1; !await(() -> session.config() != null, CONFIG_S) && tries < CONFIG_TRIES; tries++) {
             line.send(Command.CONFIG.packet(1));
-            await(() -> session.config() != null, CONFIG_S);
         }
     }
 

@@ -2,6 +2,7 @@ package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import majic.bot.BotException;
 import majic.bot.MajicBot;
@@ -63,6 +64,16 @@ class ConnectingTest {
         try (Stage stage = Stage.connected(robot)) {
             assertThat(robot.orders()).startsWith("ESTOP 0", "VEL 0", "RVEL 0", "ENABLE 0", "CLOSE 1", "OPEN 1");
             assertThat(stage.bot.isConnected()).isTrue();
+        }
+    }
+
+    @Test
+    void theConfigurationIsAskedForWithoutWaitingForTheFirstData() {
+        ScriptedPioneer robot = ScriptedPioneer.robot().every(500);
+        try (Stage stage = Stage.connected(robot)) {
+            assertThat(stage.bot.get("firmware")).hasToString("S.0");
+            assertThat(robot.heardAt.get(robot.heard.indexOf("CONFIG 1")))
+                    .isCloseTo(robot.heardAt.get(robot.heard.indexOf("OPEN 1")), within(5L));
         }
     }
 
