@@ -86,7 +86,7 @@ class HemissonInLabTest {
     }
 
     @ParameterizedTest
-    @ValueSource(doubles = {0.5, 1.5, 4})
+    @ValueSource(doubles = {1.2, 1.5, 4})
     void standsAfterAnOutageThatItWasMovingThrough(double outageSeconds) throws Exception {
         open(LabOptions.exactOnFreePorts());
         after(1, () -> lab.faults("hemisson").outage(outageSeconds));

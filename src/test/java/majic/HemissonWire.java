@@ -43,6 +43,14 @@ final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoClos
         return said.subList(from, first(said, from, "D,0,0") + 1);
     }
 
+    /** What the driver said from its first command of just this wording on. */
+    List<Said> commandsSinceFirst(String text) {
+        return all.stream()
+                .filter(Said::byDriver)
+                .dropWhile(said -> !said.text().equals(text))
+                .toList();
+    }
+
     /** What the driver said from a moment on. */
     List<Said> commandsSince(long nanos) {
         return all.stream()

@@ -8,12 +8,12 @@ import majic.link.Link;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@link Dialogue} over a link. The robot's receiver holds two characters, and whoever talks into an answer deafens it
- * until it is switched off (Hemisson sheet 4.4). So even a stop waits for the answer under way; it takes the very next
- * turn and is repeated until it is answered.
+ * A {@link Dialogue} over a link. The robot's receiver holds two characters, and a third one that arrives while it answers
+ * deafens it until it is switched off (Hemisson sheet 4.4). So even a stop waits for the answer under way, for a moment;
+ * it takes the very next turn and is repeated until it is answered.
  *
- * <p>Thread-safe. Nothing here waits: a question is written by whoever asks when the line is free, else by the reader
- * when the answer under way has come, or by {@link #tick} when that is overdue and the line has been quiet for a while.
+ * <p>Thread-safe. Nothing here waits: a question is written by the thread that asks when the line is free, else by the
+ * reader when the answer under way has come, or by {@link #tick} when that is overdue and the line has been quiet for a while.
  */
 final class Conversation {
     private static final Logger LOG = System.getLogger(Conversation.class.getName());
@@ -24,11 +24,11 @@ final class Conversation {
     private final Object lock = new Object();
     private final Dialogue dialogue;
 
-    Conversation(Link link, TimeSource time, double timeoutSeconds, ConversationListener listener) {
+    Conversation(Link link, TimeSource time, LineTimes times, ConversationListener listener) {
         this.link = link;
         this.time = time;
         this.listener = listener;
-        this.dialogue = new Dialogue(time, timeoutSeconds);
+        this.dialogue = new Dialogue(time, times);
     }
 
     /**
@@ -45,7 +45,10 @@ final class Conversation {
         return exchange;
     }
 
-    /** Lets the robot stand: at once if the line is free, else right behind the answer under way. */
+    /**
+     * Lets the robot stand: at once if the line is free, else right behind the answer under way, or before that where
+     * the robot surely survives it.
+     */
     void stop() {
         synchronized (lock) {
             dialogue.stop();
@@ -57,6 +60,13 @@ final class Conversation {
     void brief(boolean now) {
         synchronized (lock) {
             dialogue.stillness().brief(now);
+        }
+    }
+
+    /** Takes note whether the robot's receiver is known to be that of K-Team's firmware; so it is not taken to be at first. */
+    void hasKTeamsReceiver(boolean now) {
+        synchronized (lock) {
+            dialogue.unanswered().isKTeams(now);
         }
     }
 
@@ -142,9 +152,9 @@ final class Conversation {
         if (next == null) {
             return;
         }
-        LOG.log(Level.TRACE, "> {0}", next.question().text());
+        LOG.log(Level.TRACE, "> {0}", next.text());
         try {
-            link.write(next.question().bytes());
+            link.write(Question.bytes(next.text()));
             next.written();
         } catch (IOException e) {
             listener.broken(e);

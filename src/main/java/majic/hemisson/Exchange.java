@@ -8,6 +8,7 @@ final class Exchange {
     static final String RESET = "the robot was reset";
 
     private final Question question;
+    private volatile String text;
     private volatile int sendings;
     private volatile boolean written;
     private volatile boolean refused;
@@ -18,6 +19,7 @@ final class Exchange {
 
     Exchange(Question question) {
         this.question = question;
+        this.text = question.text();
     }
 
     Question question() {
@@ -33,10 +35,17 @@ final class Exchange {
         return purpose() == Question.Purpose.STOP || purpose() == Question.Purpose.VERIFY;
     }
 
-    void sent(long nowNanos) {
+    /** It goes out now, in these words. */
+    void sent(String wording, long nowNanos) {
+        text = wording;
         written = false;
         sentNanos = nowNanos;
         sendings = sendings + 1;
+    }
+
+    /** What was sent, without its CR. */
+    String text() {
+        return text;
     }
 
     /** It has left this side; before that no answer can be overdue. */

@@ -39,6 +39,11 @@ final class ExchangeQueue {
     }
 
     @Nullable
+    Exchange first() {
+        return waiting.peekFirst();
+    }
+
+    @Nullable
     Exchange next() {
         return waiting.pollFirst();
     }

@@ -2,6 +2,7 @@ package majic.hemisson;
 
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.Signal;
 import org.jspecify.annotations.Nullable;
@@ -34,17 +35,25 @@ final class Handshake {
         Reply version = ask(Question.VERSION);
         refuseDeadLine();
         if (version == null) {
-            throw new BotException("no Hemisson answered within "
-                    + 2 * session.timeoutSeconds()
-                    + " s; one that has gone deaf hears again when it was off: switch it off, wait 5 s, switch it on. "
-                    + "Or is it another port, or the robot off, or in the Pgm position?");
+            throw new BotException(
+                    "no Hemisson answered, though asked twice; one that has gone deaf hears again when it was off: switch it off, wait 5 s, switch it on. "
+                            + "Or is it another port, or the robot off, or in the Pgm position?");
         }
         Reply switches = ask(Question.SWITCHES);
         Reply speeds = ask(Question.SPEEDS);
         Identity identity =
                 new Identity(version.rest(), switches == null ? List.of() : switches.numbers(), speeds != null);
         letStand(identity, speeds);
+        readFirst(identity);
         return identity;
+    }
+
+    /** Everything that is watched from then on, and whether the robot takes a question that carries a stop. */
+    private void readFirst(Identity identity) {
+        Stream.of(Question.PROXIMITY, Question.LIGHT, Question.REMOTE).forEach(this::ask);
+        if (identity.listens() && !identity.isRoadNarrows()) {
+            session.conversation().hasKTeamsReceiver(ask(Question.CARRYING_A_STOP) != null);
+        }
     }
 
     /** What is plugged in, of a robot that {@link #run} has let stand. Firmware before 1.41 cannot tell. */

@@ -48,6 +48,15 @@ record Question(String text, Pattern answer, Purpose purpose, double lineMs) {
     static final Question STOP = new Question("D,0,0", wheelsAnswer(), Purpose.STOP, WHEELS_MS);
     static final Question VERIFY = new Question("E", SPEEDS.answer, Purpose.VERIFY, SPEEDS.lineMs);
 
+    /** Shows at connecting that the robot ignores what follows a letter; those behind it are the {@link #STOP_ARGUMENTS}. */
+    static final Question CARRYING_A_STOP = ask(SPEEDS.carryingAStop(), SPEEDS.answer.pattern(), SPEEDS.lineMs);
+
+    /** What a stop has behind its D. */
+    static final String STOP_ARGUMENTS = ",0,0";
+
+    /** A stop behind a question that {@link #carryingAStop carries} its arguments; so brief that it deafens no robot. */
+    static final String BRIEF_STOP = "D";
+
     /** A stop that nobody follows up, for a robot whose own behaviour sets its speeds again anyway. */
     static final Question STAND_ONCE = ask("D,0,0", wheelsAnswer().pattern(), WHEELS_MS);
 
@@ -93,13 +102,28 @@ record Question(String text, Pattern answer, Purpose purpose, double lineMs) {
         return lineMs > LONGEST_IN_MOTION_MS;
     }
 
+    /** Whether the next command survives behind it however soon it comes (sheet 15). */
+    boolean isAnsweredBriefly() {
+        return !text.isEmpty() && "DHL".indexOf(text.charAt(0)) >= 0;
+    }
+
+    /** Whether it looks at something by a single letter, so that the robot does not mind what follows (sheet 4.2). */
+    boolean canCarryAStop() {
+        return purpose == Purpose.ASK && text.length() == 1 && Character.isLetter(text.charAt(0));
+    }
+
+    /** The same with the arguments of a stop behind it, which the robot keeps for a D without any (sheet 4.2). */
+    String carryingAStop() {
+        return text + STOP_ARGUMENTS;
+    }
+
     /** Whether it cannot deafen a robot that does not read what it is sent. */
     boolean isBrief() {
         return text.length() <= BRIEF;
     }
 
-    /** The bytes on the wire: the text and one CR, never a LF (sheet 4.1). */
-    byte[] bytes() {
+    /** The bytes of a command on the wire: the text and one CR, never a LF (sheet 4.1). */
+    static byte[] bytes(String text) {
         return (text + "\r").getBytes(StandardCharsets.ISO_8859_1);
     }
 

@@ -2,7 +2,6 @@ package majic.hemisson;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Consumer;
 import majic.bot.TimeSource;
 import majic.driver.LinkHandler;
@@ -12,16 +11,10 @@ import org.jspecify.annotations.Nullable;
 
 /** One connection, from opening to its end: the link, its reader thread and the conversation over it. */
 final class Session {
-    /** How long an answer may take on a cable or over TCP, seconds (Hemisson sheet 4.6). */
-    static final double CABLE_TIMEOUT_S = 0.3;
-
-    /** The same through a radio that stands for the cable. */
-    static final double BLUETOOTH_TIMEOUT_S = 1;
-
     private final Link link;
     private final ConversationListener listener;
     private final Conversation conversation;
-    private final double timeoutSeconds;
+    private final LineTimes times;
     private volatile boolean closed;
     private volatile @Nullable String end;
     private volatile boolean telnet;
@@ -29,8 +22,8 @@ final class Session {
     Session(Link link, TimeSource time, ConversationListener listener) {
         this.link = link;
         this.listener = listener;
-        this.timeoutSeconds = isBluetooth(link.address()) ? BLUETOOTH_TIMEOUT_S : CABLE_TIMEOUT_S;
-        this.conversation = new Conversation(link, time, timeoutSeconds, listener);
+        this.times = LineTimes.of(link.address());
+        this.conversation = new Conversation(link, time, times, listener);
     }
 
     void start() {
@@ -43,7 +36,7 @@ final class Session {
 
     /** How long an answer may take, seconds. */
     double timeoutSeconds() {
-        return timeoutSeconds;
+        return times.answerSeconds();
     }
 
     /** Whether the peer negotiates telnet options, so that what it sends is no raw serial line. */
@@ -65,10 +58,6 @@ final class Session {
         closed = true;
         conversation.end("the connection was closed");
         link.close();
-    }
-
-    static boolean isBluetooth(String address) {
-        return address.contains("rfcomm") || address.toLowerCase(Locale.ROOT).contains("bluetooth");
     }
 
     /** Lines of text, for the conversation. */

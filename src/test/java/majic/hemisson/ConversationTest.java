@@ -16,7 +16,7 @@ class ConversationTest {
 
     @BeforeEach
     void begin() {
-        conversation = new Conversation(link, clock, 0.3, told);
+        conversation = new Conversation(link, clock, LineTimes.CABLE, told);
         conversation.brief(false);
     }
 
@@ -274,6 +274,105 @@ class ConversationTest {
         hear("Unknown Command ?!");
 
         assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aQuestionInMotionCarriesAStopSoThatTwoCharactersBehindItAreOne() {
+        moveOnABufferedLine();
+        conversation.ask(Question.PROXIMITY);
+        conversation.stop();
+        assertThat(link.commands()).containsExactly("D,3,3", "N,0,0");
+
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("D,3,3", "N,0,0", "D");
+    }
+
+    @Test
+    void nothingFollowsAStopThatWaitsBehindAQuestionUntilTheLineCountsAsEmpty() {
+        moveOnABufferedLine();
+        conversation.ask(Question.PROXIMITY);
+        pass(1);
+        assertThat(link.commands()).containsExactly("D,3,3", "N,0,0", "D");
+        assertThat(told.all()).contains("missed N in motion");
+
+        for (int tick = 0; tick < 39; tick++) {
+            pass(0.05);
+        }
+        assertThat(link.commands()).hasSize(3);
+        pass(0.05);
+        pass(0.3);
+        assertThat(link.commands()).containsExactly("D,3,3", "N,0,0", "D", "D,0,0", "D,0,0");
+    }
+
+    @Test
+    void theAnswersOfAQuestionAndOfTheStopBehindItAreTold() {
+        moveOnABufferedLine();
+        Exchange look = conversation.ask(Question.PROXIMITY);
+        conversation.stop();
+        pass(0.1);
+
+        hear("n,004,004,004,004,004,004,060,060");
+        assertThat(look.reply()).isNotNull();
+        assertThat(link.commands()).hasSize(3);
+        hear("d");
+        hear("e,00,00");
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aStopGoesOutAtOnceBehindWhatIsAnsweredBriefly() {
+        conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
+        conversation.brief(false);
+        conversation.hasKTeamsReceiver(true);
+        conversation.ask(Question.wheels(AHEAD));
+        conversation.stop();
+
+        assertThat(link.commands()).containsExactly("D,3,3", "D,0,0");
+    }
+
+    @Test
+    void aStopWaitsBehindWhatCannotCarryOneUntilTheLineCountsAsEmpty() {
+        moveOnABufferedLine();
+        conversation.ask(Bus.read(0xE0, 1, 3));
+        conversation.stop();
+        pass(1.9);
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
+
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03", "D,0,0");
+    }
+
+    @Test
+    void aLateAnswerSaysThatTheLineIsFree() {
+        moveOnABufferedLine();
+        conversation.ask(Bus.read(0xE0, 1, 3));
+        pass(1);
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
+
+        hear("r,001,002,003");
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03", "D,0,0");
+    }
+
+    @Test
+    void aReceiverThatNobodyMeasuredIsSentNothingBehindAnything() {
+        conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
+        conversation.brief(false);
+        conversation.ask(Question.wheels(AHEAD));
+        conversation.stop();
+        pass(1.9);
+        assertThat(link.commands()).containsExactly("D,3,3");
+
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("D,3,3", "D,0,0");
+    }
+
+    private void moveOnABufferedLine() {
+        conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
+        conversation.brief(false);
+        conversation.hasKTeamsReceiver(true);
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
     }
 
     private void hear(String line) {

@@ -40,7 +40,8 @@ class LostRobotTest {
 
         assertThat(pair.afterMotion())
                 .filteredOn(command -> command.startsWith("D"))
-                .containsOnly("D,0,0");
+                .startsWith("D")
+                .allMatch(command -> command.equals("D") || command.equals("D,0,0"));
         assertThat(pair.notices()).anyMatch(notice -> notice.contains("lift it"));
     }
 

@@ -10,7 +10,7 @@ class OutOfControlTest {
     private static final String SEEN = "n,004,004,004,004,004,004,060,060";
 
     private final HandClock clock = new HandClock();
-    private final Conversation conversation = new Conversation(new RecordingLink(), clock, 0.3, new Told());
+    private final Conversation conversation = new Conversation(new RecordingLink(), clock, LineTimes.CABLE, new Told());
 
     @BeforeEach
     void beginInRemoteControl() {

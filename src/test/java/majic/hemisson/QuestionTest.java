@@ -18,7 +18,7 @@ class QuestionTest {
 
     @Test
     void aCommandEndsWithCarriageReturnAlone() {
-        assertThat(Question.STOP.bytes()).containsExactly('D', ',', '0', ',', '0', '\r');
+        assertThat(Question.bytes(Question.STOP.text())).containsExactly('D', ',', '0', ',', '0', '\r');
     }
 
     @ParameterizedTest

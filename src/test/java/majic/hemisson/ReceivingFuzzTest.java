@@ -70,7 +70,7 @@ class ReceivingFuzzTest {
     void noAnswersMakeARobotMoveOrHoldUpItsStop(byte[] wire) {
         HandClock clock = new HandClock();
         RecordingLink link = new RecordingLink();
-        Conversation conversation = new Conversation(link, clock, 0.3, new Told());
+        Conversation conversation = new Conversation(link, clock, LineTimes.CABLE, new Told());
         conversation.brief(false);
         conversation.ask(Question.PROXIMITY);
         conversation.stop();

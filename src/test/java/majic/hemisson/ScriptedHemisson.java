@@ -39,6 +39,7 @@ final class ScriptedHemisson implements AutoCloseable {
     private final @Nullable TestClock clock;
     private final TimeSource time;
     private final Agenda agenda;
+    private volatile String arguments = ",0,0";
     private volatile String speeds = "00,00";
     private volatile boolean silent;
     private volatile @Nullable Line line;
@@ -127,7 +128,7 @@ final class ScriptedHemisson implements AutoCloseable {
     }
 
     private String setSpeeds(String command) {
-        String[] parts = command.split(",");
+        String[] parts = (command.charAt(0) + arguments).split(",");
         speeds = padded(parts[1]) + "," + padded(parts[2]);
         return "d";
     }
@@ -216,7 +217,9 @@ final class ScriptedHemisson implements AutoCloseable {
         }
     }
 
+    /** What a command leaves out is what an earlier one left there. */
     private String answerTo(String command) {
+        arguments = command.length() > 1 ? command.substring(1) : arguments;
         Function<String, String> answer = command.isEmpty() ? null : answers.get(command.charAt(0));
         return answer == null ? "Unknown Command ?!" : answer.apply(command);
     }
