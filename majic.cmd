@@ -4,18 +4,18 @@ setlocal
 set "HERE=%~dp0"
 set "JAR=%HERE%target\majic.jar"
 
-where java >nul 2>nul || (
+where java <nul >nul 2>nul || (
   echo majic: a JDK 17 or newer is missing; type: winget install EclipseAdoptium.Temurin.21.JDK 1>&2
   exit /b 1
 )
 if not exist "%JAR%" (
-  where mvn >nul 2>nul || (
+  where mvn <nul >nul 2>nul || (
     echo majic: Maven is missing; get it from maven.apache.org and put its bin folder on the PATH 1>&2
     exit /b 1
   )
   echo majic: building; the first time this fetches libraries and takes a minute or two 1>&2
   pushd "%HERE%"
-  call mvn -q -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip package || (
+  call mvn -q -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip package <nul || (
     echo majic: the build failed 1>&2
     popd
     exit /b 1

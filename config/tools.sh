@@ -17,11 +17,12 @@ as_root() {
     fi
 }
 
+# Whether packages can be installed; sudo asks for its password at the terminal, whatever the standard input is.
 may_install() {
     is_debian || return 1
     [ "$(id -u)" = 0 ] && return 0
     command -v sudo >/dev/null 2>&1 || return 1
-    sudo -n true 2>/dev/null || [ -t 0 ]
+    sudo -n true 2>/dev/null || [ -t 2 ]
 }
 
 # install_or_name WHY PACKAGE...: installs Debian packages after one line that says so, or names the command.
@@ -110,6 +111,7 @@ make_class_data() {
         mv -f "$fresh" "$archive" || rm -f "$fresh") >/dev/null 2>&1 </dev/null &
 }
 
+# exec_majic HERE ARGUMENT...: starts MAJIC in place of this process, with what is open as 3 for its standard input.
 exec_majic() {
     jar=$1/target/majic.jar
     shift
@@ -119,10 +121,10 @@ exec_majic() {
     archive=$(cache_folder)/majic-$major-$(id -u).jsa
     if [ -f "$archive" ] && [ "$archive" -nt "$jar" ]; then
         exec "$java" "-XX:SharedArchiveFile=$archive" $native -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xlog:disable \
-            -jar "$jar" "$@"
+            -jar "$jar" "$@" <&3 3<&-
     fi
     if mkdir -p "$(cache_folder)" 2>/dev/null; then
         make_class_data
     fi
-    exec "$java" $native -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar "$jar" "$@"
+    exec "$java" $native -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar "$jar" "$@" <&3 3<&-
 }

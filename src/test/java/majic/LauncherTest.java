@@ -1,0 +1,74 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The shell script that builds and starts MAJIC, with scripts in place of Maven and Java. */
+@Timeout(60)
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has majic.cmd instead")
+class LauncherTest {
+    @TempDir
+    Path clone;
+
+    @BeforeEach
+    void copyTheLauncher() throws IOException {
+        Files.createDirectories(clone.resolve("config"));
+        Files.createDirectories(clone.resolve("src/main"));
+        Files.createDirectories(clone.resolve("sims"));
+        Files.createFile(clone.resolve("pom.xml"));
+        Files.copy(Path.of("config/tools.sh"), clone.resolve("config/tools.sh"));
+        program("majic", Files.readString(Path.of("majic")));
+    }
+
+    @Test
+    void whatThePipeSaysReachesMajicThoughMavenReadsItsInput() throws Exception {
+        program("bin/mvn", "#!/bin/sh\ncat >/dev/null\ntouch target/majic.jar\necho BUILD SUCCESS\n");
+        program("bin/javac", "#!/bin/sh\n");
+        program(
+                "bin/java",
+                "#!/bin/sh\ncase \"$*\" in\n"
+                        + "-version) cat >/dev/null; echo 'openjdk version \"17.0.1\"' >&2 ;;\n"
+                        + "*class-data) ;;\n"
+                        + "*) echo \"started with $*\"; cat ;;\nesac\n");
+
+        String said = start("2 move 1000\nquit\n", "--lab", "--console");
+
+        assertThat(said).contains("--lab --console\n2 move 1000\nquit\n");
+    }
+
+    private String start(String input, String... arguments) throws Exception {
+        ProcessBuilder launcher = new ProcessBuilder(clone.resolve("majic").toString());
+        launcher.command().addAll(List.of(arguments));
+        launcher.redirectErrorStream(true);
+        launcher.environment().put("JAVA_HOME", clone.toString());
+        launcher.environment().put("XDG_CACHE_HOME", clone.resolve("cache").toString());
+        launcher.environment().put("PATH", clone.resolve("bin") + ":" + System.getenv("PATH"));
+        Process process = launcher.start();
+        try (OutputStream in = process.getOutputStream()) {
+            in.write(input.getBytes(StandardCharsets.UTF_8));
+        }
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        process.waitFor();
+        return said;
+    }
+
+    private void program(String name, String text) throws IOException {
+        Path file = clone.resolve(name);
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, text);
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
+    }
+}
