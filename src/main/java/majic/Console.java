@@ -63,6 +63,7 @@ final class Console {
      */
     int run(List<String> firstLines) {
         program.session().addListener(this::show);
+        program.announce();
         Thread reading = new Thread(() -> read(firstLines), "console");
         reading.setDaemon(true);
         reading.start();

@@ -32,7 +32,7 @@ final class Program implements AutoCloseable {
     private final UserFolder folder;
     private final BotFactory factory;
     private volatile @Nullable SimulatedLab lab;
-    private final Settings settings;
+    private final UserSettings settings;
     private final Team team;
     private final Session session;
     private final SessionLog log;
@@ -116,6 +116,11 @@ final class Program implements AutoCloseable {
      */
     void listen(InetSocketAddress address) throws IOException {
         server = LineServer.open(address, session);
+    }
+
+    /** From now on somebody listens to the session: says what went wrong before, too. */
+    void announce() {
+        settings.onTrouble(session::alarm);
     }
 
     /** Asks the program to end. */

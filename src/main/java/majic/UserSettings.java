@@ -1,56 +1,128 @@
 package majic;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.Reader;
 import java.io.Writer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.Settings;
 
-/** The user's settings in a properties file, read when first needed, written anew at every change. */
+/**
+ * The user's settings in a properties file, read when first needed, written anew at every change. A damaged file is renamed
+ * and the settings begin empty; one that cannot be read is tried again at every use, and is not written meanwhile. Both are
+ * told. Thread-safe.
+ */
 final class UserSettings implements Settings {
     private final Path file;
+
+    /** What the file held, with all changes since. */
     private final Properties kept = new Properties();
+
+    /** What was put while the file could not be read. */
+    private final Properties unwritten = new Properties();
+
+    private final List<String> untold = new ArrayList<>();
+    private Consumer<String> listener = untold::add;
     private boolean read;
+    private boolean toldUnreadable;
 
     UserSettings(Path file) {
         this.file = file;
     }
 
+    /**
+     * Has somebody told what is wrong with the file, from the first use on.
+     *
+     * @param alarm gets a sentence, on the thread that uses the settings
+     */
+    synchronized void onTrouble(Consumer<String> alarm) {
+        listener = alarm;
+        untold.forEach(alarm);
+        untold.clear();
+    }
+
     @Override
     public synchronized Optional<String> get(String key) {
-        readOnce();
-        return Optional.ofNullable(kept.getProperty(key));
+        try {
+            readOnce();
+        } catch (IOException e) {
+            tellUnreadable(e);
+        }
+        return Optional.ofNullable(unwritten.getProperty(key, kept.getProperty(key)));
     }
 
     @Override
     public synchronized void put(String key, String value) {
-        readOnce();
-        kept.setProperty(key, value);
+        unwritten.setProperty(key, value);
+        try {
+            readOnce();
+        } catch (IOException e) {
+            tellUnreadable(e);
+            throw new BotException(
+                    "cannot write the settings to " + file + ", for what is there cannot be read: " + reason(e), e);
+        }
+        kept.putAll(unwritten);
+        unwritten.clear();
         write();
     }
 
-    private void readOnce() {
+    /** Throws what keeps the file from being read; a damaged one is none of that. */
+    private void readOnce() throws IOException {
         if (read) {
             return;
         }
-        read = true;
+        Properties found = new Properties();
         if (Files.exists(file)) {
             try (Reader reader = Files.newBufferedReader(file)) {
-                kept.load(reader);
-            } catch (IOException | IllegalArgumentException e) {
-                throw new BotException("cannot read the settings in " + file + ": " + e.getMessage(), e);
+                found.load(reader);
+            } catch (CharacterCodingException | IllegalArgumentException e) {
+                found.clear();
+                keepAside();
             }
+        }
+        kept.putAll(found);
+        read = true;
+    }
+
+    private void keepAside() throws IOException {
+        Path aside = file.resolveSibling(file.getFileName() + ".damaged");
+        for (int again = 2; Files.exists(aside); again++) {
+            aside = file.resolveSibling(file.getFileName() + ".damaged-" + again);
+        }
+        Files.move(file, aside);
+        listener.accept(
+                "the settings in " + file + " were damaged; MAJIC goes on without them and has kept the file as "
+                        + aside + ": calibrations and what you agreed to are in it");
+    }
+
+    private void tellUnreadable(IOException problem) {
+        if (!toldUnreadable) {
+            toldUnreadable = true;
+            listener.accept("cannot read the settings in " + file + ": " + reason(problem)
+                    + "; MAJIC goes on without them, and writes none before it can read them");
         }
     }
 
-    /** Writes beside the file first, so that a crash leaves the old one whole. */
+    private static String reason(IOException problem) {
+        return problem.getMessage() == null || problem.getMessage().contains(File.separator)
+                ? "the system refuses it"
+                : problem.getMessage();
+    }
+
+    /** Writes beside the file first, down to the disk, so that a crash leaves the old one whole. */
     private void write() {
         Path fresh = file.resolveSibling(file.getFileName() + ".new");
         try {
@@ -58,9 +130,12 @@ final class UserSettings implements Settings {
             try (Writer writer = Files.newBufferedWriter(fresh, StandardCharsets.UTF_8)) {
                 kept.store(writer, "MAJIC settings");
             }
+            try (FileChannel written = FileChannel.open(fresh, StandardOpenOption.WRITE)) {
+                written.force(true);
+            }
             move(fresh);
         } catch (IOException e) {
-            throw new BotException("cannot write the settings to " + file + ": " + e.getMessage(), e);
+            throw new BotException("cannot write the settings to " + file + ": " + reason(e), e);
         }
     }
 

@@ -33,6 +33,7 @@ final class Window {
      */
     int run(List<String> firstLines) {
         MajicFrame frame = open(this::show);
+        program.announce();
         firstLines.forEach(parser::parseText);
         try {
             program.awaitQuit();

@@ -1,9 +1,9 @@
 package majic.log;
 
 import java.io.IOException;
-import java.io.Writer;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -14,11 +14,16 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The session log: all that was said, with the time of day, in a file that is complete at every moment. Written by a
- * thread of its own, so that a slow disk holds up neither a robot nor the window. Thread-safe.
+ * thread of its own, so that a slow disk holds up neither a robot nor the window. When it cannot be written, as on a full
+ * disk, that is said once; what comes meanwhile is lost, and the log goes on as soon as possible with a line that says how much
+ * is missing. Thread-safe.
  */
 public final class SessionLog implements AutoCloseable {
     private static final Logger LOG = System.getLogger(SessionLog.class.getName());
@@ -27,16 +32,33 @@ public final class SessionLog implements AutoCloseable {
             DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS", Locale.ROOT);
     private static final int MOST_UNWRITTEN = 10_000;
     private static final long CLOSE_BOUND_MS = 1000;
+    private static final long RETRY_MS = 1000;
     private static final String END = "";
+
+    /** Stands for a line when it is time to try again. */
+    private static final String NOTHING_NEW = "\n";
 
     private final Clock clock;
     private final @Nullable Path file;
+    private final @Nullable LineFile lines;
+    private final AtomicLong missing = new AtomicLong();
+    private volatile Consumer<String> alarm = text -> LOG.log(Level.WARNING, text);
+    private boolean failing;
     private final BlockingQueue<String> unwritten = new LinkedBlockingQueue<>(MOST_UNWRITTEN);
     private final Thread writer = new Thread(this::writeAll, "session log");
 
-    private SessionLog(Clock clock, @Nullable Path file) {
+    private SessionLog(Clock clock, @Nullable Path file, @Nullable LineFile lines) {
         this.clock = clock;
         this.file = file;
+        this.lines = lines;
+    }
+
+    /** A log that writes to a channel. */
+    static SessionLog to(SeekableByteChannel channel, Path file, Clock clock) {
+        SessionLog log = new SessionLog(clock, file, new LineFile(channel));
+        log.writer.setDaemon(true);
+        log.writer.start();
+        return log;
     }
 
     /**
@@ -54,10 +76,7 @@ public final class SessionLog implements AutoCloseable {
         for (int again = 2; Files.exists(file); again++) {
             file = directory.resolve(stem + "-" + again + ".log");
         }
-        SessionLog log = new SessionLog(clock, Files.createFile(file));
-        log.writer.setDaemon(true);
-        log.writer.start();
-        return log;
+        return to(Files.newByteChannel(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), file, clock);
     }
 
     /**
@@ -66,11 +85,12 @@ public final class SessionLog implements AutoCloseable {
      * @return the log
      */
     public static SessionLog none() {
-        return new SessionLog(Clock.systemDefaultZone(), null);
+        return new SessionLog(Clock.systemDefaultZone(), null, null);
     }
 
     /**
-     * Adds a line with the time of day. Returns at once; when the disk is thousands of lines behind, lines get lost.
+     * Adds a line with the time of day. Returns at once; when the disk is thousands of lines behind, lines get lost,
+     * and the log says how many.
      *
      * @param kind what sort of line it is, in one word
      * @param text the line; line breaks in it are shown as blanks
@@ -79,11 +99,19 @@ public final class SessionLog implements AutoCloseable {
         if (file == null) {
             return;
         }
-        String time = LINE_TIME.format(LocalDateTime.now(clock));
-        String line = String.format(Locale.ROOT, "%s %-7s %s%n", time, kind, text.replaceAll("\\R", " "));
-        if (!unwritten.offer(line)) {
-            LOG.log(Level.DEBUG, "the session log is too far behind for: {0}", text);
+        if (!unwritten.offer(stamped(kind, text))) {
+            missing.incrementAndGet();
         }
+    }
+
+    /**
+     * Has somebody told when the log cannot be written any more, and when it can be again. Before, that goes to MAJIC's own
+     * log.
+     *
+     * @param listener gets a sentence, on the log's thread; may write to this log
+     */
+    public void onTrouble(Consumer<String> listener) {
+        alarm = listener;
     }
 
     /**
@@ -98,30 +126,77 @@ public final class SessionLog implements AutoCloseable {
     /** Writes what is left, for one second at most, and ends the log. */
     @Override
     public void close() {
-        if (file == null || !unwritten.offer(END)) {
+        if (lines == null) {
             return;
         }
         try {
-            writer.join(CLOSE_BOUND_MS);
+            if (unwritten.offer(END, CLOSE_BOUND_MS, TimeUnit.MILLISECONDS)) {
+                writer.join(CLOSE_BOUND_MS);
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
     private void writeAll() {
-        try (Writer out = open()) {
-            for (String line = unwritten.take(); !line.equals(END); line = unwritten.take()) {
-                out.write(line);
-                out.flush();
+        try (LineFile out = lines) {
+            for (String line = next(); !line.equals(END); line = next()) {
+                append(out, line.equals(NOTHING_NEW) ? "" : line);
             }
+            append(out, "");
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "the session log cannot be written any more", e);
+            LOG.log(Level.WARNING, "the session log could not be closed", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private Writer open() throws IOException {
-        return Files.newBufferedWriter(file().orElseThrow(), StandardOpenOption.APPEND);
+    /** The next line; after a failure also what makes the writer try again. */
+    private String next() throws InterruptedException {
+        if (!failing) {
+            return unwritten.take();
+        }
+        String line = unwritten.poll(RETRY_MS, TimeUnit.MILLISECONDS);
+        return line == null ? NOTHING_NEW : line;
+    }
+
+    private void append(LineFile out, String line) {
+        long lost = missing.get();
+        String gap = lost == 0 ? "" : stamped("notice", count(lost) + " missing here");
+        if (gap.isEmpty() && line.isEmpty()) {
+            return;
+        }
+        try {
+            out.append(gap + line);
+            missing.addAndGet(-lost);
+            recovered(lost);
+        } catch (IOException e) {
+            missing.addAndGet(line.isEmpty() ? 0 : 1);
+            failed(e);
+        }
+    }
+
+    private static String count(long lost) {
+        return lost == 1 ? "1 line is" : lost + " lines are";
+    }
+
+    private void failed(IOException problem) {
+        if (!failing) {
+            failing = true;
+            alarm.accept("the session log " + file + " cannot be written (" + problem.getMessage()
+                    + "); make room for it, MAJIC goes on trying");
+        }
+    }
+
+    private void recovered(long lost) {
+        if (failing) {
+            failing = false;
+            alarm.accept("the session log is written again; " + count(lost) + " missing in it");
+        }
+    }
+
+    private String stamped(String kind, String text) {
+        String time = LINE_TIME.format(LocalDateTime.now(clock));
+        return String.format(Locale.ROOT, "%s %-7s %s%n", time, kind, text.replaceAll("\\R", " "));
     }
 }

@@ -15,7 +15,7 @@ public record Line(Kind kind, String text) {
         ANSWER,
         /** Something a robot or MAJIC says unasked. */
         NOTICE,
-        /** Why a line was refused or a script ended. */
+        /** Why a line was refused or a script ended, or what went wrong in MAJIC itself. */
         ERROR
     }
 }

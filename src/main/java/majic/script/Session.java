@@ -63,7 +63,17 @@ public final class Session {
         this.comings = new Comings(this);
         this.sessionRecord = new SessionRecord(team);
         this.sampling = new Sampling(parameterLog, team.time(), notice -> say(Line.Kind.NOTICE, notice));
+        log.onTrouble(this::alarm);
         team.addListener(new TeamRelay());
+    }
+
+    /**
+     * Says that something went wrong in MAJIC itself, as an error.
+     *
+     * @param text a sentence
+     */
+    public void alarm(String text) {
+        say(Line.Kind.ERROR, text);
     }
 
     /**

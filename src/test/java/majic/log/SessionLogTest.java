@@ -3,11 +3,17 @@ package majic.log;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.ZoneOffset;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -40,10 +46,94 @@ class SessionLogTest {
     }
 
     @Test
+    void aFullDiskIsSaidOnceAndTheLogGoesOnWithAFreshLine() throws Exception {
+        Path file = folder.resolve("full.log");
+        BlockingQueue<String> alarms = new LinkedBlockingQueue<>();
+        SmallDisk disk = new SmallDisk(file);
+        SessionLog log = SessionLog.to(disk, file, NOON);
+        log.onTrouble(alarms::add);
+        disk.room = 60;
+
+        log.write("command", "1 move 500");
+        log.write("answer", "1 move 500: done");
+        log.write("command", "1 move 600");
+        assertThat(alarms.take()).contains(file.toString(), "cannot be written (No space left on device)");
+        disk.room = 1000;
+        assertThat(alarms.take()).contains("is written again");
+        log.write("command", "1 move 700");
+        log.close();
+
+        List<String> lines = Files.readAllLines(file);
+        assertThat(alarms).isEmpty();
+        assertThat(lines.get(0)).isEqualTo("2007-09-01 12:00:00.250 command 1 move 500");
+        assertThat(lines.get(1)).matches("2007-09-01 12:00:00.250 notice  (1 line is|2 lines are) missing here");
+        assertThat(lines.get(lines.size() - 1)).isEqualTo("2007-09-01 12:00:00.250 command 1 move 700");
+        assertThat(lines).allMatch(line -> line.startsWith("2007-09-01 12:00:00.250 "));
+    }
+
+    @Test
     void noneKeepsNothing() {
         try (SessionLog log = SessionLog.none()) {
             log.write("command", "1 move 500");
             assertThat(log.file()).isEmpty();
+        }
+    }
+
+    /** A file on a disk that takes a part of what does not fit, as disks do. */
+    private static final class SmallDisk implements SeekableByteChannel {
+        private final SeekableByteChannel file;
+        private volatile long room;
+
+        SmallDisk(Path path) throws IOException {
+            file = Files.newByteChannel(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+        }
+
+        @Override
+        public int write(ByteBuffer bytes) throws IOException {
+            int fitting = (int) Math.min(bytes.remaining(), room - file.position());
+            if (fitting <= 0) {
+                throw new IOException("No space left on device");
+            }
+            int written = file.write(bytes.slice().limit(fitting));
+            bytes.position(bytes.position() + written);
+            return written;
+        }
+
+        @Override
+        public int read(ByteBuffer bytes) throws IOException {
+            return file.read(bytes);
+        }
+
+        @Override
+        public long position() throws IOException {
+            return file.position();
+        }
+
+        @Override
+        public SeekableByteChannel position(long position) throws IOException {
+            file.position(position);
+            return this;
+        }
+
+        @Override
+        public long size() throws IOException {
+            return file.size();
+        }
+
+        @Override
+        public SeekableByteChannel truncate(long size) throws IOException {
+            file.truncate(size);
+            return this;
+        }
+
+        @Override
+        public boolean isOpen() {
+            return file.isOpen();
+        }
+
+        @Override
+        public void close() throws IOException {
+            file.close();
         }
     }
 }
