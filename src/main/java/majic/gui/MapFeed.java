@@ -17,7 +17,7 @@ import majic.bot.Member;
 import majic.bot.Pose;
 import majic.bot.Team;
 import majic.bot.TeamListener;
-import majic.panel.Trail;
+import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -12,7 +12,7 @@ import javax.swing.UIManager;
 import majic.bot.LabAccess.Lamp;
 import majic.bot.LabAccess.Tape;
 import majic.bot.LabAccess.Wall;
-import majic.panel.MapView;
+import majic.panel.map.MapView;
 
 /** Draws a scene: tape, walls, lamps, robots and key, in that order. */
 final class MapPainter {

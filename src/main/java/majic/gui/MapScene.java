@@ -4,7 +4,7 @@ import java.util.List;
 import majic.bot.LabAccess.Furnishing;
 import majic.bot.LabAccess.Wall;
 import majic.bot.Pose;
-import majic.panel.Trail;
+import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -10,7 +10,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.bot.Pose;
 import majic.panel.Ink;
-import majic.panel.MapView;
+import majic.panel.map.MapView;
 
 /** Draws one robot of the map: its trail, where it believes it is, where it is. */
 final class RobotGlyph {

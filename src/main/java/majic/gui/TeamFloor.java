@@ -6,8 +6,8 @@ import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 import majic.bot.LabAccess.Wall;
 import majic.bot.Pose;
-import majic.panel.MapContent;
-import majic.panel.MapView;
+import majic.panel.map.MapContent;
+import majic.panel.map.MapView;
 import org.jspecify.annotations.Nullable;
 
 /** The floor that a team moves on, at the moment that was shown last. For the event dispatch thread. */

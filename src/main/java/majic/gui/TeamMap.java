@@ -1,7 +1,7 @@
 package majic.gui;
 
 import java.awt.Dimension;
-import majic.panel.ZoomableMap;
+import majic.panel.map.ZoomableMap;
 
 /**
  * The bird's-eye view of the team: every robot with its number, heading and trail, and with a lab the room and where

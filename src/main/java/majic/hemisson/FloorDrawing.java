@@ -7,9 +7,9 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.bot.Pose;
 import majic.panel.Ink;
-import majic.panel.MapView;
-import majic.panel.WayContent;
-import majic.panel.WayDrawing;
+import majic.panel.map.MapView;
+import majic.panel.map.WayContent;
+import majic.panel.map.WayDrawing;
 
 /**
  * The floor with the way the robot should have come by what its wheels were told: dashed and called an estimate, since

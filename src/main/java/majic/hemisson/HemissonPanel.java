@@ -8,7 +8,7 @@ import majic.panel.Aside;
 import majic.panel.Banner;
 import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
-import majic.panel.ZoomableMap;
+import majic.panel.map.ZoomableMap;
 
 /**
  * Shows a Hemisson from above with its readings where its sensors sit, the way it should have come, how its line carries,

@@ -7,9 +7,9 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Point2D;
 import java.util.List;
-import majic.panel.Echoes;
 import majic.panel.Ink;
-import majic.panel.MapView;
+import majic.panel.map.Echoes;
+import majic.panel.map.MapView;
 
 /** Echoes as dots that get smaller and paler as they get older, and never vanish by themselves. */
 final class EchoesDrawing {

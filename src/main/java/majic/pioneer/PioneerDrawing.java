@@ -4,11 +4,11 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
-import majic.panel.Echoes;
 import majic.panel.Ink;
-import majic.panel.MapView;
-import majic.panel.WayContent;
-import majic.panel.WayDrawing;
+import majic.panel.map.Echoes;
+import majic.panel.map.MapView;
+import majic.panel.map.WayContent;
+import majic.panel.map.WayDrawing;
 import org.jspecify.annotations.Nullable;
 
 /**

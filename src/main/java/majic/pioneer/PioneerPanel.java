@@ -9,7 +9,7 @@ import majic.bot.MajicBot;
 import majic.panel.Aside;
 import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
-import majic.panel.ZoomableMap;
+import majic.panel.map.ZoomableMap;
 
 /**
  * Shows one Pioneer: a map with the robot, its sonar cones, what they met and the way it came; gauges, lights and readings.

@@ -13,7 +13,7 @@ import majic.bot.LabAccess.Lamp;
 import majic.bot.LabAccess.Tape;
 import majic.bot.LabAccess.Wall;
 import majic.bot.Pose;
-import majic.panel.Trail;
+import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;

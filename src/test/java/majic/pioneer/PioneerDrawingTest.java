@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.bot.Range;
-import majic.panel.MapView;
+import majic.panel.map.MapView;
 import majic.pioneer.arcos.Reception;
 import majic.pioneer.arcos.SipBytes;
 import org.junit.jupiter.api.BeforeEach;

@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.Color;
 import java.awt.Graphics;
@@ -11,6 +11,7 @@ import java.awt.geom.Point2D;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import majic.bot.Pose;
+import majic.panel.Ink;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.Point;
 import java.awt.event.MouseAdapter;

@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

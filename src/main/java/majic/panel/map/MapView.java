@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;

@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -8,6 +8,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.RoundRectangle2D;
+import majic.panel.Ink;
 
 /** The lines of a floor at round distances, and a bar as long as they are apart. */
 final class MapGrid {

@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -9,6 +9,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
+import majic.panel.Ink;
 import net.miginfocom.swing.MigLayout;
 
 /** The buttons in a map's corner. */

@@ -1,9 +1,9 @@
-package majic.panel;
+package majic.panel.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import majic.panel.Echoes.Echo;
+import majic.panel.map.Echoes.Echo;
 import org.junit.jupiter.api.Test;
 
 class EchoesTest {

@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.Component;
 import java.awt.Graphics;
@@ -8,6 +8,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import javax.swing.Icon;
+import majic.panel.Ink;
 
 /**
  * The sign on a map's button, drawn in the colour of text.

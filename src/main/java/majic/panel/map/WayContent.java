@@ -1,8 +1,9 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
+import majic.panel.Ink;
 
 /**
  * What the floors of all robots share: where the robot started, the way it came, and how much of the floor is worth seeing.

@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.BasicStroke;
 import java.awt.FontMetrics;
@@ -7,6 +7,7 @@ import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
+import majic.panel.Ink;
 
 /** The way a robot came, from where it started. For the event dispatch thread. */
 public final class WayDrawing {

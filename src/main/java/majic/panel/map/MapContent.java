@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;

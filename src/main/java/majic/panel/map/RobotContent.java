@@ -1,4 +1,4 @@
-package majic.panel;
+package majic.panel.map;
 
 import majic.bot.Pose;
 
