@@ -1,5 +1,7 @@
 package majic.pioneer;
 
+import majic.pioneer.state.Ramps;
+
 /**
  * How fast to go with so much of the way left: at cruise, then braking evenly, then slower the nearer the end is, so that
  * the robot stands there. Distances and rates in any one unit, mm or degrees. Immutable.

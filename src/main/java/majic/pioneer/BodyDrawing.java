@@ -7,6 +7,8 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
 import majic.panel.Ink;
+import majic.pioneer.state.Hull;
+import majic.pioneer.state.SonarDisc;
 
 /**
  * The robot itself in its own frame, mm: hull, bumpers, wheels, an arrow ahead; wheels are crossed where they are stalled.

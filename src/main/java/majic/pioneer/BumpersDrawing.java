@@ -3,6 +3,9 @@ package majic.pioneer;
 import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
 import majic.panel.Ink;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Hull;
+import majic.pioneer.state.PioneerState;
 
 /**
  * The segments of a robot's bumpers around its hull: thin while they are free, thick where they are touched. They are

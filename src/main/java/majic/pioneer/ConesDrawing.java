@@ -4,6 +4,9 @@ import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
 import java.util.List;
 import majic.panel.Ink;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.SonarDisc;
+import majic.pioneer.state.SonarScan;
 
 /**
  * The cone of every sonar disc as far as it heard nothing, with a bar where the echo came from. A cone lights up when its

@@ -7,6 +7,9 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.pioneer.arcos.Command;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.PioneerState;
 
 /** What the robot touches, and what holds it: bumpers, stalls, the STOP button, steps. */
 final class ContactParameters implements Theme {

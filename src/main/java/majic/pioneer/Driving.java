@@ -3,6 +3,8 @@ package majic.pioneer;
 import java.util.function.Consumer;
 import majic.bot.MotionFailed;
 import majic.bot.TimeSource;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;
 
 /**

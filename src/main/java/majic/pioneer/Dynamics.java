@@ -1,6 +1,9 @@
 package majic.pioneer;
 
 import java.util.function.UnaryOperator;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Model;
+import majic.pioneer.state.Ramps;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -6,6 +6,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.panel.BatteryIcon;
 import majic.panel.Gauge;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Power;
 import net.miginfocom.swing.MigLayout;
 
 /** How fast a Pioneer goes and turns, and how its battery stands. For the event thread. */

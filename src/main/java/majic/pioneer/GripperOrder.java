@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Predicate;
+import majic.pioneer.state.Gripper;
 
 /** What gripper and lift can be told to do, with the argument of the command (ARCOS sheet 11.5). */
 enum GripperOrder {

@@ -9,6 +9,7 @@ import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.Command;
+import majic.pioneer.state.Gripper;
 
 /**
  * Moves gripper and lift. They are parts of the robot that move and pinch, so they belong to whoever moves the robot, one

@@ -7,6 +7,8 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.Command;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Gripper;
 
 /** How gripper and lift stand. Moving them is a command: {@link GripperOrders}. */
 final class GripperParameters implements Theme {

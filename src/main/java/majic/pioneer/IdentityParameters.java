@@ -8,6 +8,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.Identity;
+import majic.pioneer.state.Equipment;
 
 /** Who the robot is and how its controller is set up. */
 final class IdentityParameters implements Theme {

@@ -9,6 +9,8 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.Command;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Feed;
 
 /** The controller's digital and analog ports, for what a lab has mounted. Setting them moves nothing of the robot's own. */
 final class InputOutputParameters implements Theme {

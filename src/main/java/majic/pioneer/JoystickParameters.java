@@ -7,6 +7,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Joystick;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Feed;
 
 /** The joystick that can be plugged into the robot itself. */
 final class JoystickParameters implements Theme {

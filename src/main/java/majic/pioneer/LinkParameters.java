@@ -4,6 +4,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.state.Equipment;
 
 /** How well the robot is heard. */
 final class LinkParameters implements Theme {

@@ -4,6 +4,7 @@ import majic.bot.LinkLost;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
 import majic.pioneer.arcos.Command;
+import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;
 
 /**

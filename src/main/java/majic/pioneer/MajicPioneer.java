@@ -19,6 +19,14 @@ import majic.link.Link;
 import majic.link.Links;
 import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Identity;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Model;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Placement;
+import majic.pioneer.state.Ramps;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,6 +3,7 @@ package majic.pioneer;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Value;
+import majic.pioneer.state.PioneerState;
 
 /**
  * Covers a way by telling the robot a new speed at each SIP. The robot's own MOVE and HEAD are not used: they overshoot,

@@ -6,6 +6,8 @@ import majic.bot.BotException;
 import majic.bot.Pose;
 import majic.bot.TimeSource;
 import majic.pioneer.arcos.Command;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Side;
 
 /**
  * Makes a session from a closed line: handshake, OPEN, CONFIG, speed of the line, ramps, packets beside the SIPs, sonar

@@ -6,6 +6,9 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Ramps;
 
 /** How fast the robot may go and how sharply it speeds up and slows down: told to it and followed by all motions. */
 final class PaceParameters implements Theme {

@@ -3,6 +3,7 @@ package majic.pioneer;
 import java.util.ArrayList;
 import java.util.List;
 import majic.bot.BotCommand;
+import majic.pioneer.state.Equipment;
 
 /** The commands that only a Pioneer has, for what is an act and not a value. */
 final class PioneerCommands {

@@ -9,6 +9,10 @@ import majic.panel.map.Echoes;
 import majic.panel.map.MapView;
 import majic.panel.map.WayContent;
 import majic.panel.map.WayDrawing;
+import majic.pioneer.state.Model;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.SonarDisc;
+import majic.pioneer.state.SonarScan;
 import org.jspecify.annotations.Nullable;
 
 /**

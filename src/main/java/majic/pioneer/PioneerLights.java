@@ -7,6 +7,8 @@ import majic.panel.Light;
 import majic.panel.Light.Kind;
 import majic.panel.LightsPanel;
 import majic.pioneer.arcos.Reception;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.PioneerState;
 
 /** What is on, what is in the way and how the link stands, each by word and shape. For the event thread. */
 final class PioneerLights {

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.function.Consumer;
 import majic.bot.ParameterTable;
 import majic.bot.TimeSource;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Placement;
 
 /**
  * The parameters of a Pioneer besides those that every robot has, theme by theme in the order in which people read them.

@@ -3,6 +3,9 @@ package majic.pioneer;
 import majic.bot.MajicBot;
 import majic.bot.Range;
 import majic.pioneer.arcos.Reception;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Model;
+import majic.pioneer.state.PioneerState;
 
 /**
  * What is shown of a Pioneer, taken at one moment. Immutable.

@@ -7,6 +7,9 @@ import majic.bot.ParameterTable;
 import majic.bot.Pose;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Placement;
 
 /** Where the robot is, and where it is to be said to be. Setting it moves nothing. */
 final class PoseParameters implements Theme {

@@ -8,6 +8,8 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.ConfigField;
+import majic.pioneer.state.Charging;
+import majic.pioneer.state.Equipment;
 
 /** Battery and charger. */
 final class PowerParameters implements Theme {

@@ -6,6 +6,11 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.state.EncoderTicks;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Feed;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Scaling;
 
 /** What tells the robot how it moves: wheels, encoders, compass, gyro. */
 final class SensorParameters implements Theme {

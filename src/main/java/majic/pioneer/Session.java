@@ -15,6 +15,12 @@ import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.Reception;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
+import majic.pioneer.state.Model;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Ramps;
+import majic.pioneer.state.Reports;
+import majic.pioneer.state.Tracker;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -7,6 +7,10 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.ConfigField;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Side;
+import majic.pioneer.state.SonarScan;
 
 /** What the sonars hear, and whether they fire. */
 final class SonarParameters implements Theme {

@@ -5,6 +5,7 @@ import majic.bot.ParameterTable;
 import majic.bot.TimeSource;
 import majic.bot.Value;
 import majic.pioneer.arcos.Command;
+import majic.pioneer.state.Equipment;
 
 /** The buzzer. */
 final class SoundParameters implements Theme {

@@ -5,6 +5,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import majic.bot.TimeSource;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Report;
+import majic.pioneer.state.Feed;
 import org.jspecify.annotations.Nullable;
 
 /**

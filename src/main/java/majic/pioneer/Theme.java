@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import majic.bot.ParameterTable;
+import majic.pioneer.state.Equipment;
 
 /** Parameters of a Pioneer that belong together. */
 interface Theme {

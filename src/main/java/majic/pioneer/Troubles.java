@@ -1,5 +1,7 @@
 package majic.pioneer;
 
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;
 
 /** What ends a motion from the robot's side: stall, bumper, a step ahead, motors off, the STOP button. For one motion. */

@@ -2,6 +2,7 @@ package majic.pioneer;
 
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.state.PioneerState;
 
 /** A way to be covered from where the robot stands at its start: straight or turning on the spot. Immutable. */
 sealed interface Way {

@@ -11,6 +11,9 @@ import majic.driver.ReplayLink;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.Ramps;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

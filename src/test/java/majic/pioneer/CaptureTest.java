@@ -20,6 +20,8 @@ import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.Reception;
 import majic.pioneer.arcos.Sip;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.Tracker;
 import org.junit.jupiter.api.Test;
 
 /** A whole session of the maker's client with the maker's simulator, where the captures are at hand. */

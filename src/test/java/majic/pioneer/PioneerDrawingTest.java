@@ -12,6 +12,11 @@ import majic.bot.Range;
 import majic.panel.map.MapView;
 import majic.pioneer.arcos.Reception;
 import majic.pioneer.arcos.SipBytes;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Model;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Tracker;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

@@ -7,6 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.bot.BotEnvironment;
 import majic.bot.RobotPage;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Models;
 import org.junit.jupiter.api.Test;
 
 /** The page about the Pioneer lists what the driver describes, word for word. */

@@ -3,6 +3,7 @@ package majic.pioneer;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.arcos.SipBytes;
+import majic.pioneer.state.Scaling;
 
 /** A robot that follows its set-points along straight ramps, for tests of what steers it. */
 final class RampModel {

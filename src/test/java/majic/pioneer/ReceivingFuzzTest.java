@@ -16,6 +16,9 @@ import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.Reception;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Tracker;
 
 /**
  * Whatever bytes come from a robot: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see

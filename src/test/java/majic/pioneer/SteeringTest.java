@@ -4,6 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import majic.bot.Pose;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Ramps;
+import majic.pioneer.state.Tracker;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 

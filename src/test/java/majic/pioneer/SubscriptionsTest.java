@@ -9,6 +9,7 @@ import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.state.Feed;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

@@ -1,0 +1,54 @@
+package majic.pioneer.state;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.ConfigField;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one robot carries, as its model and its CONFIG packet tell. A robot that sends no CONFIG packet rules nothing out.
+ * Immutable.
+ *
+ * @param model which kind of robot it is
+ * @param bumpers the segments it has
+ * @param gripper whether there may be one
+ * @param charger whether there may be a docking charger
+ * @param gyro whether there may be one that the client reads
+ */
+public record Equipment(Model model, Bumpers bumpers, boolean gripper, boolean charger, boolean gyro) {
+    /** As many as FLAGS can tell of (ARCOS sheet 8.1). */
+    static final int SONAR_ARRAYS = 4;
+
+    /** Sonar discs of one array (ARCOS sheet 8.1, 12). */
+    static final int DISCS_OF_AN_ARRAY = 8;
+
+    public static Equipment of(Model model, @Nullable Config config) {
+        return new Equipment(
+                model,
+                Bumpers.of(model, config),
+                mayHave(config, ConfigField.GRIPPER),
+                mayHave(config, ConfigField.CHARGER),
+                config == null || config.number(ConfigField.HASGYRO) == 1);
+    }
+
+    private static boolean mayHave(@Nullable Config config, ConfigField field) {
+        return config == null || config.has(field);
+    }
+
+    /** The numbers of the sonar discs; of an unknown model all that there can be. */
+    public List<Integer> discs() {
+        return model.known()
+                ? model.discs().stream().map(SonarDisc::number).toList()
+                : IntStream.range(0, SonarScan.DISCS).boxed().toList();
+    }
+
+    /** The numbers of the sonar arrays, 1 to 4; array 1 has the discs 0 to 7. */
+    public List<Integer> sonarArrays() {
+        return model.discs().stream()
+                .map(disc -> disc.number() / DISCS_OF_AN_ARRAY + 1)
+                .distinct()
+                .sorted()
+                .toList();
+    }
+}

@@ -1,0 +1,46 @@
+package majic.pioneer.state;
+
+import java.util.List;
+import majic.bot.BotProfile;
+import majic.bot.Range;
+
+/**
+ * What the driver knows of one model of robot. Immutable.
+ *
+ * @param subclass how it announces itself
+ * @param known whether it is in the table; if not, careful values stand in
+ * @param hull its outline
+ * @param discs its sonars; none where they are not known
+ * @param scaling of its SIPs
+ * @param topSpeedMmPerSec that it is built for
+ * @param topTurnDegPerSec that it is built for
+ * @param frontBumpers segments it has from the factory
+ * @param rearBumpers segments it has from the factory
+ */
+public record Model(
+        String subclass,
+        boolean known,
+        Hull hull,
+        List<SonarDisc> discs,
+        Scaling scaling,
+        double topSpeedMmPerSec,
+        double topTurnDegPerSec,
+        int frontBumpers,
+        int rearBumpers) {
+    private static final double CRUISE_MM_PER_SEC = 300;
+    private static final double CRUISE_TURN_DEG_PER_SEC = 50;
+    private static final double NEAR_MM = 500;
+
+    public BotProfile profile(Ramps ramps) {
+        int speed = ramps.topSpeedMmPerSec();
+        int turn = ramps.topTurnDegPerSec();
+        return new BotProfile(
+                hull.swingMm(),
+                new Range(-speed, speed),
+                new Range(-turn, turn),
+                Math.min(CRUISE_MM_PER_SEC, speed),
+                Math.min(CRUISE_TURN_DEG_PER_SEC, turn),
+                NEAR_MM,
+                false);
+    }
+}

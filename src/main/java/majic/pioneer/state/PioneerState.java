@@ -1,0 +1,195 @@
+package majic.pioneer.state;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import majic.bot.Pose;
+import majic.pioneer.arcos.Gyro;
+import majic.pioneer.arcos.Joystick;
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipTail;
+
+/**
+ * All that a Pioneer last said of itself: the meaning of its latest SIP, and the latest of each packet that it sends beside
+ * them. Immutable.
+ *
+ * @param sip as sent
+ * @param reports the latest of each other packet
+ * @param pose by odometry, from where it was connected
+ * @param turnedDeg all turning so far, counterclockwise positive, not brought to one turn
+ * @param speedMmPerSec from the wheels, ahead positive
+ * @param turnRateDegPerSec counterclockwise positive
+ * @param sonar the last reading of every disc
+ * @param gaps from the hull to the nearest thing on each side that is known, mm; infinite when nothing is in range
+ * @param sipsPerSec how often it speaks, 0 before the second SIP
+ * @param longestSilenceS between two SIPs of this session, seconds
+ * @param atNanos when this came, on the driver's clock
+ */
+public record PioneerState(
+        Sip sip,
+        Reports reports,
+        Pose pose,
+        double turnedDeg,
+        double speedMmPerSec,
+        double turnRateDegPerSec,
+        SonarScan sonar,
+        Map<Side, Double> gaps,
+        double sipsPerSec,
+        double longestSilenceS,
+        long atNanos) {
+    private static final double STANDING_MM_PER_SEC = 3;
+    private static final double STANDING_DEG_PER_SEC = 1;
+    private static final int MOTOR_STALL = 1;
+    private static final int MOTORS = 1;
+    private static final int SONAR_ARRAYS = 0b11110;
+    private static final int STOP_BUTTON = 1 << 5;
+    private static final int STOP_ENGAGED = 1 << 6;
+    private static final int FAR_LEDGE = 1 << 7;
+    private static final int NEAR_LEDGE = 1 << 8;
+    private static final int JOYSTICK_BUTTON = 1 << 9;
+    private static final int DEG_PER_COMPASS_STEP = 2;
+
+    /** At or below this the byte means that there is no thermometer (ARCOS sheet 17). */
+    private static final int NO_TEMPERATURE = -127;
+
+    /** Keeps a copy of the gaps. */
+    public PioneerState {
+        gaps = Map.copyOf(gaps);
+    }
+
+    /** The same SIP with news beside it. */
+    public PioneerState with(Reports newReports) {
+        return new PioneerState(
+                sip,
+                newReports,
+                pose,
+                turnedDeg,
+                speedMmPerSec,
+                turnRateDegPerSec,
+                sonar,
+                gaps,
+                sipsPerSec,
+                longestSilenceS,
+                atNanos);
+    }
+
+    public boolean isMoving() {
+        return Math.abs(speedMmPerSec) > STANDING_MM_PER_SEC || Math.abs(turnRateDegPerSec) > STANDING_DEG_PER_SEC;
+    }
+
+    /** FLAGS bit 0 (ARCOS sheet 8.1). */
+    public boolean motorsOn() {
+        return hasFlag(MOTORS);
+    }
+
+    /** FLAGS bits 1 to 4, one for each array. */
+    public boolean sonarOn() {
+        return hasFlag(SONAR_ARRAYS);
+    }
+
+    /** FLAGS bits 1 to 4 again: one array, by its number. */
+    public boolean sonarOn(int array) {
+        return hasFlag(1 << array);
+    }
+
+    /** FLAGS bit 5. */
+    public boolean stopButton() {
+        return hasFlag(STOP_BUTTON);
+    }
+
+    /** FLAGS bit 6: the STOP button, or what the robot takes for it, holds the motors off. */
+    public boolean stopEngaged() {
+        return hasFlag(STOP_ENGAGED);
+    }
+
+    /** FLAGS bits 7 and 8: an infra-red sensor looks down a step, farther ahead or right in front. */
+    public boolean ledge() {
+        return hasFlag(FAR_LEDGE | NEAR_LEDGE);
+    }
+
+    /** FLAGS bit 9. */
+    boolean joystickButton() {
+        return hasFlag(JOYSTICK_BUTTON);
+    }
+
+    private boolean hasFlag(int bits) {
+        return (sip.flags() & bits) != 0;
+    }
+
+    public boolean stallLeft() {
+        return (sip.stallRear() & MOTOR_STALL) != 0;
+    }
+
+    public boolean stallRight() {
+        return (sip.stallFront() & MOTOR_STALL) != 0;
+    }
+
+    public boolean stalled() {
+        return stallLeft() || stallRight();
+    }
+
+    /** The front bumper's segments as bits, segment 1 lowest (ARCOS sheet 8, 17). */
+    int frontBumpers() {
+        return sip.stallFront() >> 1;
+    }
+
+    /** The rear bumper's segments as bits, segment 1 lowest. */
+    int rearBumpers() {
+        return sip.stallRear() >> 1;
+    }
+
+    /** Volts, from the field that also holds more than 25.5 V where the robot sends it. */
+    public double volts() {
+        int exact = sip.tail().batteryTenths();
+        return (exact == SipTail.ABSENT ? sip.battery() : exact) / 10.0;
+    }
+
+    /** Battery and charger. */
+    public Power power() {
+        return Power.of(this);
+    }
+
+    /** Digital and analog inputs and outputs. */
+    public Ports ports() {
+        return Ports.of(this);
+    }
+
+    /** Gripper and lift; to be believed only where CONFIG says that there is one. */
+    public Optional<Gripper> gripper() {
+        int bits = sip.tail().gripState();
+        return bits == SipTail.ABSENT ? Optional.empty() : Optional.of(Gripper.of(bits));
+    }
+
+    /** The compass's heading as it shows it, 0 to 358 in steps of 2; empty without a compass. */
+    public OptionalInt compassDeg() {
+        return sip.compass() == 0 ? OptionalInt.empty() : OptionalInt.of(sip.compass() * DEG_PER_COMPASS_STEP);
+    }
+
+    /** What the gyro measures, deg/s, counterclockwise positive; empty until heard. */
+    public OptionalDouble gyroDegPerSec() {
+        return reports.latest(Gyro.class).map(GyroRate::degPerSec).orElse(OptionalDouble.empty());
+    }
+
+    /** Of the controller, °C; empty without a thermometer. */
+    public OptionalInt temperatureC() {
+        int told = sip.tail().temperature();
+        return told <= NO_TEMPERATURE ? OptionalInt.empty() : OptionalInt.of(told);
+    }
+
+    /** FAULT_FLAGS, 0 when all is well; empty on older firmware (ARCOS sheet 8). */
+    public OptionalInt faults() {
+        int told = sip.tail().faultFlags();
+        return told == SipTail.ABSENT ? OptionalInt.empty() : OptionalInt.of(told);
+    }
+
+    /** The robot's plugged-in joystick; empty until heard. */
+    public Optional<Joystick> joystick() {
+        return reports.latest(Joystick.class);
+    }
+
+    /** What the wheels' encoders have counted; empty until heard. */
+    public Optional<EncoderTicks> encoders() {
+        return reports.ticks();
+    }
+}

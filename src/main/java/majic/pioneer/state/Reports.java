@@ -1,0 +1,61 @@
+package majic.pioneer.state;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import majic.pioneer.arcos.AuxBytes;
+import majic.pioneer.arcos.Encoders;
+import majic.pioneer.arcos.Report;
+
+/** The latest of each packet that a robot sends beside its SIPs; none is there before it was heard. Immutable. */
+public final class Reports {
+    static final Reports NONE = new Reports(List.of(), new EncoderTicks(0, 0));
+
+    private final List<Report> latest;
+    private final EncoderTicks ticks;
+
+    private Reports(List<Report> latest, EncoderTicks ticks) {
+        this.latest = latest;
+        this.ticks = ticks;
+    }
+
+    /** These with a newer one in place of the last of its kind. */
+    Reports with(Report report) {
+        List<Report> now = new ArrayList<>(latest);
+        now.removeIf(older -> areOfOneKind(older, report));
+        now.add(report);
+        return new Reports(List.copyOf(now), report instanceof Encoders encoders ? counted(encoders) : ticks);
+    }
+
+    private static boolean areOfOneKind(Report one, Report other) {
+        boolean samePort =
+                !(one instanceof AuxBytes some && other instanceof AuxBytes more && some.port() != more.port());
+        return one.getClass() == other.getClass() && samePort;
+    }
+
+    private EncoderTicks counted(Encoders now) {
+        return latest(Encoders.class)
+                .map(before -> ticks.plus(before, now))
+                .orElse(new EncoderTicks(now.leftTicks(), now.rightTicks()));
+    }
+
+    /** The last one of a kind. */
+    public <R extends Report> Optional<R> latest(Class<R> kind) {
+        return all(kind).findFirst();
+    }
+
+    /** The last bytes of one of the controller's serial ports, 1 to 3. */
+    Optional<AuxBytes> aux(int port) {
+        return all(AuxBytes.class).filter(bytes -> bytes.port() == port).findFirst();
+    }
+
+    private <R extends Report> Stream<R> all(Class<R> kind) {
+        return latest.stream().filter(kind::isInstance).map(kind::cast);
+    }
+
+    /** What the wheels' encoders have counted, without the roll-over. */
+    Optional<EncoderTicks> ticks() {
+        return latest(Encoders.class).map(heard -> ticks);
+    }
+}

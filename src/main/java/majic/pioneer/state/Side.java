@@ -1,0 +1,75 @@
+package majic.pioneer.state;
+
+import majic.bot.Pose;
+
+/** The four ways out of a robot, each with the discs that look that way. */
+public enum Side {
+    /** Ahead. */
+    FRONT("distanceFront", 0, 50),
+    /** To the left. */
+    LEFT("distanceLeft", 90, 20),
+    /** To the rear. */
+    BACK("distanceBack", 180, 50),
+    /** To the right. */
+    RIGHT("distanceRight", -90, 20);
+
+    /** How much of the hull's edge may lack, where corners are rounded, mm. */
+    private static final double CORNER_MM = 60;
+
+    private final String parameter;
+    private final double directionDeg;
+    private final double sectorDeg;
+
+    Side(String parameter, double directionDeg, double sectorDeg) {
+        this.parameter = parameter;
+        this.directionDeg = directionDeg;
+        this.sectorDeg = sectorDeg;
+    }
+
+    /** The name of the parameter that tells the gap on this side. */
+    public String parameter() {
+        return parameter;
+    }
+
+    /** One line for people. */
+    public String help() {
+        return switch (this) {
+            case FRONT, BACK -> "from the hull to the nearest thing in the lane it needs to drive and turn in";
+            case LEFT, RIGHT -> "from the hull to the nearest thing beside it";
+        };
+    }
+
+    /** Whether a disc belongs to those that must have been heard before this side is known. */
+    public boolean isWatchedBy(SonarDisc disc) {
+        return Math.abs(Pose.normalised(disc.axisDeg() - directionDeg)) <= sectorDeg;
+    }
+
+    /**
+     * How far off the hull a point lies that is in the way on this side. In front and behind everything is in the way that
+     * the robot could not pass and then turn on the spot beside; left and right, what is level with the hull.
+     *
+     * @param x of the point in the robot's frame, mm
+     * @param y of the point in the robot's frame, mm
+     * @param margin added to the lane's width on either side, mm
+     * @return mm, not negative; infinite for a point that is not in the way
+     */
+    double gapMm(Hull hull, double x, double y, double margin) {
+        return switch (this) {
+            case FRONT -> gap(x - hull.frontMm(), Math.abs(y), hull.swingMm() + margin);
+            case BACK -> gap(-x - hull.rearMm(), Math.abs(y), hull.swingMm() + margin);
+            case LEFT -> gap(y - hull.halfWidthMm(), off(hull, x), margin);
+            case RIGHT -> gap(-y - hull.halfWidthMm(), off(hull, x), margin);
+        };
+    }
+
+    /** How far in front of the front or behind the rear, mm; negative beside the hull. */
+    private static double off(Hull hull, double x) {
+        return Math.max(x - hull.frontMm(), -x - hull.rearMm());
+    }
+
+    /** A point a little behind the hull's edge may still be right before a rounded corner. */
+    private static double gap(double ahead, double aside, double lane) {
+        boolean inTheWay = ahead > -CORNER_MM && aside <= lane;
+        return inTheWay ? Math.max(0, ahead) : Double.POSITIVE_INFINITY;
+    }
+}
