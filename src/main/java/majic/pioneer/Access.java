@@ -10,6 +10,8 @@ import majic.bot.Patience;
 import majic.bot.Value;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.ConfigField;
+import majic.pioneer.session.Session;
+import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;

@@ -19,6 +19,17 @@ import majic.link.Link;
 import majic.link.Links;
 import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Identity;
+import majic.pioneer.session.Approach;
+import majic.pioneer.session.ArcosLine;
+import majic.pioneer.session.Dynamics;
+import majic.pioneer.session.Handshake;
+import majic.pioneer.session.LinkWatch;
+import majic.pioneer.session.Maneuver;
+import majic.pioneer.session.Rates;
+import majic.pioneer.session.Session;
+import majic.pioneer.session.Subscriptions;
+import majic.pioneer.session.Troubles;
+import majic.pioneer.session.Way;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
@@ -263,8 +274,7 @@ public final class MajicPioneer extends MajicBot {
     }
 
     /** What the panel draws; null before the first connect. */
-    @Nullable
-    Session session() {
+    public @Nullable Session session() {
         return session.get();
     }
 

@@ -6,6 +6,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.session.Dynamics;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Ramps;

@@ -7,6 +7,7 @@ import majic.bot.ParameterTable;
 import majic.bot.Pose;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.session.Session;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Placement;

@@ -2,6 +2,7 @@ package majic.pioneer;
 
 import java.util.function.Supplier;
 import majic.bot.Value;
+import majic.pioneer.session.Session;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -11,6 +11,7 @@ import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.SipBytes;
+import majic.pioneer.session.RampModel;
 import majic.pioneer.state.Scaling;
 import org.jspecify.annotations.Nullable;
 

@@ -1,0 +1,114 @@
+package majic.pioneer.session;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import majic.bot.BotException;
+import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.Config;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Makes a serial line faster where the robot allows it: at {@value Rates#POWER_UP} baud one SIP with 16 readings fills the
+ * whole cycle (ARCOS sheet 1). A robot that hears nothing valid for 500 ms falls back by itself, and so does this side.
+ */
+final class Autobaud {
+    private static final Logger LOG = System.getLogger(Autobaud.class.getName());
+
+    /** The value of CONFIG's AUTOBAUD that asks for it (ARCOS sheet 1). */
+    private static final int AUTOMATIC = 2;
+
+    /** Until the command is out of the port and the robot has obeyed. */
+    private static final double SETTLE_S = 0.05;
+
+    private static final double PULSE_S = 0.1;
+    private static final int PULSES = 6;
+
+    /** The first SIPs after the change may have come before it, at the other speed, and have waited to be read. */
+    private static final int PROOFS = 3;
+
+    /** The robot's own 500 ms, and then a SIP (ARCOS sheet 6.1, HOSTBAUD). */
+    private static final double FALL_BACK_S = 1;
+
+    private final Session session;
+    private final ArcosLine line;
+    private volatile boolean raised;
+
+    Autobaud(Session session, ArcosLine line) {
+        this.session = session;
+        this.line = line;
+    }
+
+    /**
+     * Changes the speed if the line has one, is still slow and the robot asks for it.
+     *
+     * @param rate what the line is set to, baud
+     * @throws BotException if the robot is not heard any more at either speed
+     */
+    void run(@Nullable Config config, int rate) {
+        if (config == null || config.autobaud() != AUTOMATIC || rate != Rates.POWER_UP || !line.setBaud(rate)) {
+            return;
+        }
+        change(Rates.FAST_CODE, Rates.FAST);
+        raised = isHeard();
+        if (!raised) {
+            fallBack();
+        }
+    }
+
+    /**
+     * Makes the line as slow again as it was, for the next program that looks for the robot there. A robot that is not heard
+     * then is told to end the session at either speed. For the end of a session; throws nothing.
+     */
+    void restore() {
+        try {
+            if (raised && !line.hasEnded()) {
+                raised = false;
+                slowDown();
+            }
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, () -> line.address() + " was not made slow again: " + e.getMessage());
+        }
+    }
+
+    private void slowDown() {
+        change(Rates.POWER_UP_CODE, Rates.POWER_UP);
+        if (!isHeard()) {
+            line.send(Command.CLOSE.packet(1));
+            settle();
+            line.setBaud(Rates.FAST);
+        }
+    }
+
+    private void change(int code, int baud) {
+        line.send(Command.HOSTBAUD.packet(code));
+        settle();
+        line.setBaud(baud);
+    }
+
+    private void settle() {
+        session.awaitState(state -> false, SETTLE_S);
+    }
+
+    /** Any valid packet of ours tells the robot that the change has worked. */
+    private boolean isHeard() {
+        int proofs = 0;
+        for (int pulse = 0; pulse < PULSES && proofs < PROOFS; pulse++) {
+            long seen = session.state().atNanos();
+            line.send(Command.PULSE.packet());
+            if (session.awaitState(state -> state.atNanos() != seen, PULSE_S)) {
+                proofs++;
+            }
+        }
+        return proofs == PROOFS;
+    }
+
+    private void fallBack() {
+        LOG.log(Level.DEBUG, () -> line.address() + " does not follow to " + Rates.FAST + " baud");
+        line.setBaud(Rates.POWER_UP);
+        long seen = session.state().atNanos();
+        if (!session.awaitState(state -> state.atNanos() != seen, FALL_BACK_S)) {
+            throw new BotException(line.address() + " is not heard any more since its speed was to change from "
+                    + Rates.POWER_UP + " to " + Rates.FAST + " baud; try again");
+        }
+    }
+}

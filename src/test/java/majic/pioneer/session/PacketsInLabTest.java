@@ -1,0 +1,67 @@
+package majic.pioneer.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Objects;
+import majic.LabRig;
+import majic.pioneer.MajicPioneer;
+import majic.pioneer.arcos.Batteries;
+import majic.pioneer.state.EncoderTicks;
+import majic.pioneer.state.Feed;
+import majic.pioneer.state.PioneerState;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What the lab's Pioneer sends beside its SIPs, as the driver takes it. */
+@Timeout(60)
+class PacketsInLabTest {
+    private LabRig rig;
+    private MajicPioneer bot;
+
+    @BeforeEach
+    void connect() {
+        rig = LabRig.exact();
+        bot = (MajicPioneer) rig.add("pioneer");
+    }
+
+    @AfterEach
+    void close() {
+        rig.close();
+    }
+
+    @Test
+    void portsAndBatteriesAreThereAfterConnecting() {
+        assertThat(state().ports().allDigitalIn()).isNotEmpty();
+        assertThat(state().ports().allAnalogVolts()).isNotEmpty();
+        assertThat(state().reports().latest(Batteries.class)).isPresent();
+    }
+
+    @Test
+    void encodersComeForWhoeverReadsThemAndCountTheWay() {
+        assertThat(state().encoders()).isEmpty();
+
+        EncoderTicks before = encoders();
+        bot.move(500);
+        EncoderTicks after = encoders();
+
+        assertThat(after.left()).isGreaterThan(before.left());
+        assertThat(after.right() - before.right()).isEqualTo(after.left() - before.left());
+    }
+
+    private EncoderTicks encoders() {
+        session().subscriptions().want(Feed.ENCODERS);
+        assertThat(session().awaitState(state -> state.encoders().isPresent(), 2))
+                .isTrue();
+        return state().encoders().orElseThrow();
+    }
+
+    private PioneerState state() {
+        return session().state();
+    }
+
+    private Session session() {
+        return Objects.requireNonNull(bot.session());
+    }
+}

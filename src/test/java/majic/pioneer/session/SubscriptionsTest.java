@@ -1,0 +1,150 @@
+package majic.pioneer.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import majic.TestClock;
+import majic.pioneer.arcos.Bytes;
+import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.Encoders;
+import majic.pioneer.arcos.Packet;
+import majic.pioneer.state.Feed;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(value = 20, unit = TimeUnit.SECONDS)
+class SubscriptionsTest {
+    private static final String BATTERIES_STREAM = "62 2";
+    private static final String PORTS_STREAM = "40 2";
+    private static final String ENCODER_STREAM = "19 2";
+    private static final String ENCODER_ONCE = "19 1";
+    private static final Encoders TICKS = new Encoders(1, 2);
+
+    private final TestClock clock = new TestClock();
+    private final RecordingLink wire = new RecordingLink();
+
+    @AfterEach
+    void stopTheClock() {
+        clock.close();
+    }
+
+    @Test
+    void aFastLineBringsWhatTheRobotHasFromTheStart() {
+        on("tcp:robot").begin(config(0, 0));
+
+        assertThat(requests()).containsExactly(BATTERIES_STREAM, PORTS_STREAM);
+    }
+
+    @Test
+    void gripperAndGyroAreAskedForWhereConfigSaysThatTheyAreThere() {
+        on("tcp:robot").begin(config(1, 1));
+
+        assertThat(requests()).containsExactly(BATTERIES_STREAM, PORTS_STREAM, "37 2", "58 1");
+    }
+
+    @Test
+    void aGyroThatTheControllerReadsItselfIsLeftAlone() {
+        on("tcp:robot").begin(config(0, 2));
+
+        assertThat(requests()).doesNotContain("58 1");
+    }
+
+    @Test
+    void aSlowLineIsLeftToTheSips() {
+        on("serial:ttyS0").begin(config(1, 1));
+
+        assertThat(requests()).isEmpty();
+    }
+
+    @Test
+    void whatSomebodyReadsIsStreamed() throws InterruptedException {
+        Subscriptions subscriptions = on("tcp:robot");
+
+        read(subscriptions, 10, true);
+
+        assertThat(requests()).containsExactly(ENCODER_STREAM);
+    }
+
+    @Test
+    void onASlowLineOnePacketASecondIsAskedForWhileSomebodyReads() throws InterruptedException {
+        Subscriptions subscriptions = on("serial:ttyS0");
+
+        read(subscriptions, 4, true);
+
+        assertThat(requests()).hasSize(4).containsOnly(ENCODER_ONCE);
+        pass(subscriptions, 30);
+        assertThat(requests()).hasSizeLessThan(11);
+    }
+
+    @Test
+    void aLostRequestIsRepeated() throws InterruptedException {
+        Subscriptions subscriptions = on("tcp:robot");
+
+        read(subscriptions, 3, false);
+        subscriptions.heard(TICKS);
+        read(subscriptions, 2, true);
+
+        assertThat(requests()).hasSize(3).containsOnly(ENCODER_STREAM);
+    }
+
+    @Test
+    void aStreamThatEndsIsAskedForAgain() throws InterruptedException {
+        Subscriptions subscriptions = on("tcp:robot");
+
+        read(subscriptions, 3, true);
+        read(subscriptions, 3, false);
+
+        assertThat(requests()).hasSize(2);
+    }
+
+    @Test
+    void aRobotThatNeverAnswersIsNotAskedForEver() throws InterruptedException {
+        Subscriptions subscriptions = on("tcp:robot");
+
+        read(subscriptions, 60, false);
+
+        assertThat(requests()).hasSize(5);
+        assertThat(subscriptions.isMute(Feed.ENCODERS)).isTrue();
+        assertThat(subscriptions.isMute(Feed.JOYSTICK)).isFalse();
+    }
+
+    private List<String> requests() {
+        return wire.written.stream()
+                .map(bytes -> Bytes.packet(Bytes.hex(bytes)))
+                .map(packet -> packet.type() + " " + packet.data()[1])
+                .toList();
+    }
+
+    private Subscriptions on(String address) {
+        wire.address = address;
+        return new Subscriptions(new ArcosLine(wire, clock.time()), clock.time());
+    }
+
+    /** Somebody reads the encoders for a while, and the robot answers or does not. */
+    private void read(Subscriptions subscriptions, double seconds, boolean answers) throws InterruptedException {
+        for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
+            subscriptions.want(Feed.ENCODERS);
+            pass(subscriptions, Subscriptions.PERIOD_S);
+            if (answers) {
+                subscriptions.heard(TICKS);
+            }
+        }
+    }
+
+    private void pass(Subscriptions subscriptions, double seconds) throws InterruptedException {
+        for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
+            subscriptions.request();
+            clock.time().sleep(Subscriptions.PERIOD_S);
+        }
+    }
+
+    /** A CONFIG packet by where the sheet has these two fields. */
+    private static Config config(int gripper, int gyro) {
+        byte[] data = Bytes.packet(Bytes.CONFIG).data();
+        data[39] = (byte) gripper;
+        data[88] = (byte) gyro;
+        return Config.decode(new Packet(Config.TYPE, data, 0, data.length));
+    }
+}
