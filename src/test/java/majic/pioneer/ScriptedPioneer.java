@@ -19,16 +19,16 @@ import org.jspecify.annotations.Nullable;
  * What a test wants a Pioneer to be, for a {@link SteppedPeer}: it answers the handshake and sends SIPs from a model with
  * ramps; worse than a robot wherever a test says so.
  */
-final class ScriptedPioneer implements SteppedPeer.Robot {
+public final class ScriptedPioneer implements SteppedPeer.Robot {
     private static final int LOST_STEP = 0xFF;
 
     /** What it heard since it was made, as {@code "VEL 250"}; the handshake not counted. */
-    final List<String> heard = new CopyOnWriteArrayList<>();
+    public final List<String> heard = new CopyOnWriteArrayList<>();
 
     /** When it heard that, ms. */
     final List<Long> heardAt = new CopyOnWriteArrayList<>();
 
-    final RampModel robot = new RampModel(300, 300, 100);
+    public final RampModel robot = new RampModel(300, 300, 100);
     final List<Double> speeds = new ArrayList<>();
 
     String subclass = "p3dx-sh";
@@ -65,7 +65,7 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     private long sips;
 
     /** One that does all as the sheet says a robot does. */
-    static ScriptedPioneer robot() {
+    public static ScriptedPioneer robot() {
         return new ScriptedPioneer();
     }
 
@@ -260,7 +260,7 @@ final class ScriptedPioneer implements SteppedPeer.Robot {
     }
 
     /** What it heard but pulses. */
-    List<String> orders() {
+    public List<String> orders() {
         return heard.stream().filter(command -> !command.equals("PULSE 0")).toList();
     }
 

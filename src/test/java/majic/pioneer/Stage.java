@@ -13,10 +13,10 @@ import majic.bot.Settings;
 import org.jspecify.annotations.Nullable;
 
 /** The driver and a scripted robot on one stepped clock, for one test. */
-final class Stage implements AutoCloseable {
+public final class Stage implements AutoCloseable {
     final ScriptedPioneer robot;
-    final SteppedPeer line;
-    final MajicPioneer bot;
+    public final SteppedPeer line;
+    public final MajicPioneer bot;
     final List<String> notices = new CopyOnWriteArrayList<>();
 
     Stage(ScriptedPioneer robot) {
@@ -40,7 +40,7 @@ final class Stage implements AutoCloseable {
         });
     }
 
-    static Stage connected(ScriptedPioneer robot) {
+    public static Stage connected(ScriptedPioneer robot) {
         return connected(robot, 0);
     }
 
@@ -52,7 +52,7 @@ final class Stage implements AutoCloseable {
     }
 
     /** Does something once, at the first state that has the robot beyond a point. */
-    void whenBeyond(double mm, Runnable event) {
+    public void whenBeyond(double mm, Runnable event) {
         bot.addListener(new BotListener() {
             @Override
             public void stateChanged(MajicBot moving, BotState state) {
@@ -88,13 +88,13 @@ final class Stage implements AutoCloseable {
         return thrown.get();
     }
 
-    double secondsOf(Runnable deed) {
+    public double secondsOf(Runnable deed) {
         long before = line.time().nanos();
         deed.run();
         return line.time().secondsSince(before);
     }
 
-    static double amount(MotionReport report) {
+    public static double amount(MotionReport report) {
         return report.amount() == null ? Double.NaN : report.amount().number();
     }
 

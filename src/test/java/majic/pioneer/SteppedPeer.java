@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * all that was sent to it. What the robot says and hears may be under way for a while. All of it runs on the clock's
  * thread.
  */
-final class SteppedPeer implements AutoCloseable {
+public final class SteppedPeer implements AutoCloseable {
     private final ServerSocketChannel server;
     private final String address;
     private final Robot robot;
@@ -93,7 +93,7 @@ final class SteppedPeer implements AutoCloseable {
         return address;
     }
 
-    TimeSource time() {
+    public TimeSource time() {
         return clock.time();
     }
 
@@ -103,7 +103,7 @@ final class SteppedPeer implements AutoCloseable {
     }
 
     /** Waits on the clock, looking whenever something came or was said. */
-    boolean await(BooleanSupplier condition, double seconds) {
+    public boolean await(BooleanSupplier condition, double seconds) {
         try {
             return news.await(condition, seconds);
         } catch (InterruptedException e) {
@@ -117,7 +117,7 @@ final class SteppedPeer implements AutoCloseable {
     }
 
     /** Lets time pass. */
-    void pass(double seconds) {
+    public void pass(double seconds) {
         await(() -> false, seconds);
     }
 
@@ -131,7 +131,7 @@ final class SteppedPeer implements AutoCloseable {
         heldUntilNanos = nanos + (long) (seconds * 1e9);
     }
 
-    void hangUp() {
+    public void hangUp() {
         SocketChannel open = client;
         client = null;
         clientAddress = "";

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import java.io.ByteArrayOutputStream;
 import java.util.List;

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -14,6 +14,9 @@ import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.pioneer.MajicPioneer;
+import majic.pioneer.ScriptedPioneer;
+import majic.pioneer.Stage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

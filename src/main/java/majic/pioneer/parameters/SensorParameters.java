@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;

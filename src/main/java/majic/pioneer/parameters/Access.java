@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import java.util.Optional;
 import java.util.function.Function;
@@ -17,7 +17,7 @@ import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;
 
 /** The way from a parameter to the robot: what it said last, and orders it confirms. Over all sessions. Thread-safe. */
-final class Access {
+public final class Access {
     static final Value NOTHING_YET = Value.unknown("no reading yet");
     static final Value NOTHING_OF_LATE = Value.unknown("no reading of late");
     static final Value NOT_TOLD = Value.unknown("this robot does not tell");
@@ -30,7 +30,7 @@ final class Access {
 
     private final Supplier<@Nullable Session> session;
 
-    Access(Supplier<@Nullable Session> session) {
+    public Access(Supplier<@Nullable Session> session) {
         this.session = session;
     }
 

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;

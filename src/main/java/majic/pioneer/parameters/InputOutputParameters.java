@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import java.util.List;
 import java.util.function.Consumer;
@@ -14,17 +14,17 @@ import majic.pioneer.state.Placement;
  * script that asks for it is refused before anything drives. What only its readings can show, or a packet that it may not
  * send, is described and {@code unknown} with the reason.
  */
-final class PioneerParameters {
+public final class PioneerParameters {
     private final ParameterTable table;
     private final List<Theme> themes;
 
-    PioneerParameters(ParameterTable table, List<Theme> themes) {
+    public PioneerParameters(ParameterTable table, List<Theme> themes) {
         this.table = table;
         this.themes = List.copyOf(themes);
     }
 
     /** All themes there are. */
-    static List<Theme> themes(
+    public static List<Theme> themes(
             Access access, TimeSource time, Placement placement, PaceParameters pace, Consumer<String> notice) {
         Switches switches = new Switches(access, notice);
         return List.of(
@@ -44,12 +44,12 @@ final class PioneerParameters {
     }
 
     /** Describes what a robot with this equipment has, and nothing else. */
-    void describe(Equipment equipment) {
+    public void describe(Equipment equipment) {
         table.renew(fresh -> themes.forEach(theme -> theme.describe(fresh, equipment)));
     }
 
     /** Ends what setting one of them has made the robot do. */
-    void halt() {
+    public void halt() {
         themes.forEach(Theme::halt);
     }
 }

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -12,7 +12,7 @@ import majic.pioneer.state.Limits;
 import majic.pioneer.state.Ramps;
 
 /** How fast the robot may go and how sharply it speeds up and slows down: told to it and followed by all motions. */
-final class PaceParameters implements Theme {
+public final class PaceParameters implements Theme {
     private final Dynamics dynamics;
     private final Consumer<UnaryOperator<Ramps>> change;
 
@@ -22,7 +22,7 @@ final class PaceParameters implements Theme {
      * @param dynamics what is in force
      * @param change puts other ramps in force
      */
-    PaceParameters(Dynamics dynamics, Consumer<UnaryOperator<Ramps>> change) {
+    public PaceParameters(Dynamics dynamics, Consumer<UnaryOperator<Ramps>> change) {
         this.dynamics = dynamics;
         this.change = change;
     }

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.parameters;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,22 +6,22 @@ import majic.bot.BotCommand;
 import majic.pioneer.state.Equipment;
 
 /** The commands that only a Pioneer has, for what is an act and not a value. */
-final class PioneerCommands {
+public final class PioneerCommands {
     /** All that there can be. */
-    static final List<String> NAMES = List.of("gripper", "carry", "dock", "undock", "tones");
+    public static final List<String> NAMES = List.of("gripper", "carry", "dock", "undock", "tones");
 
     private final Tune tune;
     private final GripperOrders gripper;
     private final DockOrders dock;
 
-    PioneerCommands(Access access) {
+    public PioneerCommands(Access access) {
         this.tune = new Tune(access);
         this.gripper = new GripperOrders(access);
         this.dock = new DockOrders(access);
     }
 
     /** Those for what a robot has. */
-    List<BotCommand> with(Equipment equipment) {
+    public List<BotCommand> with(Equipment equipment) {
         List<BotCommand> commands = new ArrayList<>();
         if (equipment.gripper()) {
             commands.add(gripper.gripper());
@@ -36,7 +36,7 @@ final class PioneerCommands {
     }
 
     /** Stops what moves on the robot besides its wheels. */
-    void halt() {
+    public void halt() {
         gripper.halt();
     }
 }
