@@ -19,6 +19,8 @@ import majic.link.Link;
 import majic.link.Links;
 import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Identity;
+import majic.pioneer.panel.PioneerPanel;
+import majic.pioneer.panel.PioneerScene;
 import majic.pioneer.parameters.Access;
 import majic.pioneer.parameters.PaceParameters;
 import majic.pioneer.parameters.PioneerCommands;

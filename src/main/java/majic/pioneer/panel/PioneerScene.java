@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.panel;
 
 import majic.bot.MajicBot;
 import majic.bot.Range;
@@ -19,7 +19,7 @@ import majic.pioneer.state.PioneerState;
  * @param speedLimits mm/s, both signs
  * @param turnLimits deg/s, both signs
  */
-record PioneerScene(
+public record PioneerScene(
         Model model,
         PioneerState state,
         Bumpers bumpers,

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.panel;
 
 import java.awt.Color;
 import java.awt.Graphics2D;

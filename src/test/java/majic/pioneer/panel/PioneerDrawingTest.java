@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.panel;
 
 import java.util.Locale;
 import java.util.OptionalInt;

@@ -1,4 +1,4 @@
-package majic.pioneer;
+package majic.pioneer.panel;
 
 import java.util.List;
 import java.util.Optional;
@@ -15,7 +15,7 @@ import majic.panel.map.ZoomableMap;
  * Shows one Pioneer: a map with the robot, its sonar cones, what they met and the way it came; gauges, lights and readings.
  * It only shows: nothing in it sends the robot anything, so nothing can be switched by a slip of the mouse.
  */
-final class PioneerPanel extends NewsPanel {
+public final class PioneerPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
     private final transient MajicBot bot;
@@ -44,7 +44,7 @@ final class PioneerPanel extends NewsPanel {
      *
      * @param scenes takes what is to be shown, from any thread; empty until the first report of the robot
      */
-    static JComponent create(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
+    public static JComponent create(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
         PioneerPanel panel = new PioneerPanel(bot, scenes);
         panel.refreshOnNews();
         return panel;
