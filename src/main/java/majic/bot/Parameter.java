@@ -1,5 +1,7 @@
 package majic.bot;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -198,9 +200,24 @@ public record Parameter(
         }
         double amount = convert(number);
         if (!range.contains(amount)) {
-            throw wrong(given, "outside " + range + (unit == Unit.NONE ? "" : " " + unit.symbol()));
+            throw wrong(shown(number, amount), "outside " + range + symbol());
         }
         return Value.of(whole ? toWhole(given, amount) : amount, unit);
+    }
+
+    /** In the unit of the range, so that both can be compared; a number without unit stays as it was given. */
+    private String shown(Value.Number given, double amount) {
+        return given.unit() == Unit.NONE
+                ? given.toString()
+                : BigDecimal.valueOf(amount)
+                                .setScale(6, RoundingMode.HALF_UP)
+                                .stripTrailingZeros()
+                                .toPlainString()
+                        + symbol();
+    }
+
+    private String symbol() {
+        return unit == Unit.NONE ? "" : " " + unit.symbol();
     }
 
     private double toWhole(Value given, double amount) {
@@ -246,7 +263,7 @@ public record Parameter(
         return unit == Unit.NONE ? "" : " in " + unit.symbol();
     }
 
-    private ParameterException wrong(@Nullable Value given, String why) {
+    private ParameterException wrong(@Nullable Object given, String why) {
         return new ParameterException(name, name + " " + given + ": " + why);
     }
 }
