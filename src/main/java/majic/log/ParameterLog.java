@@ -43,6 +43,15 @@ public final class ParameterLog {
     }
 
     /**
+     * Whether there is nothing to save.
+     *
+     * @return true until the first reading
+     */
+    public synchronized boolean isEmpty() {
+        return spilled == null && rows.isEmpty() && lost == 0;
+    }
+
+    /**
      * Writes all readings so far into a file, replacing what it held.
      *
      * @param file where to

@@ -100,6 +100,9 @@ final class SessionDoing implements SessionCommand.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void saveLog(SessionCommand.SaveLog save) {
+        if (session.parameterLog().isEmpty()) {
+            throw new BotException("save log: there are no readings yet; \"1 log x every 100ms\" takes some");
+        }
         save(save.file(), "log", path -> session.parameterLog().save(path));
         return null;
     }

@@ -40,6 +40,15 @@ class LoggingTest {
     }
 
     @Test
+    void withoutReadingsThereIsNothingToSave() throws Exception {
+        Path file = folder.resolve("empty.csv");
+        assertThat(desk.runPipe("save log " + file))
+                .containsExactly("save log: there are no readings yet; \"1 log x every 100ms\" takes some");
+        assertThat(file).doesNotExist();
+        assertThat(desk.pipe.allSucceeded()).isFalse();
+    }
+
+    @Test
     void aRobotThatIsGoneIsNoLongerLogged() throws Exception {
         desk.prompt.parseText("1 log x every 100ms");
         desk.pause(0.5);
