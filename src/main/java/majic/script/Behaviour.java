@@ -1,7 +1,6 @@
 package majic.script;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -46,9 +45,7 @@ final class Behaviour {
 
     private static void refuse(String title, List<Mistake> mistakes) {
         if (!mistakes.isEmpty()) {
-            mistakes.sort(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column));
-            throw new BotException(String.join(
-                    "\n", mistakes.stream().map(mistake -> mistake.in(title)).toList()));
+            throw new BotException(String.join("\n", Mistake.inOrder(mistakes, title)));
         }
     }
 

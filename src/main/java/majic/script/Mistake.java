@@ -1,5 +1,9 @@
 package majic.script;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
 /**
  * Something wrong in a script. Immutable.
  *
@@ -8,7 +12,28 @@ package majic.script;
  * @param message what is wrong and what would be right
  */
 record Mistake(int line, int column, String message) {
+    private static final int MOST_TOLD = 20;
+
     String in(String file) {
         return file + ":" + line + ":" + column + ": " + message;
+    }
+
+    /** A line for each of the first mistakes in a file, in their order, and one for all others. */
+    static List<String> inOrder(List<Mistake> mistakes, String file) {
+        List<String> told = new ArrayList<>(mistakes.stream()
+                .sorted(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column))
+                .limit(MOST_TOLD)
+                .map(mistake -> mistake.in(file))
+                .toList());
+        int more = mistakes.size() - MOST_TOLD;
+        if (more > 0) {
+            told.add(file + ": and " + counted(more).replaceFirst(" ", " more "));
+        }
+        return told;
+    }
+
+    /** As in "1 mistake", "3 mistakes". */
+    static String counted(int mistakes) {
+        return mistakes == 1 ? "1 mistake" : mistakes + " mistakes";
     }
 }

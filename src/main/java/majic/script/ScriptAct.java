@@ -124,9 +124,9 @@ public final class ScriptAct extends MajicAct {
     private void check(Behaviour behaviour, Session session, Selection robots) {
         List<Mistake> mistakes = new ArrayList<>(Checker.check(behaviour.statements(), session, robots));
         mistakes.addAll(behaviour.rawCommands(robots));
-        mistakes.forEach(mistake -> session.say(Line.Kind.ERROR, mistake.in(title)));
+        Mistake.inOrder(mistakes, title).forEach(mistake -> session.say(Line.Kind.ERROR, mistake));
         if (!mistakes.isEmpty()) {
-            throw new BotException("nothing was run: " + mistakes.get(0).in(title));
+            throw new BotException(Mistake.counted(mistakes.size()) + " in it, nothing was run");
         }
     }
 

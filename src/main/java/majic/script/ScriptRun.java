@@ -1,7 +1,6 @@
 package majic.script;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
@@ -46,16 +45,12 @@ final class ScriptRun {
         List<Mistake> mistakes = new ArrayList<>();
         List<Statement> script = read(text, words(session), mistakes);
         mistakes.addAll(Checker.check(script, session, selection));
-        mistakes.sort(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column));
-        mistakes.forEach(mistake -> session.say(Line.Kind.ERROR, mistake.in(file)));
+        Mistake.inOrder(mistakes, file).forEach(mistake -> session.say(Line.Kind.ERROR, mistake));
         if (!mistakes.isEmpty()) {
-            throw new ExecutionEnded(Answer.Outcome.FAILED, counted(mistakes.size()) + " in it, nothing was run");
+            throw new ExecutionEnded(
+                    Answer.Outcome.FAILED, Mistake.counted(mistakes.size()) + " in it, nothing was run");
         }
         return script;
-    }
-
-    private static String counted(int mistakes) {
-        return mistakes == 1 ? "1 mistake" : mistakes + " mistakes";
     }
 
     /** Reads a script, and checks nothing that needs robots. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import majic.act.ActDetails;
 import majic.act.ActFile;
@@ -70,6 +71,23 @@ class ActCommandTest {
                         "bad.majic:2:1: quit: is for a session",
                         "bad.majic:3:1: 1-3: a behaviour names",
                         "bad.majic:4:4: act:");
+    }
+
+    @Test
+    void ofVeryManyMistakesTheFirstAreToldAndTheOthersCounted() throws Exception {
+        String bad = file("bad.majic", Collections.nCopies(5000, "quit").toArray(String[]::new));
+        assertThat(desk.prompt.parseText("1 act " + bad).orElse("").lines())
+                .hasSize(21)
+                .last()
+                .isEqualTo("bad.majic: and 4980 more mistakes");
+    }
+
+    @Test
+    void aMistakeThatTheRobotShowsIsToldOnce() throws Exception {
+        String bad = file("bad.majic", "me set headPam 3");
+        assertThat(desk.runPipe("1 act " + bad))
+                .filteredOn(line -> line.contains("headPam"))
+                .hasSize(1);
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -74,6 +75,17 @@ class ScriptsTest {
                         "run " + file + ": failed: 5 mistakes in it, nothing was run");
         assertThat(desk.bot(1).sent()).isEmpty();
         assertThat(desk.pipe.allSucceeded()).isFalse();
+    }
+
+    @Test
+    void ofVeryManyMistakesTheFirstAreToldAndTheOthersCounted() throws Exception {
+        Path wrong = Files.write(folder.resolve("wrong.majic"), Collections.nCopies(5000, "1 mvoe 5"));
+        assertThat(desk.runPipe("run " + wrong))
+                .hasSize(22)
+                .startsWith(wrong + ":1:3: mvoe: robot 1 (Aibo) has no such command; did you mean move?")
+                .endsWith(
+                        wrong + ": and 4980 more mistakes",
+                        "run " + wrong + ": failed: 5000 mistakes in it, nothing was run");
     }
 
     @Test
