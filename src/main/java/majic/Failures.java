@@ -3,7 +3,9 @@ package majic;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.lang.System.Logger.Level;
+import java.nio.file.FileSystemException;
 import majic.bot.BotException;
+import majic.bot.IoReason;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -60,12 +62,15 @@ final class Failures {
     }
 
     private static String sentence(Exception problem) {
+        if (problem instanceof FileSystemException refused) {
+            return refused.getFile() + ": " + IoReason.of(refused);
+        }
         if (problem instanceof UsageException
                 || problem instanceof BotException
                 || problem instanceof IOException
                 || problem instanceof Window.WindowFailed) {
             return String.valueOf(problem.getMessage());
         }
-        return "an error in MAJIC, see majic.log in its folder (" + problem + ")";
+        return "an error in MAJIC, see majic.log in its folder";
     }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import majic.bot.IoReason;
 
 /**
  * A behaviour in a file: a jar with the act's classes, the saved act and a manifest, or the object stream of an act
@@ -49,7 +50,7 @@ public final class ActFile {
         } catch (NoSuchFileException e) {
             throw new ActException("there is no file " + file, e);
         } catch (IOException e) {
-            throw new ActException("cannot read " + file + ": " + e.getMessage(), e);
+            throw new ActException("cannot read " + file + ": " + IoReason.of(e), e);
         }
     }
 
@@ -82,7 +83,7 @@ public final class ActFile {
             }
             return new ActFile(name, in.readAllBytes(), true);
         } catch (IOException e) {
-            throw new ActException("cannot read MAJIC's own act " + name + ": " + e.getMessage(), e);
+            throw new ActException("cannot read MAJIC's own act " + name + ": " + IoReason.of(e), e);
         }
     }
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import majic.bot.BotException;
+import majic.bot.IoReason;
 import majic.bot.Suggestion;
 
 /**
@@ -72,7 +73,7 @@ public record Acts(Path folder, ActTrust trust) {
                     .map(file -> file.substring(0, file.length() - ENDING.length()))
                     .toList();
         } catch (IOException e) {
-            throw new BotException(folder + ": cannot be read (" + e.getMessage() + ")", e);
+            throw new BotException(folder + ": cannot be read (" + IoReason.of(e) + ")", e);
         }
     }
 
@@ -87,7 +88,7 @@ public record Acts(Path folder, ActTrust trust) {
                     .filter(line -> !line.isBlank())
                     .toList();
         } catch (IOException e) {
-            throw new BotException("MAJIC's own behaviours cannot be read (" + e.getMessage() + ")", e);
+            throw new BotException("MAJIC's own behaviours cannot be read (" + IoReason.of(e) + ")", e);
         }
     }
 }

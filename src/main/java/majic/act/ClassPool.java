@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import majic.bot.IoReason;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -57,7 +58,7 @@ record ClassPool(
         } catch (Unfit e) {
             throw new ActException(label + " " + e.getMessage(), e);
         } catch (IOException e) {
-            throw new ActException("cannot read " + given + ": " + e.getMessage(), e);
+            throw new ActException("cannot read " + given + ": " + IoReason.of(e), e);
         }
     }
 

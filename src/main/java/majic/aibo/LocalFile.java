@@ -8,6 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import majic.bot.BotException;
+import majic.bot.IoReason;
 
 /** A file on this computer that a command names, from the folder that MAJIC runs in unless it says otherwise. */
 record LocalFile(String name, Path path) {
@@ -53,7 +54,7 @@ record LocalFile(String name, Path path) {
             }
             return Files.readAllBytes(path);
         } catch (IOException e) {
-            throw new BotException(name + ": cannot be read", e);
+            throw new BotException(name + ": cannot be read: " + IoReason.of(e), e);
         }
     }
 
@@ -70,7 +71,7 @@ record LocalFile(String name, Path path) {
         } catch (NoSuchFileException e) {
             throw new BotException(name + ": there is no such folder", e);
         } catch (IOException e) {
-            throw new BotException(name + ": cannot be written", e);
+            throw new BotException(name + ": cannot be written: " + IoReason.of(e), e);
         }
     }
 
@@ -83,7 +84,7 @@ record LocalFile(String name, Path path) {
         try {
             Files.write(path, content);
         } catch (IOException e) {
-            throw new BotException(name + ": cannot be written: " + e.getMessage(), e);
+            throw new BotException(name + ": cannot be written: " + IoReason.of(e), e);
         }
     }
 

@@ -145,7 +145,7 @@ final class Lane {
             return Ending.of(Answer.Outcome.FAILED, pending, "failed: " + e.getMessage());
         } catch (RuntimeException | Error e) {
             Team.LOG.log(System.Logger.Level.ERROR, "an order to robot " + robot + " failed", e);
-            return Ending.of(Answer.Outcome.FAILED, pending, "failed: an error in MAJIC, see its log (" + e + ")");
+            return Ending.of(Answer.Outcome.FAILED, pending, "failed: an error in MAJIC, see its log");
         }
     }
 

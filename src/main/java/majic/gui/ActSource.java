@@ -8,6 +8,7 @@ import majic.act.ActDetails;
 import majic.act.ActMaker;
 import majic.act.Acts;
 import majic.bot.BotException;
+import majic.bot.IoReason;
 import majic.script.ScriptAct;
 
 /** What an act's file can be made of: compiled classes, a jar, a source file, or a script. Its methods may wait. */
@@ -64,7 +65,7 @@ final class ActSource {
             }
             Files.write(target, file);
         } catch (IOException e) {
-            throw new BotException(target + " cannot be written (" + e.getMessage() + ")", e);
+            throw new BotException(target + " cannot be written (" + IoReason.of(e) + ")", e);
         }
         return "Made " + target + ", " + file.length + " bytes. Load Act gives it to a robot.";
     }

@@ -12,6 +12,6 @@ final class Mishap {
     /** Logs it, and tells how to say it. */
     static String told(String doing, Throwable why) {
         LOG.log(Level.ERROR, doing + " failed", why);
-        return "an error in MAJIC, see its log (" + why + ")";
+        return "an error in MAJIC, see its log";
     }
 }

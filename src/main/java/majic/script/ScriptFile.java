@@ -2,15 +2,13 @@ package majic.script;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import majic.act.RegularFile;
 import majic.bot.BotException;
+import majic.bot.IoReason;
 
 /** A script in a file: read whole and checked before anything of it runs. */
 final class ScriptFile {
@@ -52,23 +50,7 @@ final class ScriptFile {
         } catch (NoSuchFileException e) {
             throw new BotException(path + ": there is no such file", e);
         } catch (IOException e) {
-            throw new BotException(path + ": cannot be read (" + reason(e) + ")", e);
+            throw new BotException(path + ": cannot be read (" + IoReason.of(e) + ")", e);
         }
-    }
-
-    /** What the system's refusal means, in a few words. */
-    static String reason(IOException problem) {
-        if (problem instanceof NoSuchFileException) {
-            return "there is no such folder or file";
-        }
-        if (problem instanceof AccessDeniedException) {
-            return "it is not allowed";
-        }
-        if (problem instanceof CharacterCodingException) {
-            return "it is not UTF-8 text";
-        }
-        return problem instanceof FileSystemException
-                ? problem.getClass().getSimpleName() + ", " + problem.getMessage()
-                : String.valueOf(problem.getMessage());
     }
 }

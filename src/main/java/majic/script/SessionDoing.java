@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.BotException;
+import majic.bot.IoReason;
 import majic.bot.LabAccess;
 import majic.bot.Member;
 import majic.bot.Pose;
@@ -117,7 +118,7 @@ final class SessionDoing implements SessionCommand.Visitor<@Nullable Void> {
         try {
             saving.to(path);
         } catch (IOException e) {
-            throw new BotException(path + ": cannot be written (" + ScriptFile.reason(e) + ")", e);
+            throw new BotException(path + ": cannot be written (" + IoReason.of(e) + ")", e);
         }
         answer("save " + what + " " + file.text() + ": done");
     }

@@ -303,6 +303,12 @@ class SessionRecordTest {
     }
 
     @Test
+    void whereAFolderLiesNothingIsSaved() throws InterruptedException {
+        assertThat(desk.runPipe("save session " + folder))
+                .containsExactly(folder + ": cannot be written (is a directory)");
+    }
+
+    @Test
     void aFolderThatIsNotThereIsNamed() throws InterruptedException {
         Path file = folder.resolve("none/session.majic");
         assertThat(desk.runPipe("save session " + file))
