@@ -188,9 +188,9 @@ final class Dispatcher {
     }
 
     private void perform(Given line, Execution.Manner unlessTyped) {
-        Execution execution =
-                Execution.ofLine(session, source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped, tally)
-                        .unless(() -> wasStopped(line));
+        Execution execution = Execution.ofLine(
+                        session, source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped, tally)
+                .unless(() -> wasStopped(line));
         if (line.isStop()) {
             stop(line, execution);
         } else if (line.isBlock()) {
