@@ -1,13 +1,14 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** A flag of a tagged command, such as {@code end}, with what stands in brackets behind it. */
 record Flag(String name, @Nullable Expr argument) {
     /** Flags that the language had before 1.0 and that became commands. */
-    private static final Set<String> OBSOLETE = Set.of("timeout", "stop", "freeze");
+    private static final Map<String, String> SUCCESSORS =
+            Map.of("timeout", "timeout(time)", "stop", "stopif(test)", "freeze", "freezeif(test)");
 
     static boolean in(List<Flag> flags, String name) {
         for (Flag flag : flags) {
@@ -18,7 +19,25 @@ record Flag(String name, @Nullable Expr argument) {
         return false;
     }
 
-    boolean isObsolete() {
-        return OBSOLETE.contains(name);
+    /** What the kernel advises to use in place of a flag, or null for a flag of today. */
+    @Nullable
+    String warning() {
+        String successor = SUCCESSORS.get(name);
+        return successor == null
+                ? null
+                : "Warning: +" + name + " flag is obsolete. Use " + successor + " command instead.";
+    }
+
+    /** The command with the condition of an older flag, which is still kept. */
+    static Statement conditional(List<Flag> flags, Statement body) {
+        Statement conditional = body;
+        for (Flag flag : flags) {
+            String successor = SUCCESSORS.get(flag.name());
+            if (successor != null && flag.argument() != null) {
+                String word = successor.substring(0, successor.indexOf('('));
+                conditional = new Flow.Watched(word, flag.argument(), conditional);
+            }
+        }
+        return conditional;
     }
 }

@@ -38,7 +38,7 @@ final class Listings {
 
     private static void collect(Task task, String indent, List<String> lines) {
         String deeper = indent;
-        if (task instanceof TaggedTask tagged && !tagged.isReplaced()) {
+        if (task instanceof TaggedTask tagged && !tagged.wasReplaced()) {
             lines.add(indent + "Tag:[" + tagged.tag() + "]" + (task.isFrozen() ? " frozen" : ""));
             deeper = indent + " ";
         }

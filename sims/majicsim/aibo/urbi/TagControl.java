@@ -41,7 +41,7 @@ final class TagControl {
     }
 
     private static void collect(Task task, String tag, List<Task> found) {
-        if (task instanceof TaggedTask tagged && !tagged.isReplaced() && Tags.matches(tagged.tag(), tag)) {
+        if (task instanceof TaggedTask tagged && !tagged.wasReplaced() && Tags.matches(tagged.tag(), tag)) {
             found.add(task);
         }
         for (Task part : task.parts()) {

@@ -9,7 +9,7 @@ final class TaggedTask extends Task {
     private boolean begun;
 
     TaggedTask(Context context, List<Flag> flags, Statement body) {
-        this(context, flags, body.start(context));
+        this(context, flags, Flag.conditional(flags, body).start(context));
     }
 
     TaggedTask(Context context, List<Flag> flags, Task body) {
@@ -38,7 +38,7 @@ final class TaggedTask extends Task {
         }
         // A command that stops its own tag is over before its body returns here: then it sends no end.
         boolean ended = body.step() && !isOver();
-        if (ended && !isReplaced()) {
+        if (ended && !wasReplaced()) {
             announce("end");
         }
         return ended || !mayGoOn(first);
@@ -60,8 +60,8 @@ final class TaggedTask extends Task {
         return List.of(body);
     }
 
-    @Override
-    boolean isReplaced() {
+    /** Whether another command of the kernel's has taken its place: its tag reaches only that one's parts then. */
+    boolean wasReplaced() {
         return body.isReplaced();
     }
 
@@ -72,8 +72,11 @@ final class TaggedTask extends Task {
     }
 
     private void warn() {
-        flags.stream()
-                .filter(Flag::isObsolete)
-                .forEach(flag -> context.error("Warning: flag '" + flag.name() + "' is obsolete"));
+        for (Flag flag : flags) {
+            String warning = flag.warning();
+            if (warning != null) {
+                context.error(warning);
+            }
+        }
     }
 }

@@ -63,6 +63,11 @@ final class WatchedTask extends Task {
     }
 
     @Override
+    boolean isReplaced() {
+        return body.isReplaced();
+    }
+
+    @Override
     protected List<Task> parts() {
         return List.of(body);
     }

@@ -120,8 +120,28 @@ class TagTest {
     }
 
     @Test
-    void aFlagOfOlderVersionsIsWarnedOf() {
-        assertThat(client.ask("t+timeout(5s): 1;"))
-                .containsExactly("[t] !!! Warning: flag 'timeout' is obsolete", "[t] 1.000000");
+    void aTimeoutAsAFlagEndsTheCommandAndTheConnectionGoesOn() {
+        assertThat(client.ask("tm+timeout(200): loop { wait(50) }; 1;", 150))
+                .containsExactly("[tm] !!! Warning: +timeout flag is obsolete. Use timeout(time) command instead.");
+
+        assertThat(client.ask("", 150)).containsExactly("[notag] 1.000000");
+    }
+
+    @Test
+    void aStopAsAFlagIsWarnedOfAndEndsTheCommandWhenItsTestIsTrue() {
+        assertThat(client.ask("global.n = 0; t+stop(global.n > 0): loop { wait(50) }; 1;"))
+                .containsExactly("[t] !!! Warning: +stop flag is obsolete. Use stopif(test) command instead.");
+
+        other.say("global.n = 1;");
+
+        assertThat(client.ask("")).containsExactly("[notag] 1.000000");
+    }
+
+    @Test
+    void aFreezeAsAFlagIsWarnedOfAndHoldsTheCommandWhileItsTestIsTrue() {
+        assertThat(client.ask("n = 1; t+freeze(n > 0)+end: wait(50),"))
+                .containsExactly("[t] !!! Warning: +freeze flag is obsolete. Use freezeif(test) command instead.");
+
+        assertThat(client.ask("n = 0;")).containsExactly("[t] *** end");
     }
 }
