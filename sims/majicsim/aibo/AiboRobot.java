@@ -129,11 +129,11 @@ public final class AiboRobot implements Firmware {
         functions.lasting("robot.turn", 1, GaitTask.function(gait, true));
         functions.lasting("robot.stepwalk", 1, GaitTask.steps(gait, false));
         functions.lasting("robot.stepturn", 1, GaitTask.steps(gait, true));
-        functions.builtIn("robot.MyguessPosition", arguments -> Value.of(attitude.guess()));
+        functions.builtIn("robot.posture", arguments -> Value.of(attitude.guess()));
         functions.builtIn("power", arguments -> Value.of(battery.percent() / 100.0));
         speaker.install();
         microphone.install();
         camera.install();
-        new Stick(StickScript.PROGRAM, StickScript.CLIENT).insertInto(kernel);
+        new Stick(StickScript.program(kernel.groups().leaves("hardware")), StickScript.CLIENT).insertInto(kernel);
     }
 }

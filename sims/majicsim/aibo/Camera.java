@@ -16,6 +16,9 @@ import org.jspecify.annotations.Nullable;
 final class Camera {
     private static final double PICTURE_MS = 1000.0 / 30;
 
+    /** What the ball tracking says while it sees no ball. */
+    private static final Eye.Spot NOWHERE = new Eye.Spot(-1, -1, 0);
+
     private final Eye eye;
     private final Kernel kernel;
     private final Map<String, Variable> fields = new LinkedHashMap<>();
@@ -80,7 +83,7 @@ final class Camera {
 
     private Eye.Spot spot() {
         Eye.Spot spot = eye.spot();
-        return spot == null ? new Eye.Spot(0, 0, 0) : spot;
+        return spot == null ? NOWHERE : spot;
     }
 
     private void field(String name, double start, double min, double max) {

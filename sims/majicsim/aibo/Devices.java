@@ -69,23 +69,41 @@ final class Devices {
     private void group() {
         groups.define("head", List.of("neck", "headPan", "headTilt", "mouth"));
         groups.define("tail", List.of("tailPan", "tailTilt"));
-        groups.define("ears", List.of("earL", "earR"));
+        groups.define("ears", List.of("earR", "earL"));
         groups.define("bimotors", List.of("ears"));
         groups.define("ledF", faceLeds());
         groups.define("ledBW", List.of("ledBFW", "ledBMW", "ledBRW"));
         groups.define("ledBC", List.of("ledBFC", "ledBMC", "ledBRC"));
-        groups.define("ledHead", List.of("ledHC", "ledHW"));
+        groups.define("ledHead", List.of("modeR", "modeG", "modeB", "ledHC", "ledHW"));
+        groups.define("bileds", HEAD_LEDS);
         groups.define(
                 "leds",
-                Stream.of(faceLeds(), BACK_LEDS, HEAD_LEDS)
+                Stream.of(BACK_LEDS, faceLeds(), List.of("bileds"))
                         .flatMap(List::stream)
                         .toList());
         groups.define("legs", LEG_NAMES.stream().map(leg -> "leg" + leg).toList());
         groups.define("motors", List.of("head", "tail", "legs"));
         groups.define("motor", List.of("motors"));
-        groups.define("hardware", List.of("motors", "bimotors", "leds"));
-        groups.define("objects", List.of("hardware"));
-        groups.define("body", List.of("hardware"));
+        sensors();
+        List<String> devices =
+                List.of("motors", "bimotors", "leds", "touchsensors", "irsensors", "buttonsensors", "accelsensors");
+        groups.define("hardware", with(devices, "camera", "speaker", "micro"));
+        groups.define("objects", with(devices, "video", "audio_in", "audio_out"));
+        groups.define("body", List.of("objects"));
+    }
+
+    private void sensors() {
+        groups.define("accelsensors", List.of("accelZ", "accelY", "accelX"));
+        groups.define("buttonsensors", List.of("pawLF", "pawLH", "pawRF", "pawRH", "chinSensor", "WIFIswitch"));
+        groups.define("touchsensors", List.of("headSensor", "backSensorR", "backSensorM", "backSensorF"));
+        groups.define("irsensors", List.of("distanceNear", "distance", "distanceChest"));
+        groups.define("video", List.of("camera"));
+        groups.define("audio_in", List.of("micro"));
+        groups.define("audio_out", List.of("speaker"));
+    }
+
+    private static List<String> with(List<String> names, String... more) {
+        return Stream.concat(names.stream(), Stream.of(more)).toList();
     }
 
     private void legGroups() {

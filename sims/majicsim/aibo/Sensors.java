@@ -45,7 +45,7 @@ final class Sensors {
     void install(Variables variables) {
         distance(variables, "distanceNear", 5.7, 50, this::headCm);
         distance(variables, "distance", 20, 150, this::headCm);
-        distance(variables, "distanceFar", 20, 150, this::headCm);
+        variables.rename("distanceFar", "distance");
         distance(variables, "distanceChest", 19, 90, this::chestCm);
         acceleration(variables, "accelX", () -> gravity().x());
         acceleration(variables, "accelY", () -> gravity().y());

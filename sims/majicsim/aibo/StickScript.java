@@ -1,13 +1,27 @@
 package majicsim.aibo;
 
+import java.util.List;
+import java.util.stream.Collectors;
+
 /**
  * The programs on the simulated memory stick: what the stick's functions do and how long they take (URBI sheet, section 15), in
  * words of our own.
  */
 final class StickScript {
-    static final String PROGRAM = """
+    private static final String PROGRAM = """
             robot.walkspeed = 1000; robot.turnspeed = 1000;
             system.name = "ERS-7"; global.name = "ERS-7";
+            walk.turnamount = 0; walk.direction = 1; walk.coef[1] = 1; walk.coef[2] = 1/2;
+            walk.mean[1][1] = -17.4; walk.mean[1][2] = 10; walk.mean[1][3] = 80.5;
+            walk.mean[2][1] = -28.8; walk.mean[2][2] = 11.1; walk.mean[2][3] = 90.3;
+            turn.direction = 1; turn.coef[1] = 1; turn.coef[2] = 1/2; turn.coef[3] = 1/3;
+            turn.mean[1][1] = -19.4; turn.mean[1][2] = 17.8; turn.mean[1][3] = 82.2;
+            turn.mean[2][1] = -20; turn.mean[2][2] = 12.8; turn.mean[2][3] = 89.3;
+            robot.bt = 0; global.hcounter = 0; global.bk = 0;
+            class colormap;
+            ball = new colormap;
+            ball.a = 0.95;
+            function robot.MyguessPosition() { return robot.posture() };
             function robot.stopwalk() { stop walk };
             function robot.stopturn() { stop turn };
             function robot.pose(n, f1, f2, f3, h1, h2, h3, ms) {
@@ -25,15 +39,18 @@ final class StickScript {
             function robot.stretch() { robot.place(60, 0, 20, -20, 10, 60, 2000) };
             function robot.initial() { robot.stretch() | robot.place(55, -5, 40, -120, 0, 120, 1900) };
             function robot.StandUp() {
-              if (robot.MyguessPosition() == "stand") wait(300)
+              a = robot.MyguessPosition();
+              if (a == "stand") wait(300)
               else { robot.pose(-25, -6, 3.5, 30, -6, 3.5, 30, 6000) | headTilt.val = 22 time:300 }
             };
             function robot.SitDown() {
-              if (robot.MyguessPosition() == "sit") wait(300)
+              a = robot.MyguessPosition();
+              if (a == "sit") wait(300)
               else { robot.pose(-40, -26, -6, 20, -80, 19, 110, 10500) | headTilt.val = 5 time:300 }
             };
             function robot.LayDown() {
-              if (robot.MyguessPosition() == "lay") wait(300)
+              a = robot.MyguessPosition();
+              if (a == "lay") wait(300)
               else robot.pose(0, 0, -5, 40, -120, 0, 120, 3200)
             };
             function robot.swalk(n) { robot.place(-17.4, 10, 80.5, -28.8, 11.1, 90.3, 2400) | robot.stepwalk(n) };
@@ -55,4 +72,15 @@ final class StickScript {
             """;
 
     private StickScript() {}
+
+    /**
+     * What runs at the start.
+     *
+     * @param devices whose bare names stand for their field val
+     */
+    static String program(List<String> devices) {
+        return devices.stream()
+                .map(device -> "alias " + device + " " + device + ".val;\n")
+                .collect(Collectors.joining("", "", PROGRAM));
+    }
 }

@@ -53,8 +53,13 @@ public final class Groups {
         copy.forEach((group, names) -> members.put(group, new LinkedHashSet<>(names)));
     }
 
-    /** The members that are no groups, in order; a group inside is replaced by its own. */
-    List<String> leaves(String group) {
+    /**
+     * The members that are no groups themselves; a group inside is replaced by its own members.
+     *
+     * @param group its name
+     * @return in order, each once; none if there is no such group
+     */
+    public List<String> leaves(String group) {
         Set<String> leaves = new LinkedHashSet<>();
         collect(group, leaves, new ArrayList<>());
         return List.copyOf(leaves);

@@ -25,7 +25,8 @@ public final class Stick {
     public Stick(String program, String client) {
         this.program = program;
         files.put("motion.u", program);
-        files.put("URBI.INI", "load(\"motion.u\");");
+        files.put("URBI.INI", "load(\"motion.u\"); load(\"custom.u\");");
+        files.put("custom.u", "// for scripts of one's own\n");
         files.put(CLIENT, client);
     }
 

@@ -23,6 +23,7 @@ public final class Variables {
 
     private final Map<String, Variable> all = new LinkedHashMap<>();
     private final Map<String, String> aliases = new HashMap<>();
+    private final Map<String, String> secondNames = new HashMap<>();
     private final Map<String, Variable> system = new LinkedHashMap<>();
     private final Groups groups;
     private final Objects objects;
@@ -93,18 +94,29 @@ public final class Variables {
                 .orElse(null);
     }
 
+    /**
+     * Makes a second name of a device: with any field it reaches that field of the device.
+     *
+     * @param name the second name, without a field
+     * @param device the first
+     */
+    public void rename(String name, String device) {
+        secondNames.put(name, device);
+    }
+
     String fullName(Context context, String written) {
-        String key = Objects.resolve(context, written);
+        String key = firstName(Objects.resolve(context, written));
         String alias = aliases.get(key);
         if (alias != null) {
             return alias;
         }
-        if (key.indexOf('.') >= 0) {
-            return key;
-        }
-        return all.containsKey(key + ".val")
-                ? key + ".val"
-                : context.connection().id() + "." + key;
+        return key.indexOf('.') >= 0 ? key : context.connection().id() + "." + key;
+    }
+
+    private String firstName(String key) {
+        int dot = key.indexOf('.');
+        String device = secondNames.get(dot < 0 ? key : key.substring(0, dot));
+        return device == null ? key : device + (dot < 0 ? "" : key.substring(dot));
     }
 
     /** Makes a name stand for another variable, or with null for itself again. */
