@@ -9,7 +9,7 @@ sealed interface Action extends Statement {
     record Evaluate(Expr expr) implements Action {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(expr), values -> Effects.reply(context, values.get(0)));
+            return Prepared.calling(context, List.of(expr), values -> Effects.reply(context, values.get(0)));
         }
     }
 

@@ -18,7 +18,7 @@ final class Assigning {
     private static Task single(Context context, Action.Assign assignment) {
         List<Expr> exprs = new ArrayList<>(List.of(assignment.value()));
         exprs.addAll(Modifiers.expressions(assignment.modifiers()));
-        return new Prepared(context, exprs, values -> assign(context, assignment, values));
+        return Prepared.calling(context, exprs, values -> assign(context, assignment, values));
     }
 
     private static boolean isLocal(Context context, Action.Assign assignment) {
@@ -34,11 +34,11 @@ final class Assigning {
         } else {
             modifiers = Modifiers.of(context, assignment.modifiers(), rest);
         }
-        if (isLocal(context, assignment) && context.frame() != null) {
-            context.frame().declare(assignment.target().text(), value);
+        context.kernel().variables().admit(value, context.kernel().pass());
+        if (isLocal(context, assignment)) {
+            context.kernel().variables().declare(context, assignment.target().text(), value);
             return null;
         }
-        context.kernel().variables().admit(value, context.kernel().pass());
         return write(context, assignment, value, modifiers);
     }
 

@@ -7,31 +7,25 @@ final class CallTask extends Task {
     /** So deep commands may be nested, calls and all, before a call is refused: a task's own nesting needs stack. */
     private static final int MAX_DEPTH = 300;
 
-    private final Expr.Call call;
     private final Task body;
     private final Frame frame;
 
-    private CallTask(Context context, Expr.Call call, Frame frame, Task body) {
+    private CallTask(Context context, Frame frame, Task body) {
         super(context);
-        this.call = call;
         this.frame = frame;
         this.body = body;
     }
 
     static CallTask of(Context context, Expr.Call call, Evaluator evaluator) throws Failure {
         Functions functions = context.kernel().functions();
-        Frame frame = new Frame(functions.owner(context, call.function()));
+        Frame frame = functions.frame(context, call.function());
         boolean allowed = context.kernel().budget().takeCall(context.kernel().pass());
         if (context.depth() > MAX_DEPTH || !allowed) {
             throw Failure.of("CPU Overload");
         }
         List<Value> arguments = evaluator.values(call.parts());
         Task body = functions.start(context, frame, call.function(), arguments);
-        return new CallTask(context, call, frame, body);
-    }
-
-    Expr.Call call() {
-        return call;
+        return new CallTask(context, frame, body);
     }
 
     Value result() {
@@ -46,6 +40,11 @@ final class CallTask extends Task {
             return true;
         }
         return ended;
+    }
+
+    @Override
+    protected void ended() {
+        context.kernel().variables().drop(frame);
     }
 
     @Override

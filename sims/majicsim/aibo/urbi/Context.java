@@ -1,7 +1,6 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -45,7 +44,7 @@ public record Context(Connection connection, @Nullable Frame frame, String tag, 
      * @throws Failure if there is none, or no number in it
      */
     public double number(String name) throws Failure {
-        return new Evaluator(this, Map.of()).variable(Name.of(name)).number();
+        return new Evaluator(this).variable(Name.of(name)).number();
     }
 
     double nowMs() {

@@ -31,7 +31,7 @@ final class ControlParser {
             case "timeout", "stopif", "freezeif" -> new Flow.Watched(word.text(), test("("), parser.tagged());
             case "at" -> new Flow.At(joined().test("("), parser.tagged(), otherwise("onleave"));
             case "whenever" -> new Flow.Whenever(joined().test("("), parser.tagged(), otherwise("else"));
-            case "function" -> definition();
+            case "function" -> definition(exprs.name());
             default -> throw SyntaxError.unexpected(word);
         };
     }
@@ -77,11 +77,14 @@ final class ControlParser {
         String variable = tokens.expect(TokenKind.IDENTIFIER).text();
         tokens.expect("in");
         Expr list = exprs.expr();
+        if (!tokens.at("{")) {
+            throw SyntaxError.unexpected(tokens.peek());
+        }
         return new Flow.Foreach(variable, list, parser.tagged());
     }
 
-    private Statement definition() throws SyntaxError {
-        Name function = exprs.name();
+    /** The parameters and the body behind a function's name. */
+    Statement definition(Name function) throws SyntaxError {
         tokens.expect("(");
         List<String> parameters = new ArrayList<>();
         while (!tokens.match(")")) {

@@ -1,5 +1,6 @@
 package majicsim.aibo.urbi;
 
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -9,6 +10,7 @@ import java.util.Map;
  */
 final class Course {
     private final Context context;
+    private final Map<Expr.Variable, Value> fixed = new IdentityHashMap<>();
     private final Action.Assign assignment;
     private final Variable variable;
     private final boolean swings;
@@ -30,6 +32,7 @@ final class Course {
         swings = modifiers.oscillates();
         List<Expr> exprs = Modifiers.expressions(assignment.modifiers());
         steady = (!swings || assignment.value().isConstant()) && exprs.stream().allMatch(Expr::isConstant);
+        renew(); // so that static variables keep the values of the start
     }
 
     Aim aim() {
@@ -57,6 +60,6 @@ final class Course {
     }
 
     private Evaluator evaluator() {
-        return new Evaluator(context, Map.of());
+        return new Evaluator(context, fixed);
     }
 }

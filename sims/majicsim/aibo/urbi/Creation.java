@@ -1,24 +1,23 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** {@code c = new C(…)}: the object inherits from the other, then its constructor {@code init} runs (URBI sheet, section 10). */
 final class Creation extends Task {
     private final String object;
-    private final Evaluation constructor;
+    private final CallTask constructor;
 
-    private Creation(Context context, String object, Expr.Call init) {
+    private Creation(Context context, String object, CallTask constructor) {
         super(context);
         this.object = object;
-        constructor = new Evaluation(context, init);
+        this.constructor = constructor;
     }
 
     /** Makes the object; gives its constructor's run, or null if there is none to call. */
     static @Nullable Task start(Context context, Definition.New creation, List<Value> arguments) throws Failure {
         Kernel kernel = context.kernel();
-        String object = new Evaluator(context, Map.of()).key(creation.object());
+        String object = new Evaluator(context).key(creation.object());
         kernel.objects().inherit(object, creation.parent());
         Name init = Name.of(object + ".init");
         boolean calls = kernel.functions().takesTime(context, init) || !arguments.isEmpty();
@@ -26,7 +25,14 @@ final class Creation extends Task {
             return null;
         }
         List<Expr> constants = arguments.stream().<Expr>map(Expr.Constant::new).toList();
-        return new Creation(context, object, new Expr.Call(init, constants));
+        try {
+            return new Creation(
+                    context, object, CallTask.of(context, new Expr.Call(init, constants), new Evaluator(context)));
+        } catch (Failure failure) {
+            context.report(failure);
+            fail(context, object);
+            return null;
+        }
     }
 
     @Override
@@ -34,11 +40,15 @@ final class Creation extends Task {
         if (!constructor.step()) {
             return false;
         }
-        if (constructor.value() == null || constructor.holds()) {
-            context.info("Error: Constructor failed, objet deleted");
-            context.kernel().objects().remove(object);
+        if (constructor.result().isTrue()) {
+            fail(context, object);
         }
         return true;
+    }
+
+    private static void fail(Context context, String object) {
+        context.info("Error: Constructor failed, objet deleted");
+        context.kernel().objects().remove(object);
     }
 
     @Override

@@ -46,10 +46,10 @@ sealed interface Definition extends Statement {
     }
 
     /** {@code event e}. */
-    record Event(Name name) implements Definition {
+    record Event(Name name, boolean hasParameters) implements Definition {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> Definitions.event(context, name));
+            return new Prepared(context, List.of(), values -> Definitions.event(context, this));
         }
     }
 

@@ -1,7 +1,6 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** What the commands that define names do (URBI sheet, section 10); each gives the task that goes on, or null. */
@@ -10,7 +9,7 @@ final class Definitions {
 
     static @Nullable Task declare(Context context, Name name) throws Failure {
         if (context.frame() != null && name.text().indexOf('.') < 0) {
-            context.frame().declare(name.text(), Value.VOID);
+            context.kernel().variables().declare(context, name.text(), Value.VOID);
         } else {
             context.kernel().variables().target(context, name, true);
         }
@@ -22,10 +21,11 @@ final class Definitions {
         return null;
     }
 
-    static @Nullable Task event(Context context, Name name) throws Failure {
+    /** An event without parameters is a variable without a value too, which hides it from a test of its bare name. */
+    static @Nullable Task event(Context context, Definition.Event event) throws Failure {
         Budget.checkNames(context.kernel().events().count());
-        context.kernel().events().declare(fullName(context, name));
-        return null;
+        context.kernel().events().declare(fullName(context, event.name()));
+        return event.hasParameters() ? null : declare(context, event.name());
     }
 
     static @Nullable Task classOf(Context context, Definition.ClassOf definition) throws Failure {
@@ -60,7 +60,7 @@ final class Definitions {
 
     static @Nullable Task undefine(Context context, Name name) throws Failure {
         Kernel kernel = context.kernel();
-        String key = new Evaluator(context, Map.of()).key(name);
+        String key = new Evaluator(context).key(name);
         String full = fullName(context, name);
         if (kernel.functions().remove(context, name)) {
             return null;
@@ -83,6 +83,6 @@ final class Definitions {
     }
 
     private static String fullName(Context context, Name name) throws Failure {
-        return context.kernel().variables().fullName(context, new Evaluator(context, Map.of()).key(name));
+        return context.kernel().variables().fullName(context, new Evaluator(context).key(name));
     }
 }

@@ -1,7 +1,6 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** What the commands that take no time do; each gives the task that goes on, or null. */
@@ -27,7 +26,7 @@ final class Effects {
         if (all != null) {
             return all;
         }
-        String load = new Evaluator(context, Map.of()).key(power.device()) + ".load";
+        String load = new Evaluator(context).key(power.device()) + ".load";
         Variable now = context.kernel().variables().find(context, load);
         boolean opposite = now == null || !now.read().isTrue();
         Value wanted = power.load() == null ? Value.of(opposite) : Value.of(power.load());
@@ -48,7 +47,7 @@ final class Effects {
     }
 
     static @Nullable Task emit(Context context, Flow.Emit emit, List<Value> values) throws Failure {
-        String key = new Evaluator(context, Map.of()).key(emit.event());
+        String key = new Evaluator(context).key(emit.event());
         boolean lasts = emit.durationMs() != null;
         double durationMs = lasts ? values.get(values.size() - 1).number() : 0;
         List<Value> arguments = values.subList(0, emit.arguments().size());
@@ -63,8 +62,7 @@ final class Effects {
         String audience = "";
         for (Modifier option : options) {
             if (option.name().equals("connection")) {
-                audience =
-                        option.value().value(new Evaluator(context, Map.of())).join();
+                audience = option.value().value(new Evaluator(context)).join();
             }
         }
         for (Connection connection : context.kernel().audience(context.connection(), audience)) {
@@ -74,11 +72,11 @@ final class Effects {
     }
 
     private static Variable variable(Context context, Name name) throws Failure {
-        String key = new Evaluator(context, Map.of()).key(name);
+        String key = new Evaluator(context).key(name);
         Variable variable = context.kernel().variables().find(context, key);
         if (variable == null) {
             throw Failure.of(
-                    "Unknown identifier: " + context.kernel().variables().fullName(context, key));
+                    "Unknown identifier: " + context.kernel().variables().wantedName(context, key));
         }
         return variable;
     }

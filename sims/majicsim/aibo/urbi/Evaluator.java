@@ -7,13 +7,20 @@ import org.jspecify.annotations.Nullable;
 
 /** Gives expressions their values on behalf of one command; all it changes are the names that take an event's arguments. */
 final class Evaluator {
-    private final Context context;
-    private final Map<Expr.Call, Value> results;
+    /** Stands before each index in the name of a variable. */
+    private static final String INDEX = "__";
 
-    /** @param results what the calls that take time have given */
-    Evaluator(Context context, Map<Expr.Call, Value> results) {
+    private final Context context;
+    private final @Nullable Map<Expr.Variable, Value> fixed;
+
+    Evaluator(Context context) {
+        this(context, null);
+    }
+
+    /** @param fixed the static variables that were read already, by identity; null if nothing is evaluated again */
+    Evaluator(Context context, @Nullable Map<Expr.Variable, Value> fixed) {
         this.context = context;
-        this.results = results;
+        this.fixed = fixed;
     }
 
     List<Value> values(List<Expr> exprs) throws Failure {
@@ -22,6 +29,19 @@ final class Evaluator {
             values.add(expr.value(this));
         }
         return values;
+    }
+
+    /** The value that a static variable had when the command read it first (URBI sheet, section 21). */
+    Value fixed(Expr.Variable expr) throws Failure {
+        Value known = fixed == null ? null : fixed.get(expr);
+        if (known != null) {
+            return known;
+        }
+        Value value = variable(expr.name());
+        if (fixed != null) {
+            fixed.put(expr, value);
+        }
+        return value;
     }
 
     Value variable(Name name) throws Failure {
@@ -35,13 +55,17 @@ final class Evaluator {
             if (kernel.objects().contains(key)) {
                 return new Value.Obj(kernel.variables().fields(key));
             }
+            Value.Items list = indexed(key);
+            if (list != null) {
+                return item(list, key);
+            }
         }
-        return suffixed(known(key, key), name.suffix());
+        return suffixed(known(key, Failure.of()), name.suffix());
     }
 
     Value property(Expr.Property property) throws Failure {
         String key = key(property.name());
-        return known(key, key).properties().read(property.property());
+        return known(key, Failure.inExpression()).properties().read(property.property());
     }
 
     Value items(Expr.Items list) throws Failure {
@@ -64,10 +88,6 @@ final class Evaluator {
     }
 
     Value call(Expr.Call call) throws Failure {
-        Value result = results.get(call);
-        if (result != null) {
-            return result;
-        }
         String event = context.kernel().variables().fullName(context, key(call.function()));
         if (context.kernel().events().isKnown(event)) {
             return Value.of(matches(context.kernel().events().current(event), call.parts()));
@@ -76,6 +96,9 @@ final class Evaluator {
         boolean asksOfName = function.equals("isdef") || function.equals("isvoid");
         if (asksOfName && call.parts().size() == 1 && call.parts().get(0) instanceof Expr.Variable variable) {
             return about(function, variable.name());
+        }
+        if (context.kernel().functions().takesTime(context, call.function())) {
+            throw Failure.inExpression("Custom function call in expressions not allowed in kernel 1");
         }
         return context.kernel().functions().builtIn(context, call.function(), values(call.parts()));
     }
@@ -87,7 +110,7 @@ final class Evaluator {
                 : name.computed().value(this).join();
         StringBuilder key = new StringBuilder(text);
         for (Value index : values(name.index())) {
-            key.append("__").append(index.join());
+            key.append(INDEX).append(index.join());
         }
         return key.toString();
     }
@@ -111,14 +134,32 @@ final class Evaluator {
     private Value about(String function, Name name) throws Failure {
         Variable variable = context.kernel().variables().find(context, key(name));
         boolean isVoid = variable == null || variable.read() instanceof Value.Void;
-        return Value.of(function.equals("isdef") ? variable != null : isVoid);
+        boolean isDefined = variable != null || context.kernel().functions().takesTime(context, name);
+        return Value.of(function.equals("isdef") ? isDefined : isVoid);
     }
 
-    private Variable known(String key, String shown) throws Failure {
+    /** The list that the last index of a name reaches into: to the kernel, {@code l[0]} is the name {@code l__0} first. */
+    private Value.@Nullable Items indexed(String key) {
+        int index = key.lastIndexOf(INDEX);
+        Variable variable = index < 1 ? null : context.kernel().variables().find(context, key.substring(0, index));
+        return variable != null && variable.read() instanceof Value.Items list ? list : null;
+    }
+
+    /** An index that is no number counts as 0. */
+    private static Value item(Value.Items list, String key) throws Failure {
+        String written = key.substring(key.lastIndexOf(INDEX) + INDEX.length());
+        int index = written.matches("-?\\d{1,9}") ? Integer.parseInt(written) : 0;
+        if (index < 0 || index >= list.items().size()) {
+            throw Failure.of("Index out of range");
+        }
+        return list.items().get(index);
+    }
+
+    private Variable known(String key, Failure rest) throws Failure {
         Variable variable = context.kernel().variables().find(context, key);
         if (variable == null) {
-            throw Failure.of(
-                    "Unknown identifier: " + context.kernel().variables().fullName(context, shown));
+            throw rest.after(
+                    "Unknown identifier: " + context.kernel().variables().wantedName(context, key));
         }
         return variable;
     }

@@ -30,8 +30,12 @@ sealed interface Expr {
         }
     }
 
-    /** A variable or a device's field. */
-    record Variable(Name name) implements Expr {
+    /** A variable or a device's field; a static one keeps the value with which a command read it first. */
+    record Variable(Name name, boolean isStatic) implements Expr {
+        Variable(Name name) {
+            this(name, false);
+        }
+
         @Override
         public boolean isConstant() {
             return false;
@@ -39,7 +43,7 @@ sealed interface Expr {
 
         @Override
         public Value value(Evaluator evaluator) throws Failure {
-            return evaluator.variable(name);
+            return isStatic ? evaluator.fixed(this) : evaluator.variable(name);
         }
 
         @Override

@@ -77,14 +77,17 @@ final class ExprParser {
         return binary(level + 1);
     }
 
+    /** {@code copy} takes what minus takes; values are never changed here, so the copy is the value itself. */
     private Expr negation() throws SyntaxError {
-        if (!tokens.match("-")) {
+        boolean copies = tokens.at("copy");
+        if (!copies && !tokens.at("-")) {
             return power();
         }
+        tokens.next();
         tokens.deeper();
         Expr operand = negation();
         tokens.shallower(1);
-        return new Expr.Unary("-", operand);
+        return copies ? operand : new Expr.Unary("-", operand);
     }
 
     private Expr power() throws SyntaxError {
@@ -127,6 +130,9 @@ final class ExprParser {
         }
         if (tokens.match("[")) {
             return new Expr.Items(list("]"));
+        }
+        if (tokens.match("static")) {
+            return new Expr.Variable(name(), true);
         }
         if (tokens.match("group")) {
             return new Expr.Members(tokens.expect(TokenKind.IDENTIFIER).text());

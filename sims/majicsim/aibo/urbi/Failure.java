@@ -32,6 +32,13 @@ public final class Failure extends Exception {
         return new Failure(List.of(lines));
     }
 
+    /** The same error with a line before. */
+    Failure after(String line) {
+        List<String> all = new ArrayList<>(List.of(line));
+        all.addAll(lines);
+        return new Failure(all);
+    }
+
     List<String> lines() {
         return lines;
     }

@@ -27,13 +27,25 @@ final class ForeachTask extends Task {
             if (item == null) {
                 return true;
             }
-            context.kernel().variables().assign(context, loop.variable(), item);
+            if (!assign(item)) {
+                return true;
+            }
             turn = loop.body().start(context);
         }
         if (turn.step()) {
             turn = null;
         }
         return context.isLeft() || (turn == null && items.isEmpty());
+    }
+
+    private boolean assign(Value item) {
+        try {
+            context.kernel().variables().assign(context, loop.variable(), item);
+            return true;
+        } catch (Failure failure) {
+            context.report(failure);
+            return false;
+        }
     }
 
     @Override

@@ -1,19 +1,29 @@
 package majicsim.aibo.urbi;
 
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** One call of a function: its local variables and what it returned. */
 final class Frame {
+    private final String scope;
     private final String self;
     private final Map<String, Variable> locals = new HashMap<>();
     private Value result = Value.VOID;
     private boolean returned;
 
-    /** @param self the object whose function is called, empty for a function of none */
-    Frame(String self) {
+    /**
+     * @param scope stands before the names of its variables, as a connection's name does before those of the connection
+     * @param self the object whose function is called, empty for a function of none
+     */
+    Frame(String scope, String self) {
+        this.scope = scope;
         this.self = self;
+    }
+
+    String scope() {
+        return scope;
     }
 
     String self() {
@@ -25,8 +35,12 @@ final class Frame {
         return locals.get(name);
     }
 
-    void declare(String name, Value value) {
-        locals.put(name, new Variable(name, value));
+    void add(String name, Variable variable) {
+        locals.put(name, variable);
+    }
+
+    Collection<Variable> locals() {
+        return locals.values();
     }
 
     void giveBack(Value value) {

@@ -39,6 +39,7 @@ public final class Functions {
     private final Map<String, BuiltIn> builtIns = new HashMap<>();
     private final Map<String, Entry> lasting = new HashMap<>();
     private final Objects objects;
+    private long framesMade;
 
     Functions(Objects objects) {
         this.objects = objects;
@@ -73,9 +74,8 @@ public final class Functions {
         Budget.checkNames(lasting.size());
         List<String> parameters = definition.parameters();
         Lasting body = (call, arguments) -> {
-            Frame frame = java.util.Objects.requireNonNull(call.frame());
             for (int i = 0; i < parameters.size(); i++) {
-                frame.declare(parameters.get(i), arguments.get(i));
+                call.kernel().variables().declare(call, parameters.get(i), arguments.get(i));
             }
             return definition.body().start(call.inner(Parser.NO_TAG));
         };
@@ -100,11 +100,11 @@ public final class Functions {
         return find(context, function) != null;
     }
 
-    /** The object whose function that is, or empty. */
-    String owner(Context context, Name function) {
+    /** The frame of a new call; it belongs to the object whose function that is, or to none. */
+    Frame frame(Context context, Name function) {
         String name = fullName(context, function.text());
         String object = name.substring(0, Math.max(0, name.indexOf('.')));
-        return objects.contains(object) ? object : "";
+        return new Frame("__UFnct" + ++framesMade, objects.contains(object) ? object : "");
     }
 
     /** The name under which a function is looked up. */

@@ -45,10 +45,17 @@ final class InstructionParser {
         if (SYSTEM_WORDS.contains(tokens.peek().text()) && atEnd(1)) {
             return new Action.Command(tokens.next().text());
         }
-        if (REACHING_WORDS.contains(tokens.peek().text()) && tokens.peek(1).is(TokenKind.IDENTIFIER)) {
+        if (REACHING_WORDS.contains(tokens.peek().text()) && tokens.atName(1)) {
             return new Action.Reach(tokens.next().text(), tokens.next().text());
         }
+        return expression();
+    }
+
+    private Statement expression() throws SyntaxError {
         Expr expr = exprs.expr();
+        if (expr instanceof Expr.Variable variable && variable.isStatic() && !tokens.at("=")) {
+            return new Action.Evaluate(expr);
+        }
         if (expr instanceof Expr.Variable variable) {
             return named(variable.name());
         }
@@ -75,6 +82,8 @@ final class InstructionParser {
         }
         return switch (word) {
             case "var" -> declaration();
+            case "def" -> oldDefinition();
+            case "copy", "static" -> expression();
             case "echo" -> echo();
             case "stop", "freeze", "unfreeze", "block", "unblock" -> control();
             case "group", "addgroup", "delgroup" -> grouping();
@@ -117,6 +126,13 @@ final class InstructionParser {
         return tokens.match("=")
                 ? new Action.Assign(name, exprs.expr(), modifiers(), true)
                 : new Definition.Declare(name);
+    }
+
+    /** {@code def x} is an older form of {@code var x}, and {@code def f(x) {…}} of a function's definition. */
+    private Statement oldDefinition() throws SyntaxError {
+        tokens.next();
+        Name name = exprs.name();
+        return tokens.at("(") ? controls.definition(name) : new Definition.Declare(name);
     }
 
     private Statement echo() throws SyntaxError {

@@ -177,6 +177,7 @@ public final class Kernel {
     public void connect(Line line) {
         Connection connection = new Connection(this, newId(), line);
         connections.add(connection);
+        variables.putSystem(new Variable(connection.id() + ".connectionID", Value.of(connection.id())));
         for (String text : Banner.lines()) {
             connection.send("start", text.isEmpty() ? "***" : "*** " + text);
         }

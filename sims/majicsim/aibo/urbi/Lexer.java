@@ -52,6 +52,7 @@ final class Lexer {
             "noop",
             "onleave",
             "return",
+            "static",
             "stop",
             "stopif",
             "timeout",

@@ -1,13 +1,11 @@
 package majicsim.aibo.urbi;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** A while loop. Each turn costs a cycle (URBI sheet, section 8), so no program can hold the kernel up. */
 final class LoopTask extends Task {
     private final Flow.While loop;
-    private @Nullable Evaluation test;
     private @Nullable Task turn;
 
     LoopTask(Context context, Flow.While loop) {
@@ -18,15 +16,9 @@ final class LoopTask extends Task {
     @Override
     protected boolean advance() {
         if (turn == null) {
-            Evaluation due = test == null ? new Evaluation(context, loop.test()) : test;
-            test = due;
-            if (!due.step()) {
-                return false;
-            }
-            if (!due.holds()) {
+            if (!holds()) {
                 return true;
             }
-            test = null;
             turn = loop.step() == null ? loop.body().start(context) : new ThenTask(context, loop.body(), loop.step());
         }
         if (turn.step()) {
@@ -37,13 +29,15 @@ final class LoopTask extends Task {
 
     @Override
     protected List<Task> parts() {
-        List<Task> parts = new ArrayList<>();
-        if (test != null) {
-            parts.add(test);
+        return turn == null ? List.of() : List.of(turn);
+    }
+
+    private boolean holds() {
+        try {
+            return loop.test().value(new Evaluator(context)).isTrue();
+        } catch (Failure failure) {
+            context.report(failure);
+            return false;
         }
-        if (turn != null) {
-            parts.add(turn);
-        }
-        return parts;
     }
 }

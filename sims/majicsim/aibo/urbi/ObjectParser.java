@@ -58,10 +58,7 @@ final class ObjectParser {
     Statement event() throws SyntaxError {
         tokens.next();
         Name name = exprs.name();
-        if (tokens.at("(")) {
-            exprs.arguments();
-        }
-        return new Definition.Event(name);
+        return new Definition.Event(name, tokens.at("(") && !exprs.arguments().isEmpty());
     }
 
     Statement emission() throws SyntaxError {

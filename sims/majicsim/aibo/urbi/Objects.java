@@ -10,6 +10,7 @@ import java.util.Set;
 /** The classes and objects of programs, which the kernel does not tell apart: each may inherit from others (URBI sheet, section 10). */
 final class Objects {
     private static final String SELF = "self.";
+    private static final String LOCAL = "local.";
 
     private final Map<String, Set<String>> parents = new LinkedHashMap<>();
 
@@ -57,8 +58,11 @@ final class Objects {
                 .toList();
     }
 
-    /** A name as written inside a function of an object, with the object's own name for {@code self}. */
+    /** A name as written, with the connection's own name for {@code local} and that of the object that runs for {@code self}. */
     static String resolve(Context context, String name) {
+        if (name.startsWith(LOCAL)) {
+            return context.connection().id() + name.substring(LOCAL.length() - 1);
+        }
         Frame frame = context.frame();
         boolean own = frame != null && !frame.self().isEmpty() && name.startsWith(SELF);
         return own && frame != null ? frame.self() + name.substring(SELF.length() - 1) : name;

@@ -13,14 +13,29 @@ final class Prepared extends Task {
         Task with(List<Value> values) throws Failure;
     }
 
-    private final List<Evaluation> evaluations;
+    private final List<Expr> exprs;
+    private final boolean calls;
     private final Continuation continuation;
+    private @Nullable CallTask call;
     private @Nullable Task rest;
 
     Prepared(Context context, List<Expr> exprs, Continuation continuation) {
+        this(context, exprs, false, continuation);
+    }
+
+    private Prepared(Context context, List<Expr> exprs, boolean calls, Continuation continuation) {
         super(context);
-        evaluations = exprs.stream().map(expr -> new Evaluation(context, expr)).toList();
+        this.exprs = exprs;
+        this.calls = calls;
         this.continuation = continuation;
+    }
+
+    /**
+     * A command whose first expression may be the call of a custom function, which runs first. Everywhere else in an expression the
+     * kernel refuses such a call (URBI sheet, section 21).
+     */
+    static Prepared calling(Context context, List<Expr> exprs, Continuation continuation) {
+        return new Prepared(context, exprs, true, continuation);
     }
 
     @Override
@@ -28,23 +43,20 @@ final class Prepared extends Task {
         if (rest != null) {
             return rest.step();
         }
-        List<Value> values = new ArrayList<>();
-        for (Evaluation evaluation : evaluations) {
-            if (!evaluation.step()) {
-                return false;
-            }
-            Value value = evaluation.value();
-            if (value == null) {
-                return true;
-            }
-            values.add(value);
+        try {
+            return mayGoOn() && goOn();
+        } catch (Failure failure) {
+            context.report(failure);
+            return true;
         }
-        return isOver() || goOn(values);
     }
 
     @Override
     protected List<Task> parts() {
-        List<Task> parts = new ArrayList<>(evaluations);
+        List<Task> parts = new ArrayList<>();
+        if (call != null) {
+            parts.add(call);
+        }
         if (rest != null) {
             parts.add(rest);
         }
@@ -56,14 +68,28 @@ final class Prepared extends Task {
         return rest != null && rest.isReplaced();
     }
 
-    private boolean goOn(List<Value> values) {
-        try {
-            Task next = continuation.with(values);
-            rest = next;
-            return next == null || next.step();
-        } catch (Failure failure) {
-            context.report(failure);
+    /** Whether no function has to run first, or it has ended. */
+    private boolean mayGoOn() throws Failure {
+        if (call == null
+                && calls
+                && exprs.get(0) instanceof Expr.Call first
+                && context.kernel().functions().takesTime(context, first.function())) {
+            call = CallTask.of(context, first, new Evaluator(context));
+        }
+        return call == null || call.step();
+    }
+
+    private boolean goOn() throws Failure {
+        if (isOver()) {
             return true;
         }
+        Evaluator evaluator = new Evaluator(context);
+        List<Value> values = new ArrayList<>();
+        for (Expr expr : exprs) {
+            values.add(call != null && values.isEmpty() ? call.result() : expr.value(evaluator));
+        }
+        Task next = continuation.with(values);
+        rest = next;
+        return next == null || next.step();
     }
 }

@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 
 /** The properties of a variable, such as {@code x.val->rangemin} (URBI sheet, section 5). */
 final class Properties {
@@ -31,17 +30,22 @@ final class Properties {
         });
     }
 
-    private static Task single(Context context, Action.AssignProperty assignment) {
-        if (assignment.property().equals("blend")
-                && assignment.value() instanceof Expr.Variable word
-                && Blend.named(word.name().text()) != null) {
-            Value name = Value.of(word.name().text());
-            return new Prepared(context, List.of(), values -> assign(context, assignment, name));
+    private static Task single(Context context, Action.AssignProperty assignment) throws Failure {
+        Variables variables = context.kernel().variables();
+        String key = new Evaluator(context).key(assignment.target());
+        Variable variable = variables.find(context, key);
+        if (variable == null) {
+            throw Failure.of("Variable " + variables.wantedName(context, key) + " does not exist");
         }
-        if (assignment.property().equals("blend") && assignment.value() instanceof Expr.Variable word) {
-            return new Prepared(context, List.of(), values -> refuseBlend(context, word.name()));
+        String property = assignment.property();
+        if (property.equals("blend") && assignment.value() instanceof Expr.Variable word) {
+            variable.properties().write(property, blendMode(context, word.name()));
+            return Task.done(context);
         }
-        return new Prepared(context, List.of(assignment.value()), values -> assign(context, assignment, values.get(0)));
+        return new Prepared(context, List.of(assignment.value()), values -> {
+            variable.properties().write(property, values.get(0));
+            return null;
+        });
     }
 
     Value read(String property) throws Failure {
@@ -106,17 +110,12 @@ final class Properties {
         return Objects.requireNonNull(numbers.get(property), property);
     }
 
-    private static @Nullable Task refuseBlend(Context context, Name word) throws Failure {
-        String name = context.kernel().variables().fullName(context, word.text());
-        throw Failure.of("Unknown identifier: " + name, "Invalid blend mode.");
-    }
-
-    private static @Nullable Task assign(Context context, Action.AssignProperty assignment, Value value)
-            throws Failure {
-        Variables variables = context.kernel().variables();
-        Variable variable = variables.target(context, assignment.target(), !variables.isStrict());
-        variable.properties().write(assignment.property(), value);
-        return null;
+    private static Value blendMode(Context context, Name word) throws Failure {
+        if (Blend.named(word.text()) == null) {
+            String name = context.kernel().variables().wantedName(context, word.text());
+            throw Failure.of("Unknown identifier: " + name, "Invalid blend mode.");
+        }
+        return Value.of(word.text());
     }
 
     private void write(String property, Value value) throws Failure {

@@ -50,7 +50,7 @@ final class SystemCommands {
     /** {@code disconnect} and {@code killall}: they close or clear another connection. */
     static @Nullable Task reach(Context context, Action.Reach reach) throws Failure {
         Connection other = context.kernel()
-                .audience(context.connection(), reach.connection())
+                .audience(context.connection(), named(context, reach.connection()))
                 .get(0);
         if (reach.word().equals("killall")) {
             other.stream().clear();
@@ -58,6 +58,13 @@ final class SystemCommands {
             other.quit();
         }
         return null;
+    }
+
+    /** The name of a connection as written, or what a shared variable of that name says. */
+    private static String named(Context context, String written) {
+        Variable variable =
+                written.indexOf('.') < 0 ? null : context.kernel().variables().find(context, written);
+        return variable == null ? written : variable.read().join();
     }
 
     private static void stopAll(Context context) {

@@ -1,12 +1,15 @@
 package majicsim.aibo.urbi;
 
-import java.util.List;
-import org.jspecify.annotations.Nullable;
+import java.util.IdentityHashMap;
+import java.util.Map;
 
-/** A test that is made anew each cycle; it never ends. A soft test counts only when it has held for its time. */
+/**
+ * A test that is made anew each cycle; it never ends. A soft test counts only when it has held for its time. An error gives no
+ * message: it would come each cycle.
+ */
 final class TestTask extends Task {
     private final Expr test;
-    private @Nullable Evaluation evaluation;
+    private final Map<Expr.Variable, Value> fixed = new IdentityHashMap<>();
     private double trueSinceMs = Double.NaN;
     private boolean holds;
 
@@ -23,13 +26,7 @@ final class TestTask extends Task {
 
     @Override
     protected boolean advance() {
-        Evaluation due = evaluation == null ? new Evaluation(context, test, true) : evaluation;
-        if (!due.step()) {
-            evaluation = due;
-            return false;
-        }
-        evaluation = null;
-        boolean now = due.holds();
+        boolean now = value(test).isTrue();
         if (!now) {
             trueSinceMs = Double.NaN;
         } else if (Double.isNaN(trueSinceMs)) {
@@ -39,17 +36,15 @@ final class TestTask extends Task {
         return false;
     }
 
-    @Override
-    protected List<Task> parts() {
-        return evaluation == null ? List.of() : List.of(evaluation);
+    private Value value(Expr expr) {
+        try {
+            return expr.value(new Evaluator(context, fixed));
+        } catch (Failure failure) {
+            return Value.VOID;
+        }
     }
 
     private double holdMs() {
-        if (!(test instanceof Expr.Soft soft)) {
-            return 0;
-        }
-        Evaluation hold = new Evaluation(context, soft.holdMs(), true);
-        hold.step();
-        return hold.value() instanceof Value.Num ms ? ms.number() : 0;
+        return test instanceof Expr.Soft soft && value(soft.holdMs()) instanceof Value.Num ms ? ms.number() : 0;
     }
 }

@@ -65,7 +65,11 @@ final class TokenStream {
     }
 
     boolean atName() {
-        return peek().is(TokenKind.IDENTIFIER) || peek().is(TokenKind.STRUCTURED);
+        return atName(0);
+    }
+
+    boolean atName(int ahead) {
+        return peek(ahead).is(TokenKind.IDENTIFIER) || peek(ahead).is(TokenKind.STRUCTURED);
     }
 
     boolean isFirst() {

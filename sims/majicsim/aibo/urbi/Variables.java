@@ -46,6 +46,13 @@ public final class Variables {
         return system.containsKey(name);
     }
 
+    /** Adds a variable that {@link #forget} leaves. */
+    void putSystem(Variable variable) {
+        variable.keep();
+        system.put(variable.name(), variable);
+        put(variable);
+    }
+
     /** Goes back to what the system has. */
     void forget() {
         all.clear();
@@ -119,6 +126,36 @@ public final class Variables {
         return device == null ? key : device + (dot < 0 ? "" : key.substring(dot));
     }
 
+    /** The name under which a variable is made that is not there: a bare name in a function is the function's own. */
+    String wantedName(Context context, String written) {
+        Frame frame = context.frame();
+        return frame != null && isOwn(context, written) ? frame.scope() + "." + written : fullName(context, written);
+    }
+
+    private boolean isOwn(Context context, String written) {
+        return fullName(context, written).startsWith(context.connection().id() + ".") && written.indexOf('.') < 0;
+    }
+
+    /** Makes a local variable of the function that runs, in place of one of the same name. */
+    void declare(Context context, String name, Value value) throws Failure {
+        Frame frame = java.util.Objects.requireNonNull(context.frame());
+        checkCount();
+        Variable variable = new Variable(frame.scope() + "." + name, value);
+        put(variable);
+        frame.add(name, variable);
+    }
+
+    /** Forgets the variables of a call that has ended. */
+    void drop(Frame frame) {
+        frame.locals().forEach(variable -> all.remove(variable.name()));
+    }
+
+    private void checkCount() throws Failure {
+        if (all.size() >= MAX_COUNT) {
+            throw Failure.of(Budget.OUT_OF_MEMORY);
+        }
+    }
+
     /** Makes a name stand for another variable, or with null for itself again. */
     void alias(String name, @Nullable String meaning) {
         if (meaning == null) {
@@ -136,13 +173,14 @@ public final class Variables {
             return found;
         }
         if (!make) {
-            throw Failure.of("Unknown identifier: " + fullName(context, key));
+            throw Failure.of("Unknown identifier: " + wantedName(context, key));
         }
-        if (all.size() >= MAX_COUNT) {
-            throw Failure.of(Budget.OUT_OF_MEMORY);
-        }
-        Variable made = new Variable(fullName(context, key), Value.VOID);
+        checkCount();
+        Variable made = new Variable(wantedName(context, key), Value.VOID);
         put(made);
+        if (context.frame() != null && isOwn(context, key)) {
+            context.frame().add(key, made);
+        }
         return made;
     }
 
@@ -163,13 +201,9 @@ public final class Variables {
         }
     }
 
-    void assign(Context context, String key, Value value) {
+    void assign(Context context, String key, Value value) throws Failure {
         Variable found = find(context, key);
-        if (found == null) {
-            put(new Variable(fullName(context, key), value));
-        } else {
-            found.write(value);
-        }
+        (found == null ? obtain(context, key, true) : found).write(value);
     }
 
     /**
@@ -178,13 +212,13 @@ public final class Variables {
      * @param make whether it may be made if it is not there; else it is an error that it is not
      */
     Variable target(Context context, Name name, boolean make) throws Failure {
-        return obtain(context, new Evaluator(context, Map.of()).key(name), make);
+        return obtain(context, new Evaluator(context).key(name), make);
     }
 
     /** The members that a name reaches if it is a group's, with its field and suffix; null for any other name. */
     @Nullable
     List<Name> members(Context context, Name name) throws Failure {
-        String key = new Evaluator(context, Map.of()).key(name);
+        String key = new Evaluator(context).key(name);
         int dot = key.indexOf('.');
         String head = dot < 0 ? key : key.substring(0, dot);
         String field = dot < 0 ? "" : key.substring(dot);
@@ -219,5 +253,6 @@ public final class Variables {
 
     void removeAllOf(String connectionId) {
         all.keySet().removeIf(name -> name.startsWith(connectionId + "."));
+        system.keySet().removeIf(name -> name.startsWith(connectionId + "."));
     }
 }

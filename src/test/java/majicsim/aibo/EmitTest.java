@@ -12,10 +12,25 @@ class EmitTest {
 
     @Test
     void aHandlerRunsOnceForEachEvent() {
-        client.say("event e; at (e) echo \"seen\",");
+        client.say("at (e) echo \"seen\",");
 
         assertThat(client.ask("emit e; emit e;")).containsExactly("[notag] *** seen", "[notag] *** seen");
         assertThat(client.ask("")).isEmpty();
+    }
+
+    @Test
+    void anEventThatWasDeclaredIsNotSeenByItsBareName() {
+        client.say("event e; at (e) echo \"bare\", at (e()) echo \"brackets\",");
+
+        assertThat(client.ask("emit e;")).containsExactly("[notag] *** brackets");
+        assertThat(client.ask("e;")).isEmpty();
+    }
+
+    @Test
+    void anEventThatWasDeclaredWithParametersIsSeen() {
+        client.say("event e(x); at (e(x)) x,");
+
+        assertThat(client.ask("emit e(4);")).containsExactly("[notag] 4.000000");
     }
 
     @Test
@@ -40,7 +55,7 @@ class EmitTest {
 
     @Test
     void aBareNameIsAnEventOfItsConnectionAlone() {
-        client.say("event e; at (e) echo \"A\",");
+        client.say("at (e) echo \"A\",");
 
         other.say("emit e;");
 
@@ -49,7 +64,7 @@ class EmitTest {
 
     @Test
     void anEventCanLast() {
-        client.say("event e; whenever (e) { now: 1; wait(90) },");
+        client.say("whenever (e) { now: 1; wait(90) },");
 
         assertThat(client.ask("emit(300) e;", 700)).hasSizeBetween(3, 4).containsOnly("[now] 1.000000");
     }

@@ -61,6 +61,21 @@ class SystemCommandTest {
     }
 
     @Test
+    void aConnectionReadsItsOwnNameAndClosesItselfByIt() {
+        String name = '"' + name(client) + '"';
+        client.say("function f() { return local.connectionID };");
+
+        assertThat(client.ask("connectionID; local.connectionID; f();"))
+                .containsExactly("[notag] " + name, "[notag] " + name, "[notag] " + name);
+
+        client.say("disconnect local.connectionID;");
+
+        assertThat(client.isOpen()).isFalse();
+        assertThat(other.ask("disconnect majic.connectionID;"))
+                .containsExactly("[notag] !!! majic.connectionID: no such connection");
+    }
+
+    @Test
     void aCommandCanRunInOtherConnections() {
         client.say("x = 1;");
         other.say("x = 2;");
@@ -82,7 +97,11 @@ class SystemCommandTest {
                 .doesNotContain("[notag] *** headPan.val = 0");
         assertThat(client.ask("vars;")).contains("[notag] *** headPan.val = 0");
         assertThat(client.ask("group;")).contains("[notag] *** g = {headPan,tail}");
-        assertThat(client.ask("alias;")).containsExactly("[notag] ***                        hp -> headPan.val");
+        assertThat(client.ask("alias;"))
+                .hasSize(66)
+                .contains(
+                        "[notag] ***                        hp -> headPan.val",
+                        "[notag] ***                   headPan -> headPan.val");
         assertThat(client.ask("def;")).contains("[notag] *** robot.walk : 1 param(s)");
         assertThat(client.ask("commands;")).contains("[notag] *** Tag:[poll]");
     }
