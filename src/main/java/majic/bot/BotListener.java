@@ -1,9 +1,13 @@
 package majic.bot;
 
-/** Hears of a robot. Called on the driver's own threads: be quick, and cross over to another thread for anything slow. */
+/**
+ * Is called with news of a robot: one event after the other, on the robot's listener thread or on a thread that commands
+ * it. A listener that blocks holds up the robot's other listeners and perhaps the command that caused the event, but no
+ * stop and nothing the robot reports. Asking the robot for what it does not report by itself may give {@code unknown}.
+ */
 public interface BotListener {
     /**
-     * New readings arrived.
+     * New readings arrived. Of several that come faster than they are taken, the newest is told.
      *
      * @param bot whose
      * @param state what it shares with all robots; ask the robot for the rest

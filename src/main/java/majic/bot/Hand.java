@@ -118,6 +118,7 @@ public final class Hand implements AutoCloseable {
     /** Ends in a stand however it ends; the lease is gone before, so that nothing more is driven after a stop. */
     private void run() {
         BotControl robot = member.bot().control(lease);
+        @Nullable BotException problem = null;
         try {
             while (!released) {
                 wanted.await(this::hasWork, Signal.FOR_EVER);
@@ -129,24 +130,24 @@ public final class Hand implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } catch (BotException e) {
-            if (!(e instanceof MotionStopped)) {
-                member.complain(e);
-            }
+            problem = e;
         } finally {
             release();
-            letGo(robot);
-        }
-    }
-
-    private void letGo(BotControl robot) {
-        try {
-            robot.drive(0, 0);
-        } catch (BotException e) {
-            Team.LOG.log(System.Logger.Level.DEBUG, "a hand could not let robot " + member.number() + " stand", e);
-        } finally {
+            stand(robot);
+            if (problem != null && !(problem instanceof MotionStopped)) {
+                member.complain(problem);
+            }
             member.free(owner);
             off = true;
             member.tellByHand(done.end());
+        }
+    }
+
+    private void stand(BotControl robot) {
+        try {
+            robot.drive(0, 0);
+        } catch (RuntimeException | Error e) {
+            Team.LOG.log(System.Logger.Level.DEBUG, "a hand could not let robot " + member.number() + " stand", e);
         }
     }
 

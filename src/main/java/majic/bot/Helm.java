@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Who moves one robot, and when: motions one after the other, drives that lapse, and the stop that overtakes both. All
- * that moves the robot is sent under one lock, together with a look at the permit. Thread-safe.
+ * that moves the robot is sent under one lock, together with a look at the permit. A thread that holds it must not wait,
+ * least of all for a listener. Thread-safe.
  */
 final class Helm {
     private static final Logger LOG = System.getLogger(Helm.class.getName());
@@ -52,16 +53,18 @@ final class Helm {
     }
 
     /**
-     * Does a whole motion; whatever ends it before its time, the robot is told to stand. Who hears that the link is lost
-     * may connect again at once, though the reader may not have seen the end of it yet.
+     * Does a whole motion; whatever ends it before its time, the robot is told to stand: here, unless the robot's own
+     * permit was revoked, for what revokes that writes a stop at once. A lease that is revoked alone brings none. Who
+     * hears that the link is lost may connect again at once, though the reader may not have seen the end of it yet.
      */
     MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
         bot.requireConnected();
+        Permit own = permits.current();
         begin(permit);
+        Motion motion = new Motion(bot, until, permit);
         try {
             endDrive();
             return watching(until, () -> {
-                Motion motion = new Motion(bot, until, permit);
                 motion.check();
                 Value amount = maneuver.run(motion);
                 return new MotionReport(amount, motion.seconds());
@@ -73,7 +76,9 @@ final class Helm {
             }
             throw e;
         } catch (RuntimeException | Error e) {
-            haltAfter(permit);
+            if (!permit.isRevoked() || (motion.hasSent() && !own.isRevoked())) {
+                haltIfConnected();
+            }
             throw e;
         } finally {
             motionUnderWay.set(false);
@@ -84,12 +89,11 @@ final class Helm {
     /** Lets the news of all robots that the guard asks wake the motion. */
     private MotionReport watching(Guard until, Supplier<MotionReport> motion) {
         List<MajicBot> others = until.alsoWatches();
-        BotListener relay = bot.readingsRelay();
-        others.forEach(other -> other.addListener(relay));
+        others.forEach(bot::watch);
         try {
             return motion.get();
         } finally {
-            others.forEach(other -> other.removeListener(relay));
+            others.forEach(bot::unwatch);
         }
     }
 
@@ -106,14 +110,10 @@ final class Helm {
         }
     }
 
-    /** Who revoked the permit has sent a stop already. */
-    private void haltAfter(Permit permit) {
-        if (permit.isRevoked() || !bot.isConnected()) {
-            return;
-        }
+    private void haltIfConnected() {
         try {
-            synchronized (commandLock) {
-                bot.halt();
+            if (bot.isConnected()) {
+                locked(bot::halt);
             }
         } catch (BotException e) {
             LOG.log(Level.DEBUG, "could not halt " + bot.name(), e);
@@ -162,34 +162,39 @@ final class Helm {
 
     /** Lets the robot stand if somebody drives it, as for a motion, which may find that it has nothing to do. */
     private void endDrive() {
-        synchronized (commandLock) {
+        locked(() -> {
             if (driving) {
                 driving = false;
                 bot.halt();
             }
-        }
+        });
     }
 
     /** Sends what moves the robot. */
     void send(Permit permit, Runnable write) {
-        synchronized (commandLock) {
+        locked(() -> {
             permit.check();
             bot.requireConnected();
             write.run();
+        });
+    }
+
+    private void locked(Runnable sending) {
+        synchronized (commandLock) {
+            Patience.without(sending);
         }
     }
 
     /**
-     * Tells the robot to stand and waits until it has confirmed it. The early stop waits for nobody; the ordinary one
-     * queues for the lock and so comes behind whatever was being sent under a permit that has been revoked meanwhile.
+     * Tells the robot to stand. The early stop waits for nothing; the ordinary one queues for the lock and so comes
+     * behind whatever was being sent under a permit that has been revoked meanwhile.
      */
-    void sendStop() {
-        haltAhead();
-        synchronized (commandLock) {
+    void writeStop() {
+        Patience.without(this::haltAhead);
+        locked(() -> {
             driving = false;
             bot.halt();
-        }
-        bot.confirmHalt();
+        });
     }
 
     /**
@@ -200,14 +205,14 @@ final class Helm {
      */
     void end(boolean connected) {
         if (connected) {
-            haltAhead();
+            Patience.without(this::haltAhead);
         }
-        synchronized (commandLock) {
+        locked(() -> {
             driving = false;
             if (connected) {
                 haltQuietly();
             }
-        }
+        });
     }
 
     private void haltQuietly() {

@@ -6,22 +6,60 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 
 /**
- * Who is told of a robot; one that fails does not keep the others from hearing. What the robot says before anybody
- * listens, as a warning while it is connected, is kept for the first who does. Thread-safe.
+ * The listeners of one robot; one that fails does not keep the others from being called. Events are delivered in their
+ * order. A thread that must not wait, such as a reader or one that holds a command lock, hands its events over to a
+ * thread of their own, so a listener that blocks holds up no byte to or from the robot. Notices given while there is no
+ * listener, as during connecting, are kept for the first. Thread-safe.
  */
 final class Listeners {
     private static final Logger LOG = System.getLogger(Listeners.class.getName());
     private static final int MOST_KEPT = 10;
 
+    /** How long a thread that may wait gives another one to deliver its notice, seconds; longer only if a listener blocks. */
+    private static final double NOTICE_S = 0.1;
+
     private final MajicBot bot;
     private final List<BotListener> all = new CopyOnWriteArrayList<>();
     private final Deque<String> unheard = new ArrayDeque<>();
+    private final OrderedEvents events = new OrderedEvents();
+    private final AtomicBoolean stateIsUntold = new AtomicBoolean();
+    private final Signal changed;
+    private volatile boolean closed;
 
-    Listeners(MajicBot bot) {
+    Listeners(MajicBot bot, TimeSource time) {
         this.bot = bot;
+        this.changed = time.signal();
+    }
+
+    /** Starts the thread that delivers what others must not wait for. It ends after {@link #close()}. */
+    void start(TimeSource time, String name) {
+        time.thread(name + " listeners", () -> Patience.without(this::run)).start();
+    }
+
+    private void run() {
+        try {
+            while (!isOver()) {
+                changed.await(() -> isOver() || events.areDue(), Signal.FOR_EVER);
+                events.deliver();
+                changed.raise();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private boolean isOver() {
+        return closed && events.isEmpty();
+    }
+
+    /** Lets the thread end once all has been delivered. */
+    void close() {
+        closed = true;
+        changed.raise();
     }
 
     void add(BotListener listener) {
@@ -46,7 +84,9 @@ final class Listeners {
                 return;
             }
         }
-        tell(listener -> listener.notice(bot, message));
+        long number = put(listener -> listener.notice(bot, message));
+        deliver();
+        awaitDelivery(number);
     }
 
     private void keep(String message) {
@@ -56,7 +96,48 @@ final class Listeners {
         unheard.addLast(message);
     }
 
-    void tell(Consumer<BotListener> news) {
+    /** New readings: of several that come faster than the listeners take them, they get the newest. */
+    void stateChanged() {
+        if (stateIsUntold.compareAndSet(false, true)) {
+            events.put(() -> {
+                stateIsUntold.set(false);
+                BotState newest = bot.state();
+                tell(listener -> listener.stateChanged(bot, newest));
+            });
+        }
+        deliver();
+    }
+
+    /** Takes note of another state of the connection, to be told by {@link #deliver()}. */
+    void connectionChanged(MajicBot.Connection now) {
+        put(listener -> listener.connectionChanged(bot, now));
+    }
+
+    private long put(Consumer<BotListener> event) {
+        return events.put(() -> tell(event));
+    }
+
+    /** Delivers what was put, on this thread if it may wait. */
+    void deliver() {
+        if (Patience.isAllowed()) {
+            events.deliver();
+        }
+        changed.raise();
+    }
+
+    /** Keeps the notice ahead of what this thread says next, such as the answer to a command. */
+    private void awaitDelivery(long number) {
+        if (!Patience.isAllowed()) {
+            return;
+        }
+        try {
+            changed.await(() -> events.isDelivered(number), NOTICE_S);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void tell(Consumer<BotListener> news) {
         all.forEach(listener -> tell(listener, news));
     }
 

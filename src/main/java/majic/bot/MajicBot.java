@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
-import java.util.function.Consumer;
 import javax.swing.JComponent;
 import org.jspecify.annotations.Nullable;
 
@@ -25,9 +24,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     private final BotEnvironment environment;
     private final ParameterTable parameters = new ParameterTable();
     private final List<BotCommand> commands = new CopyOnWriteArrayList<>();
-    private final Listeners listeners = new Listeners(this);
-    private final ConnectionLife life =
-            new ConnectionLife(now -> tell(listener -> listener.connectionChanged(this, now)));
+    private final Listeners listeners;
+    private final ConnectionLife life;
+    private final List<MajicBot> watchers = new CopyOnWriteArrayList<>();
     private final Signal changes;
     private final Keeper keeper;
     private final Helm helm;
@@ -65,6 +64,8 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         this.profile = profile;
         this.pace = new Pace(profile);
         this.environment = environment;
+        this.listeners = new Listeners(this, environment.time());
+        this.life = new ConnectionLife(listeners::connectionChanged);
         this.changes = environment.time().signal();
         this.keeper = new Keeper(environment.time());
         this.helm = new Helm(this, keeper);
@@ -83,19 +84,25 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      *     is ending; the message says what to try, and the robot is in state {@link Connection#LOST}
      */
     public final void connect() {
-        if (life.begin(name)) {
-            keeper.start(type.name());
-        }
+        boolean first = life.begin(name);
         try {
             ShutdownHook.add(this);
+            if (first) {
+                listeners.start(time(), type.name());
+                keeper.start(type.name());
+            }
+            listeners.deliver();
             open();
         } catch (RuntimeException | Error e) {
             life.end(Connection.LOST);
+            listeners.deliver();
             throw e;
         }
         if (!life.end(Connection.CONNECTED)) {
             shut();
         }
+        news();
+        listeners.deliver();
         requireConnected();
     }
 
@@ -162,15 +169,24 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @throws BotException if it is being connected again, or could not be; nobody can tell it then either
      */
     public final void sendStop() {
+        if (writeStop()) {
+            confirmHalt();
+        }
+    }
+
+    /** The part of {@link #sendStop()} that writes; false for a robot that needs no stop, not connected yet or closed. */
+    final boolean writeStop() {
         changes.raise();
         refuseLost();
         Connection now = life.now();
         if (now == Connection.CONNECTING || now == Connection.LOST) {
             throw new BotException(name + " is not connected; nobody can tell it to stand");
         }
-        if (isConnected()) {
-            helm.sendStop();
+        boolean open = isConnected();
+        if (open) {
+            helm.writeStop();
         }
+        return open;
     }
 
     @Override
@@ -264,13 +280,15 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         }
         try {
             keeper.close();
+            news();
             helm.end(before == Connection.CONNECTED);
             if (before != Connection.NEW) {
                 shut();
             }
         } finally {
             ShutdownHook.remove(this);
-            life.tell();
+            listeners.deliver();
+            listeners.close();
         }
     }
 
@@ -370,7 +388,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     /**
      * Begins to tell somebody of this robot. The first hears what it has said before anybody listened.
      *
-     * @param listener called on the driver's threads
+     * @param listener called on the robot's listener thread, or on a thread that commands the robot
      */
     public final void addListener(BotListener listener) {
         listeners.add(listener);
@@ -567,13 +585,18 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     protected final void publish(BotState newState) {
         state = newState;
         news();
-        tell(listener -> listener.stateChanged(this, newState));
+        listeners.stateChanged();
     }
 
     /**
      * Tells that a parameter may read differently though the state is the same; guards of this robot's motions look again.
      */
     protected final void news() {
+        lookAgain();
+        watchers.forEach(MajicBot::lookAgain);
+    }
+
+    private void lookAgain() {
         readings.incrementAndGet();
         changes.raise();
     }
@@ -594,7 +617,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      */
     protected final void lost(LinkLost cause) {
         if (life.lose(cause, () -> helm.lost(cause))) {
-            changes.raise();
+            news();
+            Member.of(this).ifPresent(member -> member.linkLost(String.valueOf(cause.getMessage())));
+            listeners.deliver();
         }
     }
 
@@ -667,9 +692,13 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         helm.send(permit, write);
     }
 
-    /** Makes the news of another robot wake the motions of this one. */
-    final BotListener readingsRelay() {
-        return new ReadingsRelay(changes, readings);
+    /** Makes the news of another robot wake the motions of this one, until {@link #unwatch}. */
+    final void watch(MajicBot other) {
+        other.watchers.add(this);
+    }
+
+    final void unwatch(MajicBot other) {
+        other.watchers.remove(this);
     }
 
     private ParameterTable.Entry entry(String parameter) {
@@ -681,9 +710,5 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
                     parameter + ": " + name + " has no such parameter" + Suggestion.didYouMean(parameter, names));
         }
         return entry;
-    }
-
-    private void tell(Consumer<BotListener> news) {
-        listeners.tell(news);
     }
 }

@@ -314,7 +314,7 @@ public final class Member implements TeamPlace {
         }
         if (ended != null) {
             ended.end(() -> new LinkLost(reason));
-            ended.to().endWhateverHappens();
+            bot.time().aside("ending " + ended.to().name(), ended.to()::endWhateverHappens);
         }
     }
 
@@ -322,13 +322,12 @@ public final class Member implements TeamPlace {
         lane.start("robot " + number + " worker");
     }
 
-    /** Empties the queue and forbids the worker to go on until {@link #stopEnded}. */
-    void stopBegins(@Nullable Owner by) {
-        Stops.Aftermath aftermath;
-        synchronized (this) {
-            aftermath = stops.begin(by);
-        }
-        aftermath.tell();
+    /**
+     * Revokes, empties the queue and forbids the worker to go on until {@link #stopEnded} was called twice: when the
+     * robot was stopped, and when everything was notified. Notifies nothing itself.
+     */
+    synchronized Stops.Aftermath stopBegins(@Nullable Owner by) {
+        return stops.begin(by);
     }
 
     /** Allows motion again, unless STOP came anew meanwhile. */
@@ -336,11 +335,6 @@ public final class Member implements TeamPlace {
         if (!team.isLatched()) {
             bot.unlatch();
         }
-    }
-
-    /** Lets no robot seem idle before everybody has heard of a STOP; {@link #stopEnded} ends it. */
-    synchronized void holdWork() {
-        stops.hold();
     }
 
     void stopEnded() {
@@ -359,14 +353,18 @@ public final class Member implements TeamPlace {
         return !stops.areUnderWay() && (tenure.loan() == null || tenure.loanTo(by) != null);
     }
 
+    /** Closes the robot, then tells what of its queue is not run. */
     void close() {
         List<Pending> left;
         synchronized (this) {
             gone = true;
             left = lane.drop();
         }
-        lane.tellDropped(left, "robot " + number + " was removed");
         lanes().forEach(Lane::close);
-        bot.close();
+        try {
+            bot.close();
+        } finally {
+            lane.tellDropped(left, "robot " + number + " was removed");
+        }
     }
 }

@@ -18,15 +18,10 @@ final class MemberNews implements BotListener {
     @Override
     public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
         if (connection == MajicBot.Connection.LOST) {
-            bot.lostReason().ifPresent(this::lost);
+            bot.lostReason().ifPresent(reason -> team.tell(listener -> listener.lost(member, reason)));
         } else if (connection == MajicBot.Connection.CONNECTED) {
             team.tell(listener -> listener.regained(member));
         }
         team.changes().raise();
-    }
-
-    private void lost(String reason) {
-        member.linkLost(reason);
-        team.tell(listener -> listener.lost(member, reason));
     }
 }

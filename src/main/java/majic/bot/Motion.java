@@ -13,6 +13,7 @@ public final class Motion {
     private final long startedNanos;
     private long readingsSeen = -1;
     private boolean guardReached;
+    private boolean hasSent;
 
     Motion(MajicBot bot, Guard guard, Permit permit) {
         this.bot = bot;
@@ -29,7 +30,15 @@ public final class Motion {
      * @throws LinkLost if the connection is gone
      */
     public void send(Runnable write) {
-        bot.underPermit(permit, write);
+        bot.underPermit(permit, () -> {
+            hasSent = true;
+            write.run();
+        });
+    }
+
+    /** Whether anything was sent, so that the robot may move by it. */
+    boolean hasSent() {
+        return hasSent;
     }
 
     /**

@@ -25,7 +25,7 @@ public final class Owner {
      *
      * @param kind what it is
      * @param name what messages call it
-     * @param end ends it; called from any thread when somebody else stops a robot of its, and must return at once
+     * @param end ends it; called on a thread of its own when somebody else stops a robot of its
      */
     public Owner(Kind kind, String name, Runnable end) {
         this.kind = kind;
@@ -71,7 +71,7 @@ public final class Owner {
         end.run();
     }
 
-    /** As {@link #end}, for who has others to end and robots to stop. */
+    /** As {@link #end}; what it throws is logged. */
     void endWhateverHappens() {
         try {
             end();
@@ -85,7 +85,12 @@ public final class Owner {
         dismissed = true;
     }
 
-    boolean isDismissed() {
+    /**
+     * Whether a stop took from it the permission to move its robots.
+     *
+     * @return true from the moment of the stop, before its {@code end} is called
+     */
+    public boolean isDismissed() {
         return dismissed;
     }
 

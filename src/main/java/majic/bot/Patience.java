@@ -3,9 +3,10 @@ package majic.bot;
 import java.util.function.BooleanSupplier;
 
 /**
- * Whether the thread at hand may wait for a robot's answer. A thread that all news of a robot come through must not, nor
- * one that looks at the guard of a robot that moves: what cannot be had at once is {@code unknown} to them. Drivers ask
- * here before they wait in the reader of a parameter.
+ * Whether the thread at hand may wait for a robot's answer or for a listener. A thread that all news of a robot come
+ * through must not, nor one that sends what moves a robot, nor one that looks at the guard of a robot that moves: what
+ * cannot be had at once is {@code unknown} to them, and listeners are called on a thread of their own. Drivers ask here
+ * before they wait in the reader of a parameter.
  */
 public final class Patience {
     private static final ThreadLocal<Boolean> DENIED = ThreadLocal.withInitial(() -> false);

@@ -29,11 +29,15 @@ final class Stops {
         this.tenure = tenure;
     }
 
-    /** Who is to hear of a stop, once the lock is not held any more. */
+    /**
+     * What follows from a stop, once it has been written to every link and no lock is held.
+     *
+     * @param dropped what is to be told as not run
+     * @param ended the owners that are to end
+     */
     record Aftermath(Map<Lane, List<Pending>> dropped, List<Owner> ended) {
         void tell() {
             dropped.forEach((from, orders) -> from.tellDropped(orders, "stopped"));
-            ended.forEach(Owner::endWhateverHappens);
         }
     }
 
@@ -41,19 +45,17 @@ final class Stops {
         return underWay > 0;
     }
 
-    /** One more is under way, though it takes nothing. */
-    void hold() {
-        underWay++;
-    }
-
-    /** One has arrived. */
+    /** One of the holds has ended. */
     void end() {
         underWay--;
     }
 
-    /** Empties the queues. A borrower who says so himself ends only what he has begun. */
+    /**
+     * Revokes and empties the queues; notifies nothing. Two holds begin, one for the robot's stop and one for the
+     * notifications. A borrower who says so himself ends only what he has begun.
+     */
     Aftermath begin(@Nullable Owner by) {
-        hold();
+        underWay += 2;
         Map<Lane, List<Pending>> dropped = new LinkedHashMap<>();
         Loan his = team.isLatched() ? null : tenure.loanTo(by);
         if (his != null) {

@@ -2,10 +2,13 @@ package majic.bot;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -21,12 +24,17 @@ public final class Team implements AutoCloseable {
     /** How long {@link #close()} waits for all robots, seconds. */
     private static final double CLOSE_BOUND_S = 2.5;
 
+    /** How long a stop waits for owners and listeners once it has been sent, ms; longer only if one of them blocks. */
+    private static final int CALLBACK_BOUND_MS = 500;
+
     static final Logger LOG = System.getLogger(Team.class.getName());
 
     private final TimeSource time;
     private final Signal changes;
     private final Roster roster;
     private final List<TeamListener> listeners = new CopyOnWriteArrayList<>();
+    private final OrderedEvents latchEvents = new OrderedEvents();
+    private final StopCount stops = new StopCount();
     private volatile boolean latched;
 
     /**
@@ -94,13 +102,16 @@ public final class Team implements AutoCloseable {
      */
     public void remove(int number) {
         Member member = member(number);
-        member.stopBegins(null);
+        Stops.Aftermath aftermath = member.stopBegins(null);
         boolean ours = roster.remove(member);
         member.close();
         member.stopEnded();
-        if (ours) {
-            tell(listener -> listener.removed(member));
-        }
+        callBack(List.of(aftermath), () -> {
+            if (ours) {
+                tell(listener -> listener.removed(member));
+            }
+            member.stopEnded();
+        });
     }
 
     /**
@@ -143,36 +154,90 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Stops some robots: ends their motions, empties their queues, ends the acts and scripts that own them. Returns at
-     * once; later orders wait until the robot has stopped. Each robot confirms by an answer.
+     * Stops some robots: ends their motions, empties their queues, ends the acts and scripts that own them. Owners and
+     * listeners are called on other threads, once the stops are being written to all links. Returns when they have
+     * returned, after {@value #CALLBACK_BOUND_MS} ms at most. Later orders wait until the robot has stopped and the
+     * listeners have returned. Each robot confirms by an answer.
      *
      * @param chosen which robots
      * @param by the script that says so, which is not ended by it; null for a person
      */
     public void stop(Collection<Member> chosen, @Nullable Owner by) {
-        if (by == null) {
-            tell(listener -> listener.stopped(chosen));
+        List<Member> stopped = List.copyOf(chosen);
+        if (by != null) {
+            stop(stopped, by, () -> {});
+        } else {
+            stops.stopped(stopped);
+            stop(stopped, null, () -> tell(listener -> listener.stopped(stopped)));
         }
-        chosen.forEach(member -> member.stopBegins(by));
-        chosen.forEach(member -> sendStop(member, member::stopEnded));
     }
 
-    /** STOP: as {@link #stop} for all robots, and no motion is accepted until {@link #release()}. Returns at once. */
+    /** STOP: as {@link #stop} for all robots, and no motion is accepted until {@link #release()}. */
     public void stopAll() {
-        latched = true;
-        List<Member> all = members();
-        all.forEach(Member::holdWork);
-        all.forEach(member -> member.stopBegins(null));
-        all.forEach(member -> sendStop(member, member::stopEnded));
-        tell(listener -> listener.latchChanged(true));
-        all.forEach(Member::stopEnded);
+        latch(true);
+        stops.stoppedAll();
+        stop(members(), null, latchEvents::deliver);
+    }
+
+    /** Revokes, writes to every link, then notifies. */
+    private void stop(List<Member> members, @Nullable Owner by, Runnable news) {
+        List<Stops.Aftermath> aftermaths =
+                members.stream().map(member -> member.stopBegins(by)).toList();
+        sendStops(members);
+        changes.raise();
+        callBack(aftermaths, () -> {
+            news.run();
+            members.forEach(Member::stopEnded);
+        });
+    }
+
+    /** Calls owners and listeners on other threads, and waits a moment for them: what is done next comes behind it. */
+    private void callBack(List<Stops.Aftermath> aftermaths, Runnable afterwards) {
+        List<Runnable> callbacks = new ArrayList<>();
+        aftermaths.forEach(aftermath -> aftermath.ended().forEach(owner -> callbacks.add(owner::endWhateverHappens)));
+        callbacks.add(() -> {
+            aftermaths.forEach(Stops.Aftermath::tell);
+            afterwards.run();
+        });
+        CountDownLatch running = new CountDownLatch(callbacks.size());
+        for (Runnable callback : callbacks) {
+            time.aside("telling of a stop", () -> {
+                try {
+                    callback.run();
+                } finally {
+                    running.countDown();
+                }
+            });
+        }
+        try {
+            running.await(CALLBACK_BOUND_MS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** Allows motion again after STOP. Nothing resumes by itself. */
     public void release() {
-        latched = false;
+        latch(false);
         members().forEach(Member::release);
-        tell(listener -> listener.latchChanged(false));
+        latchEvents.deliver();
+    }
+
+    /** Each change gets its event with it, so they are told in their order. */
+    private void latch(boolean on) {
+        synchronized (latchEvents) {
+            latched = on;
+            latchEvents.put(() -> tell(listener -> listener.latchChanged(on)));
+        }
+    }
+
+    /**
+     * How often robots were stopped by a person.
+     *
+     * @return the counts, with each stop in them from before it reaches a robot
+     */
+    public StopCount stops() {
+        return stops;
     }
 
     /**
@@ -231,23 +296,21 @@ public final class Team implements AutoCloseable {
     public void close() {
         latched = true;
         List<Member> all = members();
-        all.forEach(member -> member.stopBegins(null));
+        List<Stops.Aftermath> aftermaths =
+                all.stream().map(member -> member.stopBegins(null)).toList();
         roster.clear();
         AtomicInteger open = new AtomicInteger(all.size());
         for (Member member : all) {
-            Runnable close = () -> {
+            member.time().aside("closing robot " + member.number(), () -> {
                 try {
                     member.close();
                 } finally {
                     open.decrementAndGet();
                     changes.raise();
                 }
-            };
-            member.bot()
-                    .time()
-                    .thread("closing robot " + member.number(), close)
-                    .start();
+            });
         }
+        callBack(aftermaths, () -> {});
         try {
             changes.await(() -> open.get() == 0, CLOSE_BOUND_S);
         } catch (InterruptedException e) {
@@ -269,19 +332,45 @@ public final class Team implements AutoCloseable {
         }
     }
 
-    /** On a thread of its own for each link, so that a stuck one holds up nobody. */
-    private void sendStop(Member member, Runnable whenSent) {
-        Runnable send = () -> {
-            String stop = member.number() + " stop: ";
-            try {
-                member.bot().sendStop();
-                answer(new Answer(member.number(), Answer.Outcome.DONE, stop + "done"));
-            } catch (RuntimeException | Error e) {
-                answer(new Answer(member.number(), Answer.Outcome.FAILED, stop + "failed: " + e.getMessage()));
-            } finally {
-                whenSent.run();
-            }
-        };
-        member.bot().time().aside("stopping robot " + member.number(), send);
+    /**
+     * On a thread of its own for each link, so that a stuck one holds up no other. Where the system has no thread left,
+     * this one writes to all those links before it waits for a confirmation.
+     */
+    private void sendStops(List<Member> members) {
+        List<Member> left = members.stream()
+                .filter(member -> !member.time()
+                        .begin(
+                                "stopping robot " + member.number(),
+                                () -> writeStop(member).run()))
+                .toList();
+        left.stream().map(this::writeStop).toList().forEach(Runnable::run);
+    }
+
+    /** Writes a stop; what this returns waits for its confirmation and tells it. */
+    private Runnable writeStop(Member member) {
+        try {
+            boolean written = member.bot().writeStop();
+            return () -> confirm(member, () -> {
+                if (written) {
+                    member.bot().confirmHalt();
+                }
+            });
+        } catch (RuntimeException | Error e) {
+            return () -> confirm(member, () -> {
+                throw e;
+            });
+        }
+    }
+
+    private void confirm(Member member, Runnable confirmation) {
+        String stop = member.number() + " stop: ";
+        try {
+            confirmation.run();
+            answer(new Answer(member.number(), Answer.Outcome.DONE, stop + "done"));
+        } catch (RuntimeException | Error e) {
+            answer(new Answer(member.number(), Answer.Outcome.FAILED, stop + "failed: " + e.getMessage()));
+        } finally {
+            member.stopEnded();
+        }
     }
 }

@@ -3,7 +3,10 @@ package majic.bot;
 import java.util.Collection;
 import java.util.List;
 
-/** Hears of a team. Called on worker threads: be quick, and cross over to another thread for anything slow. */
+/**
+ * Is called with news of a team, on worker threads: be quick, and cross over to another thread for anything slow. A
+ * listener that blocks holds up later orders and other listeners, but no stop.
+ */
 public interface TeamListener {
     /**
      * A command was answered.
@@ -65,16 +68,17 @@ public interface TeamListener {
     default void drivenByHand(Member member, List<ManualCommand> commands) {}
 
     /**
-     * A person stops some robots, but not all by STOP; told before they are.
+     * A person has stopped some robots, but not all by STOP; told when the stops are being written to the robots.
      *
      * @param members which
      */
     default void stopped(Collection<Member> members) {}
 
     /**
-     * STOP was pressed or released.
+     * STOP was pressed or released; told in that order, when the stops are being written to the robots. By the time of
+     * the call {@link Team#isLatched()} may differ already.
      *
-     * @param latched whether motion is refused from now on
+     * @param latched whether motion was refused from then on
      */
     default void latchChanged(boolean latched) {}
 }

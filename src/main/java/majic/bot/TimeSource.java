@@ -34,7 +34,7 @@ public interface TimeSource {
 
     /**
      * Makes a daemon thread that lives by this clock: a stepped clock stands still while it runs, and goes on when it
-     * waits. It is the caller's to start.
+     * waits. It is the caller's to start, and counts as running from then on.
      *
      * @param name what a thread dump shows
      * @param body what it does
@@ -50,11 +50,24 @@ public interface TimeSource {
      * @param body what to do
      */
     default void aside(String name, Runnable body) {
-        Thread thread = thread(name, body);
-        try {
-            thread.start();
-        } catch (OutOfMemoryError e) {
+        if (!begin(name, body)) {
             body.run();
+        }
+    }
+
+    /**
+     * Does something on a daemon thread of its own that lives by this clock, if the system has a thread left.
+     *
+     * @param name what a thread dump shows
+     * @param body what to do
+     * @return whether it was begun; if not, nothing has happened
+     */
+    default boolean begin(String name, Runnable body) {
+        try {
+            thread(name, body).start();
+            return true;
+        } catch (OutOfMemoryError e) {
+            return false;
         }
     }
 

@@ -14,6 +14,7 @@ final class StopPanel extends JPanel implements TeamListener {
     private static final Color RED = new Color(0xC62828);
     private static final Color DARK_RED = new Color(0x7F1D1D);
 
+    private final transient Team team;
     private final JButton stop = new JButton();
     private final JLabel word = new JLabel();
     private final JLabel below = new JLabel();
@@ -38,11 +39,18 @@ final class StopPanel extends JPanel implements TeamListener {
         release.addActionListener(event -> team.release());
         add(release, "h 52!");
         add(stop, "w 170!, h 52!");
-        latchChanged(team.isLatched());
+        this.team = team;
+        showLatch();
     }
 
+    /** Events may come late, so the panel shows what the team says now. */
     @Override
-    public void latchChanged(boolean latched) {
+    public void latchChanged(boolean then) {
+        showLatch();
+    }
+
+    private void showLatch() {
+        boolean latched = team.isLatched();
         word.setText(latched ? "STOPPED" : "STOP");
         below.setText(latched ? "until released" : "Esc or F12");
         stop.setBackground(latched ? DARK_RED : RED);

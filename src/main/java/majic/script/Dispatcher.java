@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.Member;
 import majic.bot.Signal;
+import majic.bot.StopCount;
 import majic.bot.Team;
 
 /**
@@ -141,9 +142,12 @@ final class Dispatcher {
         beside.incrementAndGet();
         team.time()
                 .thread("script: " + line.title(), () -> {
-                    attempt(line);
-                    beside.decrementAndGet();
-                    team.changes().raise();
+                    try {
+                        attempt(line);
+                    } finally {
+                        beside.decrementAndGet();
+                        team.changes().raise();
+                    }
                 })
                 .start();
     }

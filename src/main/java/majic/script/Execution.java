@@ -225,7 +225,7 @@ final class Execution {
             return order;
         }
         return new Order(order.text(), order.moves(), robot -> {
-            if (ended || own.trouble().isPresent()) {
+            if (ended || owner.isDismissed() || own.trouble().isPresent()) {
                 throw new MotionStopped("stopped");
             }
             return order.job().carryOut(robot);

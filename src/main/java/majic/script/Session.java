@@ -2,7 +2,6 @@ package majic.script;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -14,6 +13,7 @@ import majic.act.Acts;
 import majic.bot.Answer;
 import majic.bot.BotFactory;
 import majic.bot.Member;
+import majic.bot.StopCount;
 import majic.bot.Team;
 import majic.bot.TeamListener;
 import majic.log.ParameterLog;
@@ -36,7 +36,6 @@ public final class Session {
     private final Runnable quit;
     private final List<Listening> listeners = new CopyOnWriteArrayList<>();
     private final Object saying = new Object();
-    private final StopCount stops = new StopCount();
     private final Behaviours behaviours;
     private final ActOffers offers;
     private final Comings comings;
@@ -184,7 +183,7 @@ public final class Session {
 
     /** How often robots were stopped; who waits compares it with what it was. */
     StopCount stops() {
-        return stops;
+        return team.stops();
     }
 
     /** Where robots come from and go to. */
@@ -244,16 +243,7 @@ public final class Session {
         }
 
         @Override
-        public void stopped(Collection<Member> members) {
-            stops.stopped(members);
-        }
-
-        @Override
         public void latchChanged(boolean latched) {
-            if (latched) {
-                stops.stoppedAll();
-                team.changes().raise();
-            }
             say(
                     Line.Kind.NOTICE,
                     latched

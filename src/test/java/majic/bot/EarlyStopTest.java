@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -61,25 +62,25 @@ class EarlyStopTest {
     void nothingIsSentBehindTheFarewell() {
         CompletableFuture<Void> drive = aside(() -> bot.drive(100, 0));
         await(sending);
-        CountDownLatch closed = new CountDownLatch(1);
-        bot.addListener(new BotListener() {
-            @Override
-            public void connectionChanged(MajicBot closing, MajicBot.Connection now) {
-                closed.countDown();
-            }
-        });
 
         CompletableFuture<Void> close = aside(bot::close);
-        await(closed);
+        awaitClosing();
         stuck.countDown();
 
         CompletableFuture.allOf(drive, close).join();
-        assertThat(bot.sent()).containsExactly("drive 100 0", "close");
+        assertThat(bot.sent()).containsExactly("drive 100 0", "halt", "close");
     }
 
     /** On a thread of its own: the common pool may have just one. */
     private static CompletableFuture<Void> aside(Runnable work) {
         return CompletableFuture.runAsync(work, task -> new Thread(task).start());
+    }
+
+    private void awaitClosing() {
+        while (bot.connection() != MajicBot.Connection.CLOSED) {
+            assertThat(Thread.currentThread().isInterrupted()).isFalse();
+            LockSupport.parkNanos(100_000);
+        }
     }
 
     private static void await(CountDownLatch latch) {

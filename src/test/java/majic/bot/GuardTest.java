@@ -3,6 +3,7 @@ package majic.bot;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayList;
 import java.util.List;
 import majic.TestClock;
 import org.junit.jupiter.api.AfterEach;
@@ -38,6 +39,35 @@ class GuardTest {
                 .hasMessage("the other one is gone");
         assertThat(bot.isConnected()).isTrue();
         assertThat(bot.sent()).endsWith("halt");
+    }
+
+    @Test
+    void oneThatWatchesAnotherRobotTakesNoneOfItsNotices() {
+        FakeBot other = FakeBot.on(clock.time());
+        other.connect();
+        Guard watchesOther = new Guard() {
+            @Override
+            public boolean reached() {
+                other.notice("the switches are wrong");
+                return true;
+            }
+
+            @Override
+            public List<MajicBot> alsoWatches() {
+                return List.of(other);
+            }
+        };
+        List<String> heard = new ArrayList<>();
+
+        bot.move(500, watchesOther);
+        other.addListener(new BotListener() {
+            @Override
+            public void notice(MajicBot from, String message) {
+                heard.add(message);
+            }
+        });
+
+        assertThat(heard).containsExactly("the switches are wrong");
     }
 
     @Test

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 /** Who hears what a robot says, and when. */
 class ListenersTest {
-    private final Listeners listeners = new Listeners(new FakeBot(new FakeType(), BotEnvironment.plain()));
+    private final Listeners listeners = new Listeners(FakeBot.on(TimeSource.system()), TimeSource.system());
     private final List<String> first = new ArrayList<>();
     private final List<String> second = new ArrayList<>();
 

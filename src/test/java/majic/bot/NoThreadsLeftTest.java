@@ -3,6 +3,10 @@ package majic.bot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -62,6 +66,53 @@ class NoThreadsLeftTest {
 
         assertThat(first.sent()).containsExactly("halt");
         assertThat(second.sent()).containsExactly("halt");
+    }
+
+    @Test
+    void everyRobotIsStoppedThoughAListenerBlocks() {
+        FakeBot first = join();
+        FakeBot second = join();
+        CountDownLatch testIsOver = new CountDownLatch(1);
+        team.addListener(new TeamListener() {
+            @Override
+            public void answered(Answer answer) {
+                await(testIsOver);
+            }
+        });
+        time.exhausted = true;
+
+        CompletableFuture<Void> stop = CompletableFuture.runAsync(team::stopAll, task -> new Thread(task).start());
+
+        until(() -> first.sent().contains("halt") && second.sent().contains("halt"));
+        testIsOver.countDown();
+        stop.join();
+    }
+
+    @Test
+    void everyRobotIsClosed() {
+        FakeBot first = join();
+        FakeBot second = join();
+        time.exhausted = true;
+
+        team.close();
+
+        assertThat(first.sent()).contains("close");
+        assertThat(second.sent()).contains("close");
+    }
+
+    private static void until(BooleanSupplier so) {
+        while (!so.getAsBoolean()) {
+            assertThat(Thread.currentThread().isInterrupted()).isFalse();
+            LockSupport.parkNanos(100_000);
+        }
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private FakeBot join() {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
 import majic.TestClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -217,6 +218,22 @@ class TeamTest {
         assertThatThrownBy(() -> held.move(100)).hasMessage("revoked");
         assertThat(bot.sent()).isEmpty();
         assertThat(held.get("voltage")).hasToString("12.6 V");
+    }
+
+    @Test
+    void aLeaseRevokedInAMotionLeavesTheRobotStanding() throws InterruptedException {
+        FakeBot bot = join();
+        Permit lease = new Permit();
+        BotControl held = bot.control(lease);
+        CompletableFuture<Void> move = clock.aside(() -> {
+            held.move(3000);
+        });
+        clock.time().sleep(1);
+
+        lease.revoke(() -> new MotionStopped("revoked"));
+        clock.until(move::isDone);
+
+        assertThat(bot.sent()).containsExactly("move 3000", "halt");
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dialog;
 import java.awt.event.KeyEvent;
+import javax.swing.JButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -33,6 +34,15 @@ class StopWindowTest {
         window.click("release");
         assertThat(window.team.isLatched()).isFalse();
         window.await("the release button to go", () -> !window.isShowing("release"));
+    }
+
+    @Test
+    void aLateEventDoesNotHideThatStopIsLatched() {
+        window.click("stop");
+        window.await("the button to say so", () -> window.text("stopWord").equals("STOPPED"));
+        StopPanel panel = (StopPanel) window.find("stop", JButton.class).getParent();
+        window.run(() -> panel.latchChanged(false));
+        assertThat(window.text("stopWord")).isEqualTo("STOPPED");
     }
 
     @Test

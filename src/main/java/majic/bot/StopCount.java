@@ -1,20 +1,26 @@
-package majic.script;
+package majic.bot;
 
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.Map;
-import majic.bot.Member;
 
-/** How often robots were stopped, so that a line can see later that its robots were stopped since. Thread-safe. */
-final class StopCount {
+/**
+ * Counts stops that a person ordered, so that a queued line can see later that its robots were stopped since. The team
+ * counts a stop on the thread that orders it, before it revokes anything. Thread-safe.
+ */
+public final class StopCount {
     /** Whose stop the current thread carries out; the counts of each source of lines leave its own stops out. */
     private static final ThreadLocal<StopCount> BY = new ThreadLocal<>();
 
     private final Map<Integer, Long> single = new HashMap<>();
     private long all;
 
-    /** Runs something that stops robots on this thread; those stops count here as well. */
-    void during(Runnable stopping) {
+    /**
+     * Runs something that stops robots on this thread; those stops count here as well.
+     *
+     * @param stopping what to run
+     */
+    public void during(Runnable stopping) {
         BY.set(this);
         try {
             stopping.run();
@@ -49,18 +55,33 @@ final class StopCount {
         all++;
     }
 
-    /** How often any of some robots was stopped, but for the stops that a source carried out. */
-    synchronized long ofOthers(Collection<Integer> robots, StopCount source) {
+    /**
+     * How often any of some robots was stopped, but for the stops that a source carried out.
+     *
+     * @param robots their numbers
+     * @param source the counts of that source
+     * @return a count that only grows while the source stops nothing
+     */
+    public synchronized long ofOthers(Collection<Integer> robots, StopCount source) {
         return of(robots) - source.of(robots);
     }
 
-    /** How often STOP was pressed. */
-    synchronized long all() {
+    /**
+     * How often all robots were stopped by STOP.
+     *
+     * @return a count that only grows
+     */
+    public synchronized long all() {
         return all;
     }
 
-    /** How often any of some robots was stopped, alone or with all. */
-    synchronized long of(Collection<Integer> robots) {
+    /**
+     * How often any of some robots was stopped, alone or with all.
+     *
+     * @param robots their numbers
+     * @return a count that only grows
+     */
+    public synchronized long of(Collection<Integer> robots) {
         return all
                 + robots.stream()
                         .mapToLong(robot -> single.getOrDefault(robot, 0L))

@@ -1,0 +1,269 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A stop revokes, writes to every link, and only then notifies: a callback that never returns holds up no byte. */
+@Timeout(20)
+class StopOrderTest {
+    private final Team team = new Team(TimeSource.system());
+    private final CountDownLatch testIsOver = new CountDownLatch(1);
+    private final FakeBot first = FakeBot.on(TimeSource.system());
+    private final FakeBot second = FakeBot.on(TimeSource.system());
+
+    @BeforeEach
+    void connect() {
+        for (FakeBot bot : List.of(first, second)) {
+            bot.connect();
+            team.add(bot, OptionalInt.empty());
+        }
+    }
+
+    @AfterEach
+    void close() {
+        testIsOver.countDown();
+        team.close();
+    }
+
+    private void blockForEver() {
+        try {
+            testIsOver.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Each callback that a stop leads to blocks. */
+    private final class BlockedTeamListener implements TeamListener {
+        @Override
+        public void answered(Answer answer) {
+            blockForEver();
+        }
+
+        @Override
+        public void ownerChanged(Member member) {
+            blockForEver();
+        }
+
+        @Override
+        public void stopped(Collection<Member> members) {
+            blockForEver();
+        }
+
+        @Override
+        public void latchChanged(boolean latched) {
+            blockForEver();
+        }
+
+        @Override
+        public void lost(Member member, String reason) {
+            blockForEver();
+        }
+
+        @Override
+        public void noticed(int robot, String message) {
+            blockForEver();
+        }
+    }
+
+    /** Each callback of a robot blocks. */
+    private final class BlockedBotListener implements BotListener {
+        @Override
+        public void stateChanged(MajicBot bot, BotState state) {
+            blockForEver();
+        }
+
+        @Override
+        public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
+            blockForEver();
+        }
+
+        @Override
+        public void notice(MajicBot bot, String message) {
+            blockForEver();
+        }
+    }
+
+    private static void awaitSent(String command, FakeBot... bots) {
+        for (FakeBot bot : bots) {
+            until(() -> bot.sent().contains(command));
+        }
+    }
+
+    private static void until(BooleanSupplier so) {
+        while (!so.getAsBoolean()) {
+            assertThat(Thread.currentThread().isInterrupted()).isFalse();
+            LockSupport.parkNanos(100_000);
+        }
+    }
+
+    /** On a thread of its own, for it may block. */
+    private static void aside(Runnable work) {
+        CompletableFuture.runAsync(work, task -> new Thread(task).start());
+    }
+
+    private void moveBothWithAnOrderWaiting() {
+        for (Member member : team.members()) {
+            Order move = new Order("move 3000", true, robot -> List.of(robot.move(3000) + ""));
+            member.submit(move, null);
+            member.submit(move, null);
+        }
+        awaitSent("move 3000", first, second);
+    }
+
+    @Test
+    void aListenerThatBlocksHoldsUpNoByteOfStopAllNorItsCaller() {
+        moveBothWithAnOrderWaiting();
+        team.addListener(new BlockedTeamListener());
+
+        team.stopAll();
+
+        awaitSent("halt", first, second);
+    }
+
+    @Test
+    void aListenerThatBlocksHoldsUpNoByteOfAStopNorItsCaller() {
+        moveBothWithAnOrderWaiting();
+        team.addListener(new BlockedTeamListener());
+
+        team.stop(team.members(), null);
+
+        awaitSent("halt", first, second);
+    }
+
+    @Test
+    void aListenerThatBlocksHoldsUpNoByteOfTheTeamsEnd() {
+        moveBothWithAnOrderWaiting();
+        team.addListener(new BlockedTeamListener());
+
+        aside(team::close);
+
+        awaitSent("close", first, second);
+    }
+
+    @Test
+    void aListenerThatBlocksHoldsUpNoByteToARobotThatIsRemoved() {
+        moveBothWithAnOrderWaiting();
+        team.addListener(new BlockedTeamListener());
+
+        aside(() -> team.remove(1));
+
+        awaitSent("close", first);
+    }
+
+    @Test
+    void anOwnerThatDoesNotReturnHoldsUpNoByte() {
+        team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", this::blockForEver));
+
+        team.stop(team.members(), null);
+
+        awaitSent("halt", first, second);
+    }
+
+    @Test
+    void anOwnerThatDoesNotReturnHoldsUpNoOtherOwnersEnd() {
+        List<String> ended = new CopyOnWriteArrayList<>();
+        team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", this::blockForEver));
+        team.member(2).claim(new Owner(Owner.Kind.ACT, "Guard", () -> ended.add("Guard")));
+        team.addListener(new BlockedTeamListener());
+
+        team.stopAll();
+
+        until(() -> ended.contains("Guard"));
+    }
+
+    @Test
+    void aRobotsListenerThatBlocksHoldsUpNoByteToIt() {
+        first.addListener(new BlockedBotListener());
+        first.sendDrivesThrough(() -> first.notice("motors on"));
+        aside(() -> first.drive(100, 0));
+        awaitSent("drive 100 0", first);
+
+        team.stopAll();
+
+        awaitSent("halt", first, second);
+    }
+
+    @Test
+    void aRobotsListenerThatBlocksHoldsUpNoFarewell() {
+        first.addListener(new BlockedBotListener());
+
+        aside(first::close);
+
+        awaitSent("close", first);
+    }
+
+    @Test
+    void aDriveLapsesThoughAListenerBlocksTheRobotsTimer() {
+        first.addListener(new BlockedBotListener());
+        first.every("report", 0.01, () -> first.tell("voltage", Value.of(11, Unit.V)));
+
+        first.drive(100, 0);
+
+        awaitSent("halt", first);
+    }
+
+    @Test
+    void aMotionEndsWithTheLinkThoughAListenerOfTheLossBlocks() {
+        CompletableFuture<MotionReport> move =
+                CompletableFuture.supplyAsync(() -> first.move(3000), task -> new Thread(task).start());
+        awaitSent("move 3000", first);
+        first.addListener(new BlockedBotListener());
+
+        aside(first::cut);
+
+        until(move::isCompletedExceptionally);
+    }
+
+    @Test
+    void aLostLinkEndsTheActOnAllItsRobotsThoughListenersBlock() {
+        List<String> ended = new CopyOnWriteArrayList<>();
+        Permit lease = new Permit();
+        Owner act = new Owner(Owner.Kind.ACT, "Guard", () -> ended.add("Guard"));
+        team.members().forEach(member -> member.lend(act, lease, null));
+        first.addListener(new BlockedBotListener());
+        team.addListener(new BlockedTeamListener());
+
+        aside(first::cut);
+
+        until(() -> ended.contains("Guard"));
+        assertThat(lease.isRevoked()).isTrue();
+    }
+
+    @Test
+    void aLatchIsToldBeforeItsRelease() {
+        List<Boolean> told = new CopyOnWriteArrayList<>();
+        CountDownLatch telling = new CountDownLatch(1);
+        team.addListener(new TeamListener() {
+            @Override
+            public void latchChanged(boolean latched) {
+                telling.countDown();
+                if (latched) {
+                    blockForEver();
+                }
+                told.add(latched);
+            }
+        });
+
+        aside(team::stopAll);
+        until(() -> telling.getCount() == 0);
+        team.release();
+        testIsOver.countDown();
+
+        until(() -> told.size() == 2);
+        assertThat(told).containsExactly(true, false);
+        assertThat(team.isLatched()).isFalse();
+    }
+}
