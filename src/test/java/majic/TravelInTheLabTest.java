@@ -59,6 +59,21 @@ class TravelInTheLabTest {
         }
     }
 
+    @ParameterizedTest(name = "{0} at {1} mm/s")
+    @CsvSource({"pioneer, 400", "aibo, 80", "hemisson, 100"})
+    void aDriveForATimeIsDoneWhenTheRobotStands(String type, double mmPerSec) throws InterruptedException {
+        try (LabRig rig = LabRig.exact()) {
+            MajicBot bot = rig.add(type);
+
+            assertThat(rig.run("1 drive " + mmPerSec + " 0 for 1s")).anyMatch(line -> line.contains("done"));
+
+            assertThat(bot.get("moving")).hasToString("no");
+            Pose atTheEnd = rig.truePose(type);
+            rig.lab().time().sleep(1);
+            assertThat(ahead(atTheEnd, rig.truePose(type))).isCloseTo(0, within(1.0));
+        }
+    }
+
     private static double ahead(Pose before, Pose after) {
         double heading = Math.toRadians(before.headingDeg());
         return (after.xMm() - before.xMm()) * Math.cos(heading) + (after.yMm() - before.yMm()) * Math.sin(heading);

@@ -36,7 +36,7 @@ public interface BotControl {
      * @param degPerSec turn rate, counterclockwise positive
      * @param seconds for how long; at most 60
      * @param until ends the motion early
-     * @return how long it drove
+     * @return how long it took, braking included
      */
     MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until);
 

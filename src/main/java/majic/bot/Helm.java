@@ -137,6 +137,8 @@ final class Helm {
             motion.pause(Math.min(DRIVE_RENEWAL_S, endS - motion.seconds()));
         }
         motion.send(bot::halt);
+        bot.confirmHalt();
+        motion.check();
     }
 
     void drive(double mmPerSec, double degPerSec, Permit permit) {

@@ -476,7 +476,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     /**
      * Waits until the robot has confirmed the stop that {@link #halt()} sent, sending it again where that helps. Called
-     * without any lock, on the thread that stops.
+     * without any lock, on the thread that stops and at the end of a drive for a time.
      *
      * @throws BotException if it is not confirmed in the driver's time
      */
