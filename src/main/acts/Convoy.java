@@ -19,7 +19,7 @@ public final class Convoy extends MajicAct {
     /** Who sees less far ahead than that has run into the robot before it, before it stands. */
     private static final double SHORTEST_SIGHT_MM = 100;
 
-    private transient List<Integer> lost = List.of();
+    private transient List<BotControl> lost = List.of();
 
     @Override
     public List<Role> roles() {
@@ -33,7 +33,7 @@ public final class Convoy extends MajicAct {
     @Override
     protected void behave() {
         List<BotControl> followers = robots("follower");
-        followers.forEach(follower -> checkSight(follower, followers.indexOf(follower) + 1));
+        followers.forEach(Convoy::checkSight);
         double pace = number(bot, "cruise");
         for (BotControl follower : followers) {
             pace = Math.min(pace, number(follower, "cruise"));
@@ -48,20 +48,20 @@ public final class Convoy extends MajicAct {
         say("something is in the way");
     }
 
-    private static void checkSight(BotControl follower, int number) {
+    private static void checkSight(BotControl follower) {
         double sight = number(follower, "near");
         if (sight < SHORTEST_SIGHT_MM) {
-            throw new BotException("follower " + number + " sees too little: its near is " + Math.round(sight)
-                    + " mm, and whoever follows needs " + Math.round(SHORTEST_SIGHT_MM) + " mm");
+            throw new BotException(follower.name() + " sees too little: its near is " + Math.round(sight)
+                    + " mm, and a follower needs " + Math.round(SHORTEST_SIGHT_MM) + " mm");
         }
     }
 
-    /** Those that see nobody ahead, counted from 1. */
-    private static List<Integer> follow(List<BotControl> followers, double pace) {
-        List<Integer> blind = new ArrayList<>();
-        for (int index = 0; index < followers.size(); index++) {
-            if (!follow(followers.get(index), pace)) {
-                blind.add(index + 1);
+    /** Those that see no robot ahead. */
+    private static List<BotControl> follow(List<BotControl> followers, double pace) {
+        List<BotControl> blind = new ArrayList<>();
+        for (BotControl follower : followers) {
+            if (!follow(follower, pace)) {
+                blind.add(follower);
             }
         }
         return blind;
@@ -76,10 +76,10 @@ public final class Convoy extends MajicAct {
         return sees;
     }
 
-    private void tell(List<Integer> blind) {
+    private void tell(List<BotControl> blind) {
         if (!blind.equals(lost)) {
             lost = blind;
-            say(blind.isEmpty() ? "together again" : "follower " + blind.get(0) + " sees nobody ahead");
+            say(blind.isEmpty() ? "together again" : blind.get(0).name() + " sees no robot ahead");
         }
     }
 

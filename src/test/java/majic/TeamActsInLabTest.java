@@ -124,8 +124,9 @@ class TeamActsInLabTest {
         try (LabRig rig = LabRig.exact().withAllRobots()) {
             Map<String, Pose> before = rig.lab().truePoses();
             assertThat(rig.run("2 act Convoy with 1,3"))
-                    .containsExactly("2 act Convoy with 1,3: failed: follower 2 sees too little: its near is 40 mm, and"
-                            + " whoever follows needs 100 mm");
+                    .containsExactly(
+                            "2 act Convoy with 1,3: failed: robot 3 (Hemisson) sees too little: its near is 40 mm, and"
+                                    + " a follower needs 100 mm");
             assertThat(rig.lab().truePoses()).isEqualTo(before);
         }
     }
@@ -147,7 +148,7 @@ class TeamActsInLabTest {
         try (LabRig rig = convoy(lab)) {
             rig.lab().time().sleep(12);
             ActLabs.place(rig, "aibo", new Pose(0, 2500, 0));
-            ActLabs.awaitSaid(rig, "1: Convoy: follower 1 sees nobody ahead");
+            ActLabs.awaitSaid(rig, "1: Convoy: robot 2 (Pioneer) sees no robot ahead");
             rig.lab().time().sleep(1);
             Map<String, Pose> then = rig.lab().truePoses();
             rig.lab().time().sleep(3);

@@ -12,7 +12,7 @@ import majic.bot.Permit;
 import majic.bot.Value;
 
 /**
- * A robot on loan. Once the leave is revoked every use of it throws, and nothing reaches the robot any more. A stop by
+ * A robot on loan. Once the leave is revoked every use of it but its name throws, and nothing reaches the robot any more. A stop by
  * the borrower ends what he has begun, and takes nobody else's leave. Thread-safe.
  */
 final class Lease implements BotControl {
@@ -28,6 +28,11 @@ final class Lease implements BotControl {
     private synchronized BotControl robot() {
         permit.check();
         return robot.control(permit.and(round));
+    }
+
+    @Override
+    public String name() {
+        return robot.name();
     }
 
     @Override

@@ -152,7 +152,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         if (wanted.size() > 1) {
             throw new BotException("the act needs " + wanted.size() + " robots: " + wanted);
         }
-        wanted.get(0).unfit(robot.type().name(), robot.parameters()).ifPresent(why -> {
+        wanted.get(0).unfit(robot).ifPresent(why -> {
             throw new BotException("the robot " + why);
         });
         start(new Cast(Map.of(Role.ME, List.of(robot))), new Audience() {

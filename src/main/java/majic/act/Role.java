@@ -5,7 +5,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import majic.bot.BotCommand;
+import majic.bot.MajicBot;
 import majic.bot.Parameter;
+import majic.bot.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,14 +18,18 @@ import org.jspecify.annotations.Nullable;
  * @param name the act's word for it, letters and digits; {@value #ME} is the robot the act is loaded onto
  * @param types the types of robots that will do, as in addresses; empty for any
  * @param parameters the parameters it must have
+ * @param commands the further commands it must have, beside those that every robot has
  * @param several whether further robots may play it too; of use for the last role of an act
  */
-public record Role(String name, List<String> types, List<String> parameters, boolean several) {
+public record Role(String name, List<String> types, List<String> parameters, List<String> commands, boolean several) {
     /** The role of the robot that an act is loaded onto. */
     public static final String ME = "me";
 
+    /** How a command is told from a parameter. */
+    private static final String CALL = "()";
+
     private static final Pattern TEXT =
-            Pattern.compile("(\\w+)(\\+?)(?: (\\w+(?:\\|\\w+)*))?(?: \\((\\w+(?:,\\w+)*)\\))?");
+            Pattern.compile("(\\w+)(\\+?)(?: (\\w+(?:\\|\\w+)*))?(?: \\((\\w+(?:\\(\\))?(?:,\\w+(?:\\(\\))?)*)\\))?");
 
     /**
      * Keeps copies of the lists.
@@ -31,8 +39,10 @@ public record Role(String name, List<String> types, List<String> parameters, boo
     public Role {
         types = types.stream().map(type -> type.toLowerCase(Locale.ROOT)).toList();
         parameters = List.copyOf(parameters);
-        if (!TEXT.matcher(textOf(name, types, parameters)).matches()) {
-            throw new IllegalArgumentException("a role is named in letters and digits, with types and parameters");
+        commands = List.copyOf(commands);
+        if (!TEXT.matcher(textOf(name, types, needs(parameters, commands))).matches()) {
+            throw new IllegalArgumentException(
+                    "a role is named in letters and digits, with types, parameters and commands");
         }
         if (several && name.equals(ME)) {
             throw new IllegalArgumentException("an act is loaded onto one robot, so " + ME + " is not several");
@@ -46,27 +56,37 @@ public record Role(String name, List<String> types, List<String> parameters, boo
      * @return a role with no further needs
      */
     public static Role any(String name) {
-        return new Role(name, List.of(), List.of(), false);
+        return new Role(name, List.of(), List.of(), List.of(), false);
     }
 
     /**
      * This role, for robots of some types only.
      *
      * @param wanted the types, as in addresses: {@code aibo}
-     * @return a role with the same parameters
+     * @return a role with the same parameters and commands
      */
     public Role types(String... wanted) {
-        return new Role(name, List.of(wanted), parameters, several);
+        return new Role(name, List.of(wanted), parameters, commands, several);
     }
 
     /**
      * This role, for robots that have some parameters.
      *
      * @param wanted their names: {@code distanceFront}
-     * @return a role for the same types
+     * @return a role for the same types, with the same commands
      */
     public Role with(String... wanted) {
-        return new Role(name, types, List.of(wanted), several);
+        return new Role(name, types, List.of(wanted), commands, several);
+    }
+
+    /**
+     * This role, for robots that have some commands of their own.
+     *
+     * @param wanted their names: {@code play}
+     * @return a role for the same types, with the same parameters
+     */
+    public Role calling(String... wanted) {
+        return new Role(name, types, parameters, List.of(wanted), several);
     }
 
     /**
@@ -76,24 +96,30 @@ public record Role(String name, List<String> types, List<String> parameters, boo
      * @throws IllegalArgumentException if it is {@value #ME}
      */
     public Role orMore() {
-        return new Role(name, types, parameters, true);
+        return new Role(name, types, parameters, commands, true);
     }
 
     /**
      * Why a robot cannot play this role.
      *
-     * @param type the robot's type, as in addresses
-     * @param has the parameters it has
-     * @return what it lacks, to put behind the robot's number ({@code is a hemisson, not an aibo}); empty if it will do
+     * @param robot the robot; nothing is asked of it
+     * @return what it lacks, to put behind the robot's number ({@code has no parameter sonar3}); empty if it will do
      */
-    public Optional<String> unfit(String type, List<Parameter> has) {
+    public Optional<String> unfit(MajicBot robot) {
+        String type = robot.type().name();
         if (!types.isEmpty() && !types.contains(type.toLowerCase(Locale.ROOT))) {
             return Optional.of("is of type " + type + ", not " + String.join(" or ", types));
         }
-        return parameters.stream()
-                .filter(wanted -> has.stream().noneMatch(one -> one.name().equalsIgnoreCase(wanted)))
+        List<String> has = robot.parameters().stream().map(Parameter::name).toList();
+        List<String> calls = robot.commands().stream().map(BotCommand::name).toList();
+        return missing("parameter", parameters, has).or(() -> missing("command", commands, calls));
+    }
+
+    private static Optional<String> missing(String kind, List<String> wanted, List<String> has) {
+        return wanted.stream()
+                .filter(one -> has.stream().noneMatch(one::equalsIgnoreCase))
                 .findFirst()
-                .map(missing -> "has no parameter " + missing);
+                .map(one -> "has no " + kind + " " + one + Suggestion.didYouMean(one, has));
     }
 
     /**
@@ -109,21 +135,44 @@ public record Role(String name, List<String> types, List<String> parameters, boo
             throw new IllegalArgumentException("'" + text + "' is not a role, as in: me aibo|pioneer (distanceFront)");
         }
         boolean several = !parts.group(2).isEmpty();
-        return new Role(parts.group(1), listed(parts.group(3), "\\|"), listed(parts.group(4), ","), several);
+        List<String> needs = listed(parts.group(4), ",");
+        return new Role(
+                parts.group(1),
+                listed(parts.group(3), "\\|"),
+                needs.stream().filter(need -> !need.endsWith(CALL)).toList(),
+                needs.stream()
+                        .filter(need -> need.endsWith(CALL))
+                        .map(need -> need.substring(0, need.length() - CALL.length()))
+                        .toList(),
+                several);
     }
 
     private static List<String> listed(@Nullable String text, String separator) {
         return text == null ? List.of() : List.of(text.split(separator));
     }
 
-    /** The role as one reads and types it: {@code me aibo|pioneer (distanceFront,bumped)}; {@code follower+} for several. */
+    /** The role as one reads and types it: {@code me aibo|pioneer (distanceFront,play())}; {@code follower+} for several. */
     @Override
     public String toString() {
-        return textOf(several ? name + "+" : name, types, parameters);
+        return textOf(several ? name + "+" : name, types, needs());
     }
 
-    private static String textOf(String name, List<String> types, List<String> parameters) {
+    /**
+     * All that the robot must have, as in {@link #toString()}.
+     *
+     * @return the parameters by name, then the commands with brackets: {@code play()}
+     */
+    public List<String> needs() {
+        return needs(parameters, commands);
+    }
+
+    private static List<String> needs(List<String> parameters, List<String> commands) {
+        return Stream.concat(parameters.stream(), commands.stream().map(command -> command + CALL))
+                .toList();
+    }
+
+    private static String textOf(String name, List<String> types, List<String> needs) {
         String ofTypes = types.isEmpty() ? "" : " " + String.join("|", types);
-        return name + ofTypes + (parameters.isEmpty() ? "" : " (" + String.join(",", parameters) + ")");
+        return name + ofTypes + (needs.isEmpty() ? "" : " (" + String.join(",", needs) + ")");
     }
 }

@@ -12,6 +12,13 @@ import java.util.List;
  */
 public interface BotControl {
     /**
+     * How messages call the robot.
+     *
+     * @return for instance {@code robot 1 (Aibo)}; before it is in a team, {@code the Aibo}
+     */
+    String name();
+
+    /**
      * Drives straight and returns when the robot stands again.
      *
      * @param mm how far, ahead positive; at most the parameter {@code maxMove} either way

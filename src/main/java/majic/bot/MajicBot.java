@@ -325,11 +325,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         return type;
     }
 
-    /**
-     * How messages call it.
-     *
-     * @return for instance {@code robot 1 (Aibo)}; before it is in a team, {@code the Aibo}
-     */
+    @Override
     public final String name() {
         return name;
     }

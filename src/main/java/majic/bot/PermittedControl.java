@@ -6,6 +6,11 @@ import java.util.function.Supplier;
 /** A robot in the hands of somebody whose leave to move it can be taken back; reading and stopping stay allowed. */
 record PermittedControl(MajicBot bot, Supplier<Permit> permit) implements BotControl {
     @Override
+    public String name() {
+        return bot.name();
+    }
+
+    @Override
     public MotionReport move(double mm, Guard until) {
         return bot.move(mm, until, permit.get());
     }

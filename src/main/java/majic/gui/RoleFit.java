@@ -11,14 +11,14 @@ final class RoleFit {
     /** What a role asks for: {@code an aibo or pioneer with distanceFront}. */
     static String wanted(Role role) {
         String types = role.types().isEmpty() ? "any robot" : String.join(" or ", role.types());
-        String needs = role.parameters().isEmpty() ? "" : " with " + String.join(", ", role.parameters());
+        String needs = role.needs().isEmpty() ? "" : " with " + String.join(", ", role.needs());
         return types + needs + (role.several() ? "; one or more" : "");
     }
 
     /** Why a robot cannot be the one a behaviour is loaded onto, as a sentence; empty if it can. */
     static Optional<String> unfit(Role role, Member member) {
-        return role.unfit(member.bot().type().name(), member.bot().parameters())
-                .map(why -> "Robot " + member.number() + " " + why + ".");
+        return role.unfit(member.bot())
+                .map(why -> "Robot " + member.number() + " " + why + (why.endsWith("?") ? "" : "."));
     }
 
     /** Why a robot cannot play a further role, as a sentence; empty if it can. */

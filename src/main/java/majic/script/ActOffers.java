@@ -57,7 +57,7 @@ public final class ActOffers {
             return new ActOffer(called, details, ScriptAct.read(path).roles(), null);
         }
         ActFile file = acts.find(called);
-        return new ActOffer(called, file.details(), file.roles(), file);
+        return new ActOffer(called, file.details(), session.behaviours().roles(file), file);
     }
 
     /**

@@ -43,7 +43,25 @@ final class Behaviour {
                 script.stream().filter(statement -> !isAdd(statement)).toList(), found);
     }
 
-    private static void refuse(String title, List<Mistake> mistakes) {
+    /**
+     * Looks whether robots can do what it says to them.
+     *
+     * @param given the robots by role
+     * @return what is wrong, in any order
+     */
+    List<Mistake> check(Session session, Map<String, Member> given) {
+        Selection robots = among(given);
+        List<Mistake> mistakes = new ArrayList<>(Checker.check(statements, session, robots));
+        mistakes.addAll(rawCommands(robots));
+        return mistakes;
+    }
+
+    /**
+     * Refuses a script with mistakes.
+     *
+     * @throws BotException if there are any, one line for each
+     */
+    static void refuse(String title, List<Mistake> mistakes) {
         if (!mistakes.isEmpty()) {
             throw new BotException(String.join("\n", Mistake.inOrder(mistakes, title)));
         }
@@ -60,14 +78,14 @@ final class Behaviour {
 
     /** Without {@code me} in it, the robot named first is the one it runs on. */
     List<Role> roles() {
-        return roleByNumber().values().stream().distinct().toList();
+        return List.copyOf(roleByNumber().values());
     }
 
     /** The robots it means, among those it was given by role. */
     Selection among(Map<String, Member> given) {
         Map<Integer, Member> byNumber = new LinkedHashMap<>();
         roleByNumber().forEach((number, role) -> byNumber.put(number, given.get(role.name())));
-        byNumber.remove(0);
+        byNumber.remove(BehaviourInspection.ME);
         return new Selection(given.get(Role.ME), byNumber);
     }
 
@@ -75,19 +93,25 @@ final class Behaviour {
     private Map<Integer, Role> roleByNumber() {
         Map<Integer, Role> roles = new LinkedHashMap<>();
         if (found.hasMe()) {
-            roles.put(0, Role.any(Role.ME));
+            roles.put(BehaviourInspection.ME, role(Role.ME, BehaviourInspection.ME));
         }
         for (int number : found.numbers()) {
-            Role role = Role.any(roles.isEmpty() ? Role.ME : "robot" + number);
+            Role role = role(roles.isEmpty() ? Role.ME : "robot" + number, number);
             String type = found.types().get(number);
             roles.put(number, type == null ? role : role.types(type));
         }
         return roles;
     }
 
+    private Role role(String name, int number) {
+        return Role.any(name)
+                .with(found.parameters(number).toArray(String[]::new))
+                .calling(found.commands(number).toArray(String[]::new));
+    }
+
     /** Only the robots know which of their own commands are raw. */
-    List<Mistake> rawCommands(Selection robots) {
-        return found.own().stream()
+    private List<Mistake> rawCommands(Selection robots) {
+        return found.ownCommands().stream()
                 .filter(line ->
                         robots.present(line.robots()).stream().anyMatch(member -> isRaw(line.command(), member)))
                 .map(line -> new ScriptException(

@@ -7,14 +7,29 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
 import majic.bot.BotAddress;
 import org.jspecify.annotations.Nullable;
 
-/** Finds out which robots a behaviour means, and whether it says anything that only a session may say. */
+/**
+ * Finds out which robots a behaviour means, what each of them must have, and whether it says anything that only a session
+ * may say.
+ */
 final class BehaviourInspection extends Inspection {
+    private static final Pattern NAME = Pattern.compile("\\w+");
+
+    /** In place of a number, for {@code me}. */
+    static final int ME = 0;
+
+    /** In place of a number, for {@code all}. */
+    private static final int ALL = -1;
+
     private final Map<Integer, String> types = new HashMap<>();
+    private final Map<Integer, Set<String>> parameters = new HashMap<>();
+    private final Map<Integer, Set<String>> commands = new HashMap<>();
     private final Set<Integer> numbers = new LinkedHashSet<>();
-    private final List<Statement.ForRobots> own = new ArrayList<>();
+    private final List<Statement.ForRobots> ownCommands = new ArrayList<>();
     private boolean hasMe;
 
     /** Whether it speaks of {@code me}. */
@@ -33,17 +48,75 @@ final class BehaviourInspection extends Inspection {
     }
 
     /** The lines with commands that only some types have. */
-    List<Statement.ForRobots> own() {
-        return own;
+    List<Statement.ForRobots> ownCommands() {
+        return ownCommands;
+    }
+
+    /**
+     * The parameters that a robot must have, as far as the script tells without one: a word that is held against another
+     * may be a choice.
+     *
+     * @param number the robot's in the script, or {@link #ME}
+     */
+    List<String> parameters(int number) {
+        return ofBoth(parameters, number);
+    }
+
+    /** The commands that a robot must have beside those that all have. */
+    List<String> commands(int number) {
+        return ofBoth(commands, number);
+    }
+
+    private static List<String> ofBoth(Map<Integer, Set<String>> named, int number) {
+        Set<String> all = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+        all.addAll(named.getOrDefault(ALL, Set.of()));
+        all.addAll(named.getOrDefault(number, Set.of()));
+        return List.copyOf(all);
     }
 
     @Override
     void inspect(Condition condition) {
+        inspect(condition, null);
+    }
+
+    private void inspect(Condition condition, @Nullable Robots own) {
         condition.accept(new EachComparison(comparison -> {
-            if (comparison.robots() != null) {
-                robots(comparison.robots());
+            Robots asked = comparison.robots();
+            if (asked != null) {
+                robots(asked);
             }
+            compare(comparison, asked == null ? own : asked);
         }));
+    }
+
+    /** "Any" passes over robots that have no such parameter. */
+    private void compare(Condition.Comparison comparison, @Nullable Robots asked) {
+        if (asked == null || asked.isAny()) {
+            return;
+        }
+        need(parameters, asked, comparison.parameter().text());
+        Literal value = comparison.value();
+        boolean ordered = !comparison.operator().isEquality();
+        if (ordered && value.at().kind() == Token.Kind.WORD && !value.text().equalsIgnoreCase("clear")) {
+            need(parameters, asked, value.text());
+        }
+    }
+
+    /** A word that no parameter or command can be called by is left to the check with the robot. */
+    private static void need(Map<Integer, Set<String>> needs, Robots robots, String name) {
+        if (NAME.matcher(name).matches()) {
+            for (Robots.Item item : robots.items()) {
+                needs.computeIfAbsent(key(item), key -> new TreeSet<>(String.CASE_INSENSITIVE_ORDER))
+                        .add(name);
+            }
+        }
+    }
+
+    private static int key(Robots.Item item) {
+        if (item instanceof Robots.One one) {
+            return one.number();
+        }
+        return item instanceof Robots.Me ? ME : ALL;
     }
 
     @Override
@@ -58,12 +131,24 @@ final class BehaviourInspection extends Inspection {
         }
         Condition until = until(command);
         if (until != null) {
-            inspect(until);
+            inspect(until, line.robots());
         }
-        if (command instanceof Command.Own) {
-            own.add(line);
+        if (command instanceof Command.Own own) {
+            ownCommands.add(line);
+            need(commands, line.robots(), own.at().text());
         }
+        named(command).forEach(name -> need(parameters, line.robots(), name.text()));
         return null;
+    }
+
+    private static List<Token> named(Command command) {
+        if (command instanceof Command.Get get) {
+            return get.parameters();
+        }
+        if (command instanceof Command.Log log) {
+            return log.parameters();
+        }
+        return command instanceof Command.Set set ? List.of(set.parameter()) : List.of();
     }
 
     private static @Nullable Condition until(Command command) {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
@@ -41,9 +42,19 @@ final class Behaviours {
      *
      * @param name what messages call it
      * @param roles the robots it asks for
+     * @param script what it says, if it is a script
      * @param fresh makes one to run
      */
-    private record Found(String name, List<Role> roles, Supplier<MajicAct> fresh) {}
+    private record Found(String name, List<Role> roles, Optional<ScriptAct> script, Supplier<MajicAct> fresh) {
+        /** Of one whose code is MAJIC's own. */
+        Found(String name, MajicAct act) {
+            this(
+                    name,
+                    act.roles(),
+                    Optional.of(act).filter(ScriptAct.class::isInstance).map(ScriptAct.class::cast),
+                    () -> act);
+        }
+    }
 
     Acts acts() {
         return acts;
@@ -55,9 +66,11 @@ final class Behaviours {
      * @throws ScriptException if not; it says what would be right
      */
     void check(Command.Act act, Member me, Selection selection) {
-        Token at = act.name().at();
-        ScriptException.placed(
-                at, () -> Casting.cast(at.text(), find(act.name()).roles(), me, others(act, selection)));
+        ScriptException.placed(act.name().at(), () -> {
+            Found found = find(act.name());
+            Map<String, List<Member>> cast = cast(act, found, me, others(act, selection));
+            found.script().ifPresent(script -> script.check(session, cast));
+        });
     }
 
     /** Runs a behaviour in the robot's turn; the order lasts as long as it does. */
@@ -67,13 +80,17 @@ final class Behaviours {
         Permit leave = leave(me, others);
         return new Order(text, true, robot -> {
             Found found = find(act.name());
-            Map<String, List<Member>> cast = Casting.cast(act.name().text(), found.roles(), me, others);
+            Map<String, List<Member>> cast = cast(act, found, me, others);
             long began = me.time().nanos();
             ActRun run = run(found, cast, leave, execution);
             String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
             return List.of(text
                     + String.format(Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
         });
+    }
+
+    private static Map<String, List<Member>> cast(Command.Act act, Found found, Member me, List<Member> others) {
+        return Casting.cast(SessionCheck.text(act.name()), found.roles(), me, others);
     }
 
     private Permit leave(Member me, List<Member> others) {
@@ -146,7 +163,7 @@ final class Behaviours {
         try {
             ActFile file = acts.find(name);
             String roles =
-                    String.join(", ", file.roles().stream().map(Role::toString).toList());
+                    String.join(", ", roles(file).stream().map(Role::toString).toList());
             return "acts: " + name + " (" + roles + "): " + file.details().description();
         } catch (BotException e) {
             return "acts: " + name + ": " + e.getMessage();
@@ -201,18 +218,45 @@ final class Behaviours {
     private static Found script(Path path) {
         ScriptAct act = ScriptAct.read(path);
         String name = act.title().substring(0, act.title().length() - ScriptAct.ENDING.length());
-        return new Found(name, act.roles(), () -> act);
+        return new Found(name, act);
     }
 
-    /** A mere object stream does not say which robots it wants; without code in it, it may be loaded to ask it. */
+    /**
+     * The robots an act asks for. A file without code may be loaded to ask the act itself: an object stream does not say,
+     * and a script tells what it needs of them.
+     *
+     * @throws BotException if it cannot be loaded
+     */
+    List<Role> roles(ActFile file) {
+        return file.carriesCode() ? file.roles() : file.load(acts.trust()).roles();
+    }
+
+    /**
+     * The behaviours that need no path and can be given to each of some robots, as far as can be told of one robot.
+     *
+     * @return their names, sorted
+     */
+    List<String> namesFor(List<Member> members) {
+        return acts.names().stream().filter(name -> fits(name, members)).toList();
+    }
+
+    private boolean fits(String name, List<Member> members) {
+        try {
+            Role first = roles(acts.find(name)).get(0);
+            return members.stream().allMatch(member -> first.unfit(member.bot()).isEmpty());
+        } catch (BotException e) {
+            return false;
+        }
+    }
+
     private Found file(String name) {
         ActFile file = acts.find(name);
         if (!acts.trust().isTrusted(file)) {
             throw new BotException(name + ": it brings code of its own; \"trust " + SessionRecord.quoted(name)
                     + "\" shows whose and lets you agree");
         }
-        Supplier<MajicAct> fresh = () -> file.load(acts.trust());
-        List<Role> roles = file.carriesCode() ? file.roles() : fresh.get().roles();
-        return new Found(file.details().name(), roles, fresh);
+        return file.carriesCode()
+                ? new Found(file.details().name(), file.roles(), Optional.empty(), () -> file.load(acts.trust()))
+                : new Found(file.details().name(), file.load(acts.trust()));
     }
 }

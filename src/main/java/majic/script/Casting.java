@@ -15,7 +15,7 @@ final class Casting {
     /**
      * Who plays what.
      *
-     * @param act what messages call the behaviour
+     * @param act the behaviour, as it was typed
      * @param me the robot it is loaded onto
      * @param others the further robots
      * @return at least one robot for each role, in the order of the roles
@@ -26,7 +26,7 @@ final class Casting {
         given.addAll(others);
         Role last = roles.get(roles.size() - 1);
         if (given.size() < roles.size() || (given.size() > roles.size() && !last.several())) {
-            throw new BotException(act + ": " + wanted(roles, me));
+            throw new BotException(act + ": " + wanted(act, roles, me, others.size()));
         }
         Map<String, List<Member>> cast = new LinkedHashMap<>();
         for (int index = 0; index < given.size(); index++) {
@@ -42,20 +42,22 @@ final class Casting {
     }
 
     private static void check(String act, Role role, Member member) {
-        role.unfit(member.bot().type().name(), member.bot().parameters()).ifPresent(why -> {
+        role.unfit(member.bot()).ifPresent(why -> {
             throw new BotException(act + ": robot " + member.number() + " " + why);
         });
     }
 
-    private static String wanted(List<Role> roles, Member me) {
+    private static String wanted(String act, List<Role> roles, Member me, int others) {
         if (roles.size() == 1) {
             return "needs no further robot than the one it runs on";
         }
         List<Role> further = roles.subList(1, roles.size());
         boolean several = further.get(further.size() - 1).several();
         String numbers = String.join(",", further.stream().map(role -> "N").toList());
-        return "needs " + further.size() + (several ? " or more others (" : " more (")
-                + String.join(", ", further.stream().map(Role::toString).toList()) + "): " + me.number()
-                + " act NAME with " + numbers + (several ? ",…" : "");
+        boolean tooMany = others > further.size();
+        return (tooMany ? "takes " : "needs ") + further.size() + (several ? " or more others (" : " more (")
+                + String.join(", ", further.stream().map(Role::toString).toList())
+                + (tooMany ? "), not " + others + ": " : "): ") + me.number()
+                + " act " + SessionRecord.quoted(act) + " with " + numbers + (several ? ",…" : "");
     }
 }

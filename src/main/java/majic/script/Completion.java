@@ -136,7 +136,7 @@ final class Completion {
                 tokens.size() == command + 1 ? parameters(members, true) : words(tokens.get(command + 1), members);
             case "act" ->
                 tokens.size() == command + 1
-                        ? with(session.behaviours().acts().names(), "off")
+                        ? with(session.behaviours().namesFor(members), "off")
                         : with(robotWords(), "with");
             case "move", "turn" ->
                 tokens.size() > command + 1 ? with(afterCondition(last, members), "until") : List.of();

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -96,9 +95,23 @@ public final class ScriptAct extends MajicAct {
 
     /** Tells it where it runs, before it is started; a robot for each role. */
     void enter(Session session, Owner act, Map<String, List<Member>> cast) {
+        stage = new Stage(session, act, first(cast));
+    }
+
+    private static Map<String, Member> first(Map<String, List<Member>> cast) {
         Map<String, Member> one = new LinkedHashMap<>();
         cast.forEach((role, robots) -> one.put(role, robots.get(0)));
-        stage = new Stage(session, act, one);
+        return one;
+    }
+
+    /**
+     * Looks whether robots can do what it says to them, without telling them.
+     *
+     * @throws BotException if not, one line for each mistake, with its place
+     */
+    void check(Session session, Map<String, List<Member>> cast) {
+        Behaviour behaviour = Behaviour.of(title, text);
+        Behaviour.refuse(title, behaviour.check(session, first(cast)));
     }
 
     @Override
@@ -108,10 +121,9 @@ public final class ScriptAct extends MajicAct {
             throw new BotException("a behaviour in MAJIC Script runs in a session: 1 act FILE");
         }
         Behaviour behaviour = Behaviour.of(title, text);
-        Selection robots = behaviour.among(here.cast);
+        refuse(behaviour.check(here.session, here.cast), here.session);
         try {
-            check(behaviour, here.session, robots);
-            run(behaviour, Execution.ofAct(here.session, here.act, robots));
+            run(behaviour, Execution.ofAct(here.session, here.act, behaviour.among(here.cast)));
         } catch (ExecutionEnded e) {
             throw e.outcome() == Answer.Outcome.STOPPED
                     ? new MotionStopped("stopped")
@@ -121,9 +133,8 @@ public final class ScriptAct extends MajicAct {
         }
     }
 
-    private void check(Behaviour behaviour, Session session, Selection robots) {
-        List<Mistake> mistakes = new ArrayList<>(Checker.check(behaviour.statements(), session, robots));
-        mistakes.addAll(behaviour.rawCommands(robots));
+    /** As of a script that is run, each mistake is said once and the answer counts them. */
+    private void refuse(List<Mistake> mistakes, Session session) {
         Mistake.inOrder(mistakes, title).forEach(mistake -> session.say(Line.Kind.ERROR, mistake));
         if (!mistakes.isEmpty()) {
             throw new BotException(Mistake.counted(mistakes.size()) + " in it, nothing was run");

@@ -3,15 +3,20 @@ package majic.act;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.util.List;
-import majic.bot.Parameter;
+import majic.bot.BotEnvironment;
+import majic.bot.FakeBot;
+import majic.bot.FakeType;
+import majic.bot.MajicBot;
+import majic.bot.Settings;
+import majic.bot.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What an act asks of a robot can be written, read and held against a robot. */
 class RoleTest {
-    private static final List<Parameter> PARAMETERS = List.of(Parameter.yesNo("bumped", "whether it touches"));
+    private final MajicBot aibo =
+            new FakeBot(new FakeType("aibo"), new BotEnvironment(TimeSource.system(), Settings.inMemory()));
 
     @ParameterizedTest
     @ValueSource(
@@ -22,28 +27,46 @@ class RoleTest {
                 "follower2 (bumped)",
                 "follower+",
                 "others+ aibo|pioneer (bumped)",
-                "me aibo|pioneer (distanceFront,bumped)"
+                "me aibo|pioneer (distanceFront,bumped)",
+                "me (play())",
+                "me aibo (distanceFront,play(),record())"
             })
     void isReadFromItsOwnText(String text) {
         assertThat(Role.parse(text)).hasToString(text);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "me and you", "me aibo,pioneer", "me (", "me ()", "me aibo|", "me aibo\nx", "me+", "+"})
+    @ValueSource(
+            strings = {
+                "",
+                "me and you",
+                "me aibo,pioneer",
+                "me (",
+                "me ()",
+                "me aibo|",
+                "me (play(x))",
+                "me (())",
+                "me (,a)",
+                "me aibo\nx",
+                "me+",
+                "+"
+            })
     void refusesWhatIsNoRole(String text) {
         assertThatThrownBy(() -> Role.parse(text)).isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test
     void fitsARobotOfItsTypeWithItsParameters() {
-        Role role = Role.any(Role.ME).types("Aibo", "pioneer").with("BUMPED");
-        assertThat(role.unfit("aibo", PARAMETERS)).isEmpty();
+        Role role = Role.any(Role.ME).types("Aibo", "pioneer").with("BUMPED").calling("Wag");
+        assertThat(role.unfit(aibo)).isEmpty();
     }
 
     @Test
     void saysWhatARobotLacks() {
-        assertThat(Role.any(Role.ME).types("aibo").unfit("hemisson", PARAMETERS))
-                .contains("is of type hemisson, not aibo");
-        assertThat(Role.any(Role.ME).with("sonar3").unfit("aibo", PARAMETERS)).contains("has no parameter sonar3");
+        assertThat(Role.any(Role.ME).types("hemisson").unfit(aibo)).contains("is of type aibo, not hemisson");
+        assertThat(Role.any(Role.ME).with("sonar3").unfit(aibo)).contains("has no parameter sonar3");
+        assertThat(Role.any(Role.ME).with("bumpd").unfit(aibo))
+                .contains("has no parameter bumpd; did you mean bumped?");
+        assertThat(Role.any(Role.ME).calling("jump").unfit(aibo)).contains("has no command jump");
     }
 }

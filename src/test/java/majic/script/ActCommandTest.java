@@ -14,6 +14,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** A script as a behaviour: given to a robot, run as an act, ended by a stop. */
 @Timeout(30)
@@ -45,10 +47,83 @@ class ActCommandTest {
     @Test
     void numbersInItAreRolesThatRobotsAreAssignedTo() throws Exception {
         String both = file("both.majic", "7 move 100", "8 move 200", "wait");
-        assertThat(desk.refusal("1 act " + both)).get().asString().contains("needs 1 more (robot8): 1 act NAME with N");
+        assertThat(desk.refusal("1 act " + both))
+                .get()
+                .asString()
+                .contains("needs 1 more (robot8): 1 act " + both.replace("\"", "") + " with N");
         desk.runPipe("2 act " + both + " with 1");
         assertThat(desk.bot(2).sent()).startsWith("move 100");
         assertThat(desk.bot(1).sent()).startsWith("move 200");
+    }
+
+    @Test
+    void tooManyRobotsAreRefusedAsTooMany() throws Exception {
+        desk.add(desk.pioneer);
+        String both = file("both.majic", "7 move 100", "8 move 200");
+        assertThat(desk.refusal("1 act " + both + " with 2,3"))
+                .get()
+                .asString()
+                .contains("takes 1 more (robot8), not 2: 1 act " + both.replace("\"", "") + " with N");
+    }
+
+    @Test
+    void aRefusalBeginsWithTheFileAsItWasTyped() throws Exception {
+        Path folders = Files.createDirectories(folder.resolve("some/folder"));
+        Path both = Files.write(folders.resolve("both.majic"), List.of("7 move 100", "8 move 200"));
+        Path typed = Path.of("").toAbsolutePath().relativize(both);
+        assertThat(desk.refusal("1 act " + typed)).get().asString().startsWith(typed + ": needs 1 more");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "me set sonar 5, robot 1 has no parameter sonar",
+        "me move 5 until distanceLeft < near, robot 1 has no parameter distanceLeft",
+        "me get lighd, robot 1 has no parameter lighd; did you mean light?",
+        "me jump, robot 1 has no command jump",
+        "all jump, robot 1 has no command jump",
+        "me set voltage 5, lacking.majic:1:8: voltage: can be read but not set",
+        "me set headPan 400, lacking.majic:1:16: ",
+        "me wag, lacking.majic:1:4: wag",
+        "me drive 5000 0, lacking.majic:1:10: ",
+    })
+    void whatItSaysIsHeldAgainstTheRobotBeforeItIsLoaded(String line, String why) throws Exception {
+        String lacking = file("lacking.majic", line, "me move 10");
+        assertThat(desk.refusal("1 act " + lacking)).get().asString().contains(why);
+        assertThat(desk.bot(1).sent()).isEmpty();
+    }
+
+    @Test
+    void aSavedScriptIsHeldAgainstTheRobotToo() throws Exception {
+        byte[] saved = ActMaker.save(new ScriptAct("there", "me get sonar"), ActDetails.named("There"));
+        Path file = Files.write(folder.resolve("there.act"), saved);
+        assertThat(ActFile.read(file).roles()).hasToString("[me (sonar)]");
+        assertThat(desk.refusal("1 act \"" + file + '"')).get().asString().contains("robot 1 has no parameter sonar");
+        assertThat(desk.session.offers().find(file.toString()).roles().get(0).unfit(desk.bot(1)))
+                .contains("has no parameter sonar");
+    }
+
+    @Test
+    void aShippedScriptIsHeldAgainstTheRobotToo() throws Exception {
+        assertThat(desk.refusal("1 act PioneerWander"))
+                .contains("PioneerWander: robot 1 has no parameter distanceLeft");
+    }
+
+    @Test
+    void whatTheRobotCannotRunIsNotOffered() throws Exception {
+        assertThat(desk.prompt.complete("1 act ", 6))
+                .contains("AiboSquare", "off")
+                .doesNotContain("PioneerWander", "WallFollow");
+        assertThat(desk.runPipe("acts"))
+                .anyMatch(line -> line.startsWith(
+                        "acts: PioneerWander (me (distanceFront,distanceLeft,distanceRight,near)): A Pioneer drives"));
+    }
+
+    @Test
+    void aMistakeThatOnlyTheRobotShowsIsToldOnce() throws Exception {
+        String lacking = file("lacking.majic", "me set voltage 5");
+        List<String> said = desk.runPipe("add sim:aibo as 5", "5 act " + lacking);
+        assertThat(said.stream().filter(line -> line.contains("can be read but not set")))
+                .hasSize(1);
     }
 
     @Test
