@@ -35,7 +35,10 @@ final class StickScript {
             function robot.stand() { robot.pose(0, -20, 25, 90, -25, 10, 80, 2000) };
             function robot.sit() { robot.pose(-40, -45, -10, 10, -75, 15, 120, 2000) };
             function robot.beg() { robot.pose(-25, -20, 5, 115, -55, -10, 115, 2000) };
-            function robot.lay() { robot.place(0, -5, 40, -120, 0, 120, 2000) };
+            function robot.lay() {
+              head.val = 0 time:2000 & tail.val = 5 time:2000 & legF2.val = -5 time:2000 & legF3.val = 40 time:2000 &
+              legH1.val = -120 time:2000 & legH2.val = 0 time:2000 & legH3.val = 120 time:2000
+            };
             function robot.stretch() { robot.place(60, 0, 20, -20, 10, 60, 2000) };
             function robot.initial() { robot.stretch() | robot.place(55, -5, 40, -120, 0, 120, 1900) };
             function robot.StandUp() {

@@ -105,7 +105,7 @@ class JointTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"stand, stand, 3100", "sit, sit, 3100", "beg, sit, 3100", "lay, lay, 2000", "initial, lay, 4000"})
+    @CsvSource({"stand, stand, 3100", "sit, sit, 3100", "beg, sit, 3100", "lay, unknown, 2000", "initial, lay, 4000"})
     void aPostureTakesItsTimeAndIsRecognised(String posture, String guess, int ms) {
         client.ask("motors on; robot.stand();", 3300);
         client.say("p+end: robot." + posture + "();");
