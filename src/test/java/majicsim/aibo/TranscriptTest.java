@@ -16,12 +16,26 @@ import org.junit.jupiter.params.provider.CsvSource;
 class TranscriptTest {
     @Test
     void answersEveryLineOfTheExcerptsAsTheRealKernel() throws IOException {
-        List<Transcript> sessions = Transcript.parse(excerpts());
+        List<Transcript> sessions = Transcript.parse(lines("transcripts.txt"));
 
-        assertThat(sessions).hasSize(4);
+        assertThat(sessions).hasSize(6);
         for (Transcript session : sessions) {
             Replay replay = Replay.of(session, sent -> false);
             assertThat(replay.received()).containsExactlyElementsOf(replay.expected());
+        }
+    }
+
+    @Test
+    void cutsTheBytesOfTheExcerptsIntoCommandsAsTheRealKernel() throws IOException {
+        List<String> framing = lines("framing.txt");
+        Bench.Client client = Bench.exact().client();
+
+        assertThat(framing).hasSize(29);
+        for (String line : framing) {
+            FramingLine excerpt = FramingLine.parse(line);
+            assertThat(String.join("\n", client.ask(excerpt.sent())))
+                    .as(excerpt.sent())
+                    .isEqualTo(excerpt.received());
         }
     }
 
@@ -50,10 +64,9 @@ class TranscriptTest {
                 .containsExactly(received);
     }
 
-    private static List<String> excerpts() throws IOException {
+    private static List<String> lines(String resource) throws IOException {
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(
-                Objects.requireNonNull(TranscriptTest.class.getResourceAsStream("transcripts.txt")),
-                StandardCharsets.UTF_8))) {
+                Objects.requireNonNull(TranscriptTest.class.getResourceAsStream(resource)), StandardCharsets.UTF_8))) {
             return lines.lines().toList();
         }
     }
