@@ -20,6 +20,7 @@ final class Console {
     private final Program program;
     private final Source source;
     private final MajicParser parser;
+    private volatile boolean added = true;
 
     /** Where lines come from and answers go to. */
     interface Source extends AutoCloseable {
@@ -56,24 +57,46 @@ final class Console {
     }
 
     /**
-     * Runs the first lines, then those that come in, until the end or until somebody quits.
+     * Adds robots, then runs some lines and those that come in, until the end or until somebody quits. At a terminal the
+     * prompt does not wait for the robots.
      *
-     * @param firstLines what is said before anything is read
+     * @param adding the lines that add the robots asked for
+     * @param lines what is said before anything is read
      * @return the exit status: 0 only if every line succeeded
      */
-    int run(List<String> firstLines) {
+    int run(List<String> adding, List<String> lines) {
         program.session().addListener(this::show);
         program.announce();
-        Thread reading = new Thread(() -> read(firstLines), "console");
-        reading.setDaemon(true);
-        reading.start();
+        if (source.interactive()) {
+            start("adding robots", () -> add(adding));
+            start("console", () -> read(lines));
+        } else {
+            start("console", () -> {
+                add(adding);
+                read(lines);
+            });
+        }
         try {
             program.awaitQuit();
             program.session().flush();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        return parser.allSucceeded() ? 0 : Failures.FAILED;
+        return added && parser.allSucceeded() ? 0 : Failures.FAILED;
+    }
+
+    private static void start(String name, Runnable body) {
+        Thread thread = new Thread(body, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void add(List<String> adding) {
+        try {
+            added = program.addFirst(adding);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private void read(List<String> firstLines) {

@@ -1,125 +1,260 @@
 package majic;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.OutputStream;
 import java.lang.System.Logger.Level;
-import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.channels.CancelledKeyException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Locale;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import java.util.function.Consumer;
 import majic.script.Line;
 import majic.script.MajicParser;
-import majic.script.Session;
-import majic.script.SessionListener;
+import org.jspecify.annotations.Nullable;
 
-/** One program connected to a {@link LineServer}. A client that does not read its answers is dropped, not waited for. */
-final class LineClient implements SessionListener {
+/**
+ * One program connected to a {@link LineServer}. Its lines are carried out in their order, so many a second; a stop goes
+ * past those that are held and drops them. Used by the server's thread, but for {@link #tell} and {@link #close}.
+ */
+final class LineClient {
+    /** How many lines a client may give in a second; more are held. */
+    static final int LINES_PER_SECOND = 200;
+
     private static final System.Logger LOG = System.getLogger(LineClient.class.getName());
-    private static final int UNREAD_LINES = 10_000;
-    private static final int LONGEST_LINE = 10_000;
-    private static final int LAST_ANSWERS_MS = 1000;
+    private static final int STOPS_PER_SECOND = 20;
+    private static final int MOST_HELD = 10_000;
+    private static final int MOST_UNREAD_ANSWERS = 10_000;
+    private static final int CHUNK = 8192;
+    private static final long TOKEN_WITHIN_NANOS = 5_000_000_000L;
+    private static final long LAST_ANSWERS_NANOS = 1_000_000_000L;
 
-    /** Behind the last answer; no answer has a line end in it. */
-    private static final String END = "\n";
-
-    private final Socket socket;
-    private final Session session;
-    private final Consumer<LineClient> whenGone;
+    private final LineServer server;
+    private final SelectionKey key;
+    private final SocketChannel socket;
     private final MajicParser parser;
-    private final BlockingQueue<String> answers = new ArrayBlockingQueue<>(UNREAD_LINES);
-    private final Thread writer = daemon(this::write, "client writer");
+    private final LineDecoder decoder = new LineDecoder();
+    private final Deque<String> held = new ArrayDeque<>();
+    private final LineRate rate = new LineRate(LINES_PER_SECOND, System::nanoTime);
+    private final LineRate stopRate = new LineRate(STOPS_PER_SECOND, System::nanoTime);
+    private final BlockingQueue<String> answers = new ArrayBlockingQueue<>(MOST_UNREAD_ANSWERS);
+    private final long sinceNanos = System.nanoTime();
+    private @Nullable ByteBuffer unsent;
+    private long dismissedNanos;
+    private volatile boolean admitted;
+    private volatile boolean hearsAll;
+    private volatile boolean deaf;
+    private volatile boolean toldAll;
+    private boolean ended;
+    private boolean finished;
+    private boolean dismissed;
 
-    LineClient(Socket socket, Session session, Consumer<LineClient> whenGone) {
-        this.socket = socket;
-        this.session = session;
-        this.whenGone = whenGone;
-        this.parser = MajicParser.remote(session);
+    LineClient(LineServer server, SelectionKey key, MajicParser parser) {
+        this.server = server;
+        this.key = key;
+        this.socket = (SocketChannel) key.channel();
+        this.parser = parser;
     }
 
-    void start() {
-        session.addListener(this);
-        daemon(this::read, "client reader").start();
-        writer.start();
-    }
-
-    private static Thread daemon(Runnable body, String name) {
-        Thread thread = new Thread(body, name);
-        thread.setDaemon(true);
-        return thread;
-    }
-
-    @Override
-    public void line(Line line) {
-        if (line.kind() != Line.Kind.COMMAND) {
-            say(line.text());
+    /** Takes what was said, if it is for this client. Called on the session's thread; never waits. */
+    void tell(Line line) {
+        if (admitted && (hearsAll || line.concerns(parser))) {
+            answer(line.text());
         }
     }
 
-    private void say(String text) {
-        if (!answers.offer(text)) {
-            LOG.log(Level.WARNING, "a client does not read its answers; dropped");
-            close();
-        }
+    private void answer(String text) {
+        deaf |= !answers.offer(text);
     }
 
-    private void read() {
-        try (BufferedReader lines =
-                new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
-            for (String line = next(lines); line != null; line = next(lines)) {
-                parser.parseText(line);
-                parser.awaitRoom();
-            }
-            parser.awaitAll();
-            answers.offer(END);
-            writer.join(LAST_ANSWERS_MS);
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "a client is gone", e);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        } finally {
-            close();
-        }
+    /** Whether something is to be done for it without a byte of its own. */
+    boolean isWaiting() {
+        return ended || dismissed || !admitted || !held.isEmpty();
     }
 
-    /** A line, cut where no sensible one reaches, so that a client cannot fill the memory. */
-    private static String next(BufferedReader in) throws IOException {
-        StringBuilder line = new StringBuilder();
-        int character = in.read();
-        while (character >= 0 && character != '\n') {
-            if (line.length() < LONGEST_LINE && character != '\r') {
-                line.append((char) character);
-            }
-            character = in.read();
-        }
-        return character < 0 && line.isEmpty() ? null : line.toString();
+    /** Whether it sends no more lines. */
+    boolean hasEnded() {
+        return ended;
     }
 
-    private void write() {
+    boolean isGone() {
+        return !socket.isOpen();
+    }
+
+    /** Takes the bytes that have come, without waiting for more than these. */
+    void read() {
+        ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
         try {
-            OutputStream out = socket.getOutputStream();
-            for (String answer = answers.take(); !answer.equals(END); answer = answers.take()) {
-                out.write((answer + "\n").getBytes(StandardCharsets.UTF_8));
-                out.flush();
+            int count = socket.read(chunk);
+            decoder.feed(chunk.flip()).forEach(this::take);
+            if (count < 0) {
+                end();
             }
-        } catch (IOException e) {
+        } catch (IOException | CancelledKeyException e) {
             LOG.log(Level.DEBUG, "a client is gone", e);
             close();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         }
     }
 
+    private void end() {
+        String rest = decoder.rest();
+        ended = true;
+        if (!admitted) {
+            close();
+        } else if (parser.isStop(rest)) {
+            take(rest);
+        } else if (!rest.isBlank() && !dismissed) {
+            answer("the last line has no line end and was not obeyed: " + rest);
+        }
+        showInterest();
+    }
+
+    private void take(String line) {
+        if (dismissed) {
+            return;
+        }
+        if (!admitted) {
+            admit(line);
+        } else if (!held.isEmpty() && parser.isStop(line) && stopRate.take()) {
+            overtake(line);
+        } else if (!held.isEmpty() || !mayGive(line)) {
+            hold(line);
+        } else {
+            parser.parseText(line);
+        }
+    }
+
+    /** A web page can make a browser connect, but not begin with the token, nor with MAJIC Script. */
+    private void admit(String line) {
+        String[] words = line.strip().split("\\s+", 2);
+        boolean all = words[words.length - 1].toLowerCase(Locale.ROOT).equals("all");
+        if (server.token().isPresent()) {
+            boolean right = server.token().get().is(words[0]) && (words.length == 1 || all);
+            if (!right) {
+                dismiss("the first line must be the token that MAJIC printed at its start; it is also in "
+                        + server.token().get().file());
+                return;
+            }
+        } else if (words.length > 1 || !all) {
+            admitScript(line);
+            return;
+        }
+        hearsAll = all && (words.length > 1 || server.token().isEmpty());
+        admitted = true;
+    }
+
+    private void admitScript(String line) {
+        if (parser.isScript(line)) {
+            admitted = true;
+            take(line);
+        } else {
+            dismiss("the first line must be MAJIC Script, for instance: bots");
+        }
+    }
+
+    private boolean mayGive(String line) {
+        return parser.isStop(line) || (server.isReady() && parser.hasRoom() && rate.take());
+    }
+
+    private void overtake(String line) {
+        answer(held.size() + (held.size() == 1 ? " line" : " lines") + " not run: stopped");
+        held.clear();
+        parser.parseText(line);
+    }
+
+    private void hold(String line) {
+        if (held.size() >= MOST_HELD) {
+            dismiss("more than " + MOST_HELD + " lines wait, at " + LINES_PER_SECOND
+                    + " lines a second; wait for answers before sending more");
+            held.clear();
+        } else {
+            held.add(line);
+        }
+    }
+
+    /** Says why, and closes the connection as soon as that was sent. */
+    private void dismiss(String why) {
+        answers.clear();
+        answer(why);
+        dismissed = true;
+        dismissedNanos = System.nanoTime();
+    }
+
+    /** Does what can be done by now: carries held lines out, sends answers, ends. */
+    void work() {
+        try {
+            while (!held.isEmpty() && mayGive(held.element())) {
+                parser.parseText(held.remove());
+            }
+            finish();
+            send();
+            if (deaf) {
+                LOG.log(Level.WARNING, "a client does not read its answers; dropped");
+                close();
+            } else if (isOver()) {
+                close();
+            }
+        } catch (IOException | CancelledKeyException e) {
+            LOG.log(Level.DEBUG, "a client is gone", e);
+            close();
+        }
+    }
+
+    private void finish() {
+        if (!admitted
+                && !dismissed
+                && System.nanoTime() - sinceNanos > TOKEN_WITHIN_NANOS
+                && server.token().isPresent()) {
+            dismiss("no token came within 5 s");
+        }
+        if (ended && !finished && held.isEmpty()) {
+            parser.finish();
+            if (parser.isDone()) {
+                finished = true;
+                server.afterwards(() -> toldAll = true);
+            }
+        }
+    }
+
+    private boolean isOver() {
+        boolean sent = unsent == null && answers.isEmpty();
+        return (dismissed && (sent || System.nanoTime() - dismissedNanos > LAST_ANSWERS_NANOS)) || (toldAll && sent);
+    }
+
+    private void send() throws IOException {
+        if (unsent == null) {
+            unsent = next();
+        }
+        while (unsent != null && socket.isOpen()) {
+            socket.write(unsent);
+            if (unsent.hasRemaining()) {
+                break;
+            }
+            unsent = next();
+        }
+        showInterest();
+    }
+
+    private @Nullable ByteBuffer next() {
+        String answer = answers.poll();
+        return answer == null ? null : ByteBuffer.wrap((answer + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    private void showInterest() {
+        if (key.isValid()) {
+            key.interestOps((ended ? 0 : SelectionKey.OP_READ) | (unsent == null ? 0 : SelectionKey.OP_WRITE));
+        }
+    }
+
+    /** Ends the connection; lines that were given already are carried out all the same. */
     void close() {
-        session.removeListener(this);
-        whenGone.accept(this);
         try {
             socket.close();
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "closing a client", e);
         }
-        writer.interrupt();
     }
 }

@@ -3,85 +3,211 @@ package majic;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
-import java.net.Socket;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.locks.LockSupport;
+import majic.script.Line;
+import majic.script.MajicParser;
 import majic.script.Session;
+import majic.script.SessionListener;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Takes lines of MAJIC Script over a socket and answers in lines, for programs in Python, MATLAB and the like. It knows
- * no password, so it listens on this machine's own addresses only.
+ * Takes lines of MAJIC Script over sockets and answers in lines, for programs in Python, MATLAB and the like. Listens on
+ * this machine's own addresses only, and obeys a client only after its token unless it was opened to all. One thread
+ * serves all clients and waits for none of them, so a client that floods, hangs or leaves holds up neither another
+ * client nor a stop.
  */
 final class LineServer implements AutoCloseable {
+    /** How many clients there may be at a time. */
+    static final int MOST_CLIENTS = 64;
+
     private static final System.Logger LOG = System.getLogger(LineServer.class.getName());
     private static final long PAUSE_AFTER_TROUBLE_NANOS = 100_000_000;
 
-    private final ServerSocket socket;
-    private final Session session;
-    private final Set<LineClient> clients = ConcurrentHashMap.newKeySet();
+    /** How often clients are looked at whose lines wait for their turn. */
+    private static final long LOOK_MS = 20;
 
-    private LineServer(ServerSocket socket, Session session) {
-        this.socket = socket;
+    private final ServerSocketChannel listening;
+    private final Selector selector;
+    private final Session session;
+    private final @Nullable ListenToken token;
+    private final SessionListener answers = this::tell;
+    private final Set<LineClient> clients = ConcurrentHashMap.newKeySet();
+    private volatile boolean ready;
+    private volatile boolean closed;
+
+    private LineServer(ServerSocketChannel listening, Selector selector, Session session, @Nullable ListenToken token) {
+        this.listening = listening;
+        this.selector = selector;
         this.session = session;
+        this.token = token;
     }
 
     /**
-     * Begins to listen.
+     * Begins to listen. Lines other than stops wait until {@link #ready()}.
      *
      * @param address a loopback address; port 0 takes a free one
      * @param session whose team is commanded
+     * @param tokens makes the token of a port, which each client has to send first; null if none is needed
      * @return the server, accepting clients
-     * @throws IOException if the port is taken
+     * @throws IOException if the port is taken, or the token cannot be written
      */
-    static LineServer open(InetSocketAddress address, Session session) throws IOException {
+    static LineServer open(InetSocketAddress address, Session session, @Nullable TokenMaker tokens) throws IOException {
         if (address.isUnresolved() || !address.getAddress().isLoopbackAddress()) {
             throw new UsageException("--listen " + address.getHostString()
                     + ": only this machine may command the robots;" + " use 127.0.0.1");
         }
-        ServerSocket socket = new ServerSocket();
+        ServerSocketChannel socket = bind(address);
         try {
-            socket.setReuseAddress(true);
-            socket.bind(address);
+            int port = socket.socket().getLocalPort();
+            LineServer server =
+                    new LineServer(socket, Selector.open(), session, tokens == null ? null : tokens.token(port));
+            server.start();
+            return server;
+        } catch (IOException e) {
+            socket.close();
+            throw e;
+        }
+    }
+
+    /** Makes the token of a port. */
+    interface TokenMaker {
+        ListenToken token(int port) throws IOException;
+    }
+
+    private static ServerSocketChannel bind(InetSocketAddress address) throws IOException {
+        ServerSocketChannel socket = ServerSocketChannel.open();
+        try {
+            socket.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+            socket.configureBlocking(false);
+            return socket.bind(address);
         } catch (IOException e) {
             socket.close();
             throw new IOException("cannot listen at port " + address.getPort() + ": " + e.getMessage(), e);
         }
-        LineServer server = new LineServer(socket, session);
-        Thread accepting = new Thread(server::accept, "listen " + socket.getLocalPort());
-        accepting.setDaemon(true);
-        accepting.start();
-        return server;
+    }
+
+    private void start() throws IOException {
+        listening.register(selector, SelectionKey.OP_ACCEPT);
+        session.addListener(answers);
+        Thread serving = new Thread(this::serve, "line server " + port());
+        serving.setDaemon(true);
+        serving.start();
     }
 
     int port() {
-        return socket.getLocalPort();
+        return listening.socket().getLocalPort();
     }
 
-    private void accept() {
-        while (!socket.isClosed()) {
+    /** The token that clients have to send; empty if none is needed. */
+    Optional<ListenToken> token() {
+        return Optional.ofNullable(token);
+    }
+
+    /** The robots that were asked for at the start are there: lines are carried out from now on. */
+    void ready() {
+        ready = true;
+        selector.wakeup();
+    }
+
+    boolean isReady() {
+        return ready;
+    }
+
+    private void tell(Line line) {
+        if (line.kind() != Line.Kind.COMMAND) {
+            clients.forEach(client -> client.tell(line));
+            selector.wakeup();
+        }
+    }
+
+    /** Calls back, on any thread, once the clients were told all that was said so far. */
+    void afterwards(Runnable task) {
+        session.afterwards(answers, () -> {
+            task.run();
+            selector.wakeup();
+        });
+    }
+
+    private void serve() {
+        while (!closed) {
             try {
-                serve(socket.accept());
-            } catch (IOException e) {
-                LOG.log(Level.DEBUG, "no client could be taken", e);
+                selector.select(clients.stream().anyMatch(LineClient::isWaiting) ? LOOK_MS : 0);
+                selector.selectedKeys().forEach(this::serve);
+                selector.selectedKeys().clear();
+                clients.forEach(LineClient::work);
+                clients.removeIf(LineClient::isGone);
+            } catch (IOException | RuntimeException e) {
+                LOG.log(closed ? Level.DEBUG : Level.WARNING, "the line server had trouble and goes on", e);
                 LockSupport.parkNanos(PAUSE_AFTER_TROUBLE_NANOS);
             }
         }
     }
 
-    private void serve(Socket connection) throws IOException {
-        LineClient client = new LineClient(connection, session, clients::remove);
+    private void serve(SelectionKey key) {
+        if (key.attachment() instanceof LineClient client) {
+            client.read();
+        } else {
+            accept();
+        }
+    }
+
+    private void accept() {
+        try {
+            for (SocketChannel socket = listening.accept(); socket != null; socket = listening.accept()) {
+                welcome(socket);
+            }
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "no client could be taken", e);
+            LockSupport.parkNanos(PAUSE_AFTER_TROUBLE_NANOS);
+        }
+    }
+
+    private void welcome(SocketChannel socket) throws IOException {
+        clients.removeIf(LineClient::isGone);
+        socket.configureBlocking(false);
+        if (clients.size() >= MOST_CLIENTS && !dropOneThatEnded()) {
+            try (socket) {
+                String full = "MAJIC has " + MOST_CLIENTS + " clients already, which is the most; close one of them\n";
+                socket.write(ByteBuffer.wrap(full.getBytes(StandardCharsets.UTF_8)));
+            }
+            return;
+        }
+        SelectionKey key = socket.register(selector, SelectionKey.OP_READ);
+        LineClient client = new LineClient(this, key, MajicParser.remote(session));
+        key.attach(client);
         clients.add(client);
-        client.start();
+    }
+
+    /** A client that sends no more lines and only waits for answers makes room for one that does. */
+    private boolean dropOneThatEnded() {
+        Optional<LineClient> ended =
+                clients.stream().filter(LineClient::hasEnded).findFirst();
+        ended.ifPresent(LineClient::close);
+        return ended.isPresent() && clients.remove(ended.get());
     }
 
     @Override
     public void close() {
+        closed = true;
+        session.removeListener(answers);
         try {
-            socket.close();
+            listening.close();
+            selector.close();
+            if (token != null) {
+                token.delete();
+            }
         } catch (IOException e) {
-            LOG.log(Level.DEBUG, "closing the listening socket", e);
+            LOG.log(Level.DEBUG, "closing the line server", e);
         }
         clients.forEach(LineClient::close);
     }

@@ -2,6 +2,7 @@ package majic;
 
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -44,7 +45,7 @@ final class MajicCommand implements Callable<Integer> {
         }
         try (Program program = start.program(folder)) {
             if (console || windowless) {
-                return Console.standard(program).run(start.firstLines(program));
+                return Console.standard(program).run(start.firstLines(program), List.of());
             }
             return new Window(program).run(start.firstLines(program));
         }

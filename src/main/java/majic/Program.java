@@ -5,6 +5,7 @@ import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.time.Clock;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -17,6 +18,7 @@ import majic.bot.ShutdownHook;
 import majic.bot.Team;
 import majic.bot.TimeSource;
 import majic.log.SessionLog;
+import majic.script.MajicParser;
 import majic.script.Session;
 import majicsim.LabOptions;
 import org.jspecify.annotations.Nullable;
@@ -109,13 +111,37 @@ final class Program implements AutoCloseable {
     }
 
     /**
-     * Takes lines over a socket from now on.
+     * Takes lines over a socket from now on; they wait until {@link #addFirst} has ended.
      *
      * @param address where to listen
+     * @param open whether clients are obeyed without a token
+     * @return the server
      * @throws IOException if the port is taken
      */
-    void listen(InetSocketAddress address) throws IOException {
-        server = LineServer.open(address, session);
+    LineServer listen(InetSocketAddress address, boolean open) throws IOException {
+        LineServer opened =
+                LineServer.open(address, session, open ? null : port -> ListenToken.create(folder.path(), port));
+        server = opened;
+        return opened;
+    }
+
+    /**
+     * Adds the robots that were asked for at the start, and then lets the clients' lines through. Blocks until all are
+     * there or were refused.
+     *
+     * @param lines MAJIC Script that adds them
+     * @return whether every line succeeded
+     * @throws InterruptedException if the thread is interrupted meanwhile
+     */
+    boolean addFirst(List<String> lines) throws InterruptedException {
+        MajicParser first = new MajicParser(session, false);
+        lines.forEach(first::parseText);
+        boolean succeeded = first.awaitAll();
+        LineServer listening = server;
+        if (listening != null) {
+            listening.ready();
+        }
+        return succeeded;
     }
 
     /** From now on somebody listens to the session: says what went wrong before, too. */

@@ -2,7 +2,6 @@ package majic;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.Callable;
@@ -35,9 +34,7 @@ final class RunCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         StartOptions start = Objects.requireNonNull(majic).start();
         try (Program program = start.program(folder)) {
-            List<String> lines = new ArrayList<>(start.firstLines(program));
-            lines.add("run \"" + file + "\"");
-            return Console.silent(program).run(lines);
+            return Console.silent(program).run(start.firstLines(program), List.of("run \"" + file + "\""));
         }
     }
 }

@@ -34,6 +34,12 @@ final class StartOptions {
             description = "Take lines of MAJIC Script over a socket, such as 127.0.0.1:7777, and answer in lines.")
     private @Nullable String listen;
 
+    @Option(
+            names = "--listen-open",
+            scope = ScopeType.INHERIT,
+            description = "With --listen: obey any program on this machine, without a token.")
+    private boolean open;
+
     /** What shapes the lab, where nothing else is to be started. */
     LabChoice labAlone() {
         if (lab || listen != null || !robots.isEmpty()) {
@@ -51,6 +57,9 @@ final class StartOptions {
      * @throws IOException if the lab or the socket cannot open its ports, the world is none, or a file cannot be written
      */
     Program program(UserFolder folder) throws IOException {
+        if (open && listen == null) {
+            throw new UsageException("--listen-open goes with --listen, as in --listen 127.0.0.1:7777 --listen-open");
+        }
         if (!lab && choice.isGiven()) {
             throw new UsageException("the options of the simulated lab need --lab, as in majic --lab --exact");
         }
@@ -61,9 +70,17 @@ final class StartOptions {
         Program program = new Program(folder, simulated);
         program.closeWhenProgramEnds();
         if (listen != null) {
-            program.listen(address(listen));
+            tell(program.listen(address(listen), open));
         }
         return program;
+    }
+
+    /** On the standard error, since the standard output is for answers. */
+    private static void tell(LineServer server) {
+        String clients = server.token()
+                .map(token -> "clients first send the token " + token.word() + ", which is also in " + token.file())
+                .orElse("any program on this machine is obeyed");
+        System.err.println("majic: listening at port " + server.port() + "; " + clients);
     }
 
     /**

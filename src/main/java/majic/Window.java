@@ -27,14 +27,16 @@ final class Window {
     /**
      * Shows the window and waits for the end.
      *
-     * @param firstLines said once the window stands
+     * @param firstLines they add robots; said once the window stands
      * @return the exit status
      * @throws UsageException if the display cannot be used
      */
     int run(List<String> firstLines) {
         MajicFrame frame = open(this::show);
         program.announce();
-        firstLines.forEach(parser::parseText);
+        Thread adding = new Thread(() -> add(firstLines), "adding robots");
+        adding.setDaemon(true);
+        adding.start();
         try {
             program.awaitQuit();
         } catch (InterruptedException e) {
@@ -43,6 +45,14 @@ final class Window {
         program.close();
         SwingUtilities.invokeLater(frame::dispose);
         return 0;
+    }
+
+    private void add(List<String> firstLines) {
+        try {
+            program.addFirst(firstLines);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** Builds and paints the window where nobody sees it. */

@@ -6,16 +6,20 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.util.HashSet;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.OptionalInt;
 import majic.act.NoActs;
 import majic.bot.BotFactory;
+import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.Settings;
 import majic.bot.Team;
@@ -26,106 +30,297 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(30)
 class LineServerTest {
+    private static final InetSocketAddress ANY_PORT = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+
+    @TempDir
+    private Path folder;
+
     private final Team team = new Team(TimeSource.system());
-    private final Session session = new Session(
-            team,
-            new BotFactory(List.of(new FakeType()), Settings.inMemory()),
-            SessionLog.none(),
-            NoActs.here(),
-            () -> {});
+    private final BotFactory factory = new BotFactory(List.of(new FakeType()), Settings.inMemory());
+    private final Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
+    private final List<Client> clients = new ArrayList<>();
+    private FakeBot bot;
     private LineServer server;
 
     @BeforeEach
     void listen() throws IOException {
-        server = LineServer.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), session);
+        server = LineServer.open(ANY_PORT, session, port -> ListenToken.create(folder, port));
+        server.ready();
+        bot = (FakeBot) factory.create("fake://one");
+        bot.connect();
+        team.add(bot, OptionalInt.empty());
     }
 
     @AfterEach
-    void close() {
+    void close() throws IOException {
+        for (Client client : clients) {
+            client.socket.close();
+        }
         server.close();
         team.close();
     }
 
-    private static void say(Socket socket, String line) throws IOException {
-        socket.getOutputStream().write((line + "\n").getBytes(StandardCharsets.UTF_8));
-    }
+    /** A program at the other end. */
+    private final class Client {
+        private final Socket socket;
+        private final BufferedReader answers;
 
-    private static BufferedReader answers(Socket socket) throws IOException {
-        return new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
-    }
-
-    private static String awaitLine(BufferedReader answers, String part) throws IOException {
-        String line = answers.readLine();
-        while (line != null && !line.contains(part)) {
-            line = answers.readLine();
+        Client(LineServer to) throws IOException {
+            socket = new Socket(InetAddress.getLoopbackAddress(), to.port());
+            answers = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
+            clients.add(this);
         }
-        return line;
+
+        Client say(String... lines) throws IOException {
+            return sayRaw(String.join("\n", lines) + "\n");
+        }
+
+        Client sayRaw(String text) throws IOException {
+            socket.getOutputStream().write(text.getBytes(StandardCharsets.UTF_8));
+            return this;
+        }
+
+        String next() throws IOException {
+            return answers.readLine();
+        }
+
+        String await(String part) throws IOException {
+            String line = next();
+            while (line != null && !line.contains(part)) {
+                line = next();
+            }
+            return line;
+        }
+
+        List<String> all() throws IOException {
+            socket.shutdownOutput();
+            return answers.lines().toList();
+        }
+
+        List<String> untilItIsClosed() {
+            List<String> all = new ArrayList<>();
+            try {
+                for (String line = next(); line != null; line = next()) {
+                    all.add(line);
+                }
+            } catch (IOException e) {
+                all.add("reset");
+            }
+            return all;
+        }
+    }
+
+    private Client client() throws IOException {
+        return new Client(server).say(token());
+    }
+
+    private String token() {
+        return server.token().orElseThrow().word();
     }
 
     @Test
     void aProgramSaysALineAndGetsItsAnswer() throws IOException {
-        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
-            BufferedReader answers = answers(socket);
-            say(socket, "add fake://here");
-            say(socket, "1 move 30");
-
-            assertThat(awaitLine(answers, "1 move 30")).startsWith("1 move 30: done (30 mm");
-        }
+        assertThat(client().say("1 move 30").await("1 move 30")).startsWith("1 move 30: done (30 mm");
     }
 
     @Test
     void aWrongLineIsAnsweredAndTheNextOneStillWorks() throws IOException {
-        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
-            BufferedReader answers = answers(socket);
-            say(socket, "\u0000\u0007 rubbish");
-            assertThat(answers.readLine()).isNotBlank();
-            say(socket, "bots");
-
-            assertThat(awaitLine(answers, "no robots")).isNotNull();
-        }
-    }
-
-    @Test
-    void aProgramThatHangsUpLeavesNoThreadBehind() throws Exception {
-        Set<Thread> before = writers();
-        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
-            say(socket, "bots");
-            awaitLine(answers(socket), "no robots");
-        }
-
-        Set<Thread> after = writers();
-        after.removeAll(before);
-        for (Thread writer : after) {
-            writer.join(5000);
-        }
-
-        assertThat(after).noneMatch(Thread::isAlive);
-    }
-
-    private static Set<Thread> writers() {
-        return Thread.getAllStackTraces().keySet().stream()
-                .filter(thread -> thread.getName().equals("client writer"))
-                .collect(Collectors.toCollection(HashSet::new));
+        Client client = client().say("\u0000\u0007 rubbish");
+        assertThat(client.next()).isNotBlank();
+        assertThat(client.say("bots").next()).startsWith("1: ");
     }
 
     @Test
     void whoEndsItsInputStillHearsTheLastAnswer() throws IOException {
-        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
-            say(socket, "add fake://here");
-            say(socket, "1 move 30");
-            say(socket, "1 get x");
-            socket.shutdownOutput();
+        assertThat(client().say("1 move 30", "1 get x").all()).last().isEqualTo("1 x = 30 mm");
+    }
 
-            assertThat(answers(socket).lines().toList()).last().isEqualTo("1 x = 30 mm");
+    @ParameterizedTest
+    @ValueSource(strings = {"", "wrong", "POST / HTTP/1.1", "1 move 30"})
+    void withoutTheTokenNothingIsObeyed(String first) throws IOException {
+        Client client = new Client(server).say(first, "1 move 30", "stop");
+        assertThat(client.untilItIsClosed().get(0)).startsWith("the first line must be the token");
+        assertThat(bot.sent()).doesNotContain("move 30");
+        assertThat(team.isLatched()).isFalse();
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void theTokenIsInAFileThatOnlyItsUserCanRead() throws IOException {
+        Path file = server.token().orElseThrow().file();
+        assertThat(Files.readString(file).strip()).isEqualTo(token());
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
+                .isEqualTo("rw-------");
+        server.close();
+        assertThat(file).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"POST / HTTP/1.1", "GET / HTTP/1.1", "Host: 127.0.0.1:7777", "\u0016\u0003\u0001"})
+    void openToAllItStillObeysNoWebPage(String first) throws IOException {
+        try (LineServer open = LineServer.open(ANY_PORT, session, null)) {
+            open.ready();
+            Client page = new Client(open).say(first, "Content-Type: text/plain", "", "1 move 30");
+            assertThat(page.untilItIsClosed().get(0)).startsWith("the first line must be MAJIC Script");
+            assertThat(bot.sent()).doesNotContain("move 30");
+            assertThat(new Client(open).say("1 move 30").await("1 move 30")).contains("done");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"trust Some.act", "trust Some.act 12345678", "trust off Some.act"})
+    void trustIsForTheWindowAndTheTerminal(String line) throws IOException {
+        assertThat(client().say(line).next())
+                .isEqualTo("trust: not over a socket; type it in the window or at the" + " terminal of MAJIC");
+    }
+
+    @Test
+    void aLastLineWithoutLineEndIsNotObeyed() throws IOException {
+        assertThat(client().sayRaw("1 turn 90\n1 move 30").all())
+                .contains("the last line has no line end and was not obeyed: 1 move 30");
+        assertThat(bot.sent()).doesNotContain("move 30");
+    }
+
+    @Test
+    void aStopIsObeyedEvenWithoutLineEnd() throws IOException {
+        client().sayRaw("stop").all();
+        assertThat(team.isLatched()).isTrue();
+    }
+
+    @Test
+    void answersGoToTheClientThatAskedAndToThoseThatWantAll() throws IOException {
+        Client other = client();
+        Client all = new Client(server).say(token() + " all");
+        other.say("1 get x");
+        other.next();
+        all.say("1 get y");
+        all.await("1 y = ");
+        Client asking = client();
+        asking.say("1 move 30").await("1 move 30: done");
+        asking.say("rubbish").await("rubbish");
+        assertThat(all.next()).startsWith("1 move 30: done");
+        assertThat(all.next()).startsWith("rubbish");
+        other.say("1 get heading");
+        assertThat(other.next()).startsWith("1 heading");
+    }
+
+    @Test
+    void whatConcernsAllIsToldToAll() throws IOException {
+        Client other = client().say("bots");
+        other.next();
+        client().say("stop");
+        assertThat(other.await("STOP is latched")).isNotNull();
+    }
+
+    @Test
+    void linesWaitUntilTheRobotsAskedForAreThereButStopsDoNot() throws IOException {
+        try (LineServer early = LineServer.open(ANY_PORT, session, null)) {
+            Client client = new Client(early).say("bots", "stop");
+            assertThat(client.next()).isEqualTo("1 line not run: stopped");
+            client.await("STOP is latched");
+            client.say("2 get x");
+            FakeBot second = (FakeBot) factory.create("fake://two");
+            second.connect();
+            team.add(second, OptionalInt.empty());
+            early.ready();
+            assertThat(client.await("2 x")).isEqualTo("2 x = 0 mm");
         }
     }
 
     @Test
+    void idleClientsCostNoThreads() throws IOException {
+        client().say("bots").next();
+        int before = Thread.activeCount();
+        for (int count = 1; count < LineServer.MOST_CLIENTS; count++) {
+            client().say("bots").next();
+        }
+        assertThat(Thread.activeCount()).isLessThan(before + 5);
+    }
+
+    @Test
+    void oneClientTooManyIsToldAndTheNextOneTakesAFreePlace() throws IOException {
+        for (int count = 0; count < LineServer.MOST_CLIENTS; count++) {
+            client().say("bots").next();
+        }
+        assertThat(new Client(server).untilItIsClosed().get(0))
+                .isEqualTo("MAJIC has 64 clients already, which is the most; close one of them");
+        clients.get(0).socket.close();
+        String answer = "MAJIC has";
+        while (answer == null || answer.startsWith("MAJIC has")) {
+            answer = askAnew();
+        }
+        assertThat(answer).startsWith("1: ");
+    }
+
+    private String askAnew() {
+        try {
+            return client().say("bots").next();
+        } catch (IOException e) {
+            return null;
+        }
+    }
+
+    @Test
+    void aFloodOfConnectionsAndOfLinesHoldsUpNoStop() throws Exception {
+        Client stopper = client().say("1 drive 100 0 for 60s");
+        int threadsBefore = Thread.activeCount();
+        Thread connecting = new Thread(this::connectAndLeave);
+        connecting.start();
+        Client flooding = client();
+        Thread lines = new Thread(() -> flood(flooding));
+        lines.start();
+        stopper.say("1 stop");
+        assertThat(stopper.await("1 drive 100 0 for 60s")).endsWith(": stopped");
+        connecting.join();
+        int threads = Thread.activeCount();
+        stopper.say("stop");
+        assertThat(stopper.await("STOP is latched")).isNotNull();
+        assertThat(threads).isLessThan(threadsBefore + 15);
+        flooding.socket.close();
+        lines.join();
+    }
+
+    private void connectAndLeave() {
+        try {
+            for (int count = 0; count < 500; count++) {
+                new Socket(InetAddress.getLoopbackAddress(), server.port()).close();
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void flood(Client client) {
+        String many = "1 help\n".repeat(1000);
+        try {
+            while (true) {
+                client.sayRaw(many);
+            }
+        } catch (IOException e) {
+            // It was dropped, as it should be.
+        }
+    }
+
+    @Test
+    void aClientsStopGoesPastItsOwnFlood() throws IOException {
+        Client client = client().say("1 drive 100 0 for 60s")
+                .sayRaw("1 get x\n".repeat(5000))
+                .say("1 stop");
+        assertThat(client.await("lines not run: stopped")).isNotNull();
+        assertThat(client.await("1 drive 100 0 for 60s")).endsWith(": stopped");
+    }
+
+    @Test
     void onlyThisMachineMayCommandTheRobots() {
-        assertThatThrownBy(() -> LineServer.open(new InetSocketAddress("0.0.0.0", 0), session))
+        assertThatThrownBy(() -> LineServer.open(new InetSocketAddress("0.0.0.0", 0), session, null))
                 .isInstanceOf(UsageException.class)
                 .hasMessageContaining("127.0.0.1");
     }

@@ -1,13 +1,28 @@
 package majic.bot;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * What became of a command, in words that stay the same everywhere (MAJIC Script, "Answers"). Immutable.
  *
  * @param robot the robot's number; 0 when the session as a whole answers
  * @param outcome how it ended
  * @param text the whole line, for instance {@code 1 move 500: done (498 mm, 2.1 s)}
+ * @param asker what the order carried as its asker; null if the answer concerns all
  */
-public record Answer(int robot, Outcome outcome, String text) {
+public record Answer(
+        int robot, Outcome outcome, String text, @Nullable Object asker) {
+    /**
+     * An answer that concerns all.
+     *
+     * @param robot the robot's number; 0 when the session as a whole answers
+     * @param outcome how it ended
+     * @param text the whole line
+     */
+    public Answer(int robot, Outcome outcome, String text) {
+        this(robot, outcome, text, null);
+    }
+
     /** How a command can end. */
     public enum Outcome {
         /** As it should. */

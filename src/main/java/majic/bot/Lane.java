@@ -150,7 +150,8 @@ final class Lane {
     }
 
     private void tell(Pending pending, Ending ending) {
-        ending.answers().forEach(line -> team.answer(new Answer(robot, ending.outcome(), robot + " " + line)));
+        Object asker = pending.order().asker();
+        ending.answers().forEach(line -> team.answer(new Answer(robot, ending.outcome(), robot + " " + line, asker)));
         pending.end(ending.outcome());
         team.changes().raise();
     }

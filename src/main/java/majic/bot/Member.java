@@ -2,6 +2,7 @@ package majic.bot;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,12 +13,16 @@ public final class Member implements TeamPlace {
     /** How many orders may wait for one robot. */
     public static final int QUEUE_DEPTH = 100;
 
+    /** How many orders may be carried out beside the queue of one robot, each on a thread of its own. */
+    private static final int MOST_BESIDE = 16;
+
     private final Team team;
     private final int number;
     private final MajicBot bot;
     private final Lane lane;
     private final Tenure tenure;
     private final Stops stops;
+    private final AtomicInteger beside = new AtomicInteger();
     private boolean gone;
 
     Member(Team team, int number, MajicBot bot) {
@@ -187,13 +192,34 @@ public final class Member implements TeamPlace {
      *
      * @param order what to do; must not move the robot
      * @return the order under way
+     * @throws BotException if {@value #MOST_BESIDE} such orders have not ended yet
      */
     public Pending runNow(Order order) {
+        if (beside.incrementAndGet() > MOST_BESIDE) {
+            beside.decrementAndGet();
+            throw new BotException(number + ": " + MOST_BESIDE + " commands beside its queue have no answer yet; wait");
+        }
         Pending pending = new Pending(order, bot.permit());
-        bot.time()
-                .thread("robot " + number + " " + order.text(), () -> lane.carryOut(pending))
-                .start();
+        startBeside(pending);
         return pending;
+    }
+
+    private void startBeside(Pending pending) {
+        Runnable body = () -> {
+            try {
+                lane.carryOut(pending);
+            } finally {
+                beside.decrementAndGet();
+            }
+        };
+        try {
+            bot.time()
+                    .thread("robot " + number + " " + pending.order().text(), body)
+                    .start();
+        } catch (RuntimeException | Error e) {
+            beside.decrementAndGet();
+            throw e;
+        }
     }
 
     /**

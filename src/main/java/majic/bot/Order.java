@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One command to one robot, checked and ready to be carried out.
@@ -8,8 +9,32 @@ import java.util.List;
  * @param text the command without the robot, as answers repeat it: {@code move 500}
  * @param moves whether it may move the robot, and so needs the robot to be free and no STOP latched
  * @param job what it does
+ * @param asker gets back with the answers, so that they can be led to where the command came from; null for nowhere
+ *     in particular
  */
-public record Order(String text, boolean moves, Job job) {
+public record Order(
+        String text, boolean moves, Job job, @Nullable Object asker) {
+    /**
+     * An order from nowhere in particular.
+     *
+     * @param text the command without the robot, as answers repeat it
+     * @param moves whether it may move the robot
+     * @param job what it does
+     */
+    public Order(String text, boolean moves, Job job) {
+        this(text, moves, job, null);
+    }
+
+    /**
+     * The same order with an asker.
+     *
+     * @param by what its answers carry; null for nothing
+     * @return the order
+     */
+    public Order askedBy(@Nullable Object by) {
+        return new Order(text, moves, job, by);
+    }
+
     /** What an order does when its turn comes. */
     @FunctionalInterface
     public interface Job {

@@ -13,6 +13,9 @@ import majic.bot.TimeSource;
 
 /** Takes readings of robots at a steady pace, into the parameter log. Thread-safe. */
 public final class Sampling {
+    /** Each takes a thread. */
+    private static final int MOST_SERIES = 20;
+
     private final ParameterLog log;
     private final TimeSource time;
     private final Consumer<String> notices;
@@ -52,10 +55,16 @@ public final class Sampling {
      * @param member which robot
      * @param parameters their names
      * @param seconds time from one reading to the next, more than zero
+     * @throws BotException if {@value #MOST_SERIES} of its logs run already
      */
     public void start(Member member, List<String> parameters, double seconds) {
         Series series = new Series(List.copyOf(parameters), seconds);
-        running.computeIfAbsent(member, key -> ConcurrentHashMap.newKeySet()).add(series);
+        Set<Series> all = running.computeIfAbsent(member, key -> ConcurrentHashMap.newKeySet());
+        if (all.size() >= MOST_SERIES) {
+            throw new BotException(
+                    MOST_SERIES + " logs of this robot run already; \"" + member.number() + " log off\" ends them");
+        }
+        all.add(series);
         time.thread("parameter log of robot " + member.number(), () -> run(member, series))
                 .start();
     }

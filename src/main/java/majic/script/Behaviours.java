@@ -109,7 +109,7 @@ final class Behaviours {
         MajicAct act = found.fresh().get();
         ActRun run = new ActRun(act, found.name(), cast, leave);
         if (act instanceof ScriptAct script) {
-            script.enter(session, run.owner(), cast);
+            script.enter(session, run.owner(), cast, execution.asker());
         }
         running.add(run);
         try {

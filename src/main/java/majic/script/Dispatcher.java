@@ -21,6 +21,7 @@ final class Dispatcher {
     private final Session session;
     private final Team team;
     private final Source source;
+    private final Object asker;
     private final Selection selection;
     private final Tally tally = new Tally();
     private final LineQueue queue;
@@ -28,7 +29,13 @@ final class Dispatcher {
     private final AtomicInteger beside = new AtomicInteger();
     private final StopCount ownStops = new StopCount();
 
-    Dispatcher(Session session, Source source) {
+    /**
+     * A dispatcher without lines.
+     *
+     * @param asker what the answers to its lines carry
+     */
+    Dispatcher(Session session, Source source, Object asker) {
+        this.asker = asker;
         this.session = session;
         this.team = session.team();
         this.source = source;
@@ -52,7 +59,7 @@ final class Dispatcher {
 
     /** Waits until a line would not have to wait behind many others. */
     void awaitRoom() throws InterruptedException {
-        team.changes().await(() -> queue.size() < MOST_HELD, Signal.FOR_EVER);
+        team.changes().await(this::hasRoom, Signal.FOR_EVER);
     }
 
     /** Waits until all lines have ended, with all that they began. */
@@ -60,7 +67,12 @@ final class Dispatcher {
         team.changes().await(this::isDone, Signal.FOR_EVER);
     }
 
-    private boolean isDone() {
+    boolean hasRoom() {
+        return queue.size() < MOST_HELD;
+    }
+
+    /** Whether all lines have ended, with all that they began. */
+    boolean isDone() {
         return queue.isEmpty()
                 && comings.isEmpty()
                 && beside.get() == 0
@@ -162,7 +174,7 @@ final class Dispatcher {
 
     private void tellStopped(Given line) {
         tally.fail(line.title());
-        session.say(Line.Kind.ANSWER, line.title() + ": not run: stopped");
+        session.say(Line.Kind.ANSWER, line.title() + ": not run: stopped", asker);
     }
 
     private void takeTurn(Given line) {
@@ -181,19 +193,20 @@ final class Dispatcher {
             perform(line, Execution.Manner.IN_TURN);
         } catch (ExecutionEnded e) {
             tally.fail(line.title());
-            session.say(Line.Kind.ANSWER, line.title() + ": " + e.ending());
+            session.say(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
         } catch (ScriptException | BotException e) {
             tally.fail(line.title());
-            session.say(Line.Kind.ERROR, String.valueOf(e.getMessage()));
+            session.say(Line.Kind.ERROR, String.valueOf(e.getMessage()), asker);
         } catch (RuntimeException | Error e) {
             tally.fail(line.title());
-            session.say(Line.Kind.ERROR, line.title() + ": " + Mishap.told(line.title(), e));
+            session.say(Line.Kind.ERROR, line.title() + ": " + Mishap.told(line.title(), e), asker);
         }
     }
 
     private void perform(Given line, Execution.Manner unlessTyped) {
         Execution execution = Execution.ofLine(
                         session, source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped, tally)
+                .askedBy(asker)
                 .unless(() -> wasStopped(line));
         if (line.isStop()) {
             stop(line, execution);

@@ -33,6 +33,7 @@ final class Execution {
     private final long stopsBefore;
     private final boolean latchedBefore;
     private BooleanSupplier overtaken = () -> false;
+    private @Nullable Object asker;
     private volatile boolean ended;
     private long motions;
     private int files;
@@ -75,6 +76,7 @@ final class Execution {
         this.owner = new Owner(Owner.Kind.SCRIPT, script, this::end);
         this.holdings = new Holdings(team, owner, false);
         this.recording = recording;
+        this.asker = line.asker;
         this.stopsBefore = line.stopsBefore;
         this.latchedBefore = line.team.isLatched();
     }
@@ -83,6 +85,22 @@ final class Execution {
     static Execution ofLine(Session session, Manner manner, Tally lines) {
         return new Execution(
                 session, new Selection(session.team()), manner, lines, null, new Recording(session.record(), null));
+    }
+
+    /** Lets its answers carry where its lines come from. */
+    Execution askedBy(@Nullable Object source) {
+        asker = source;
+        return this;
+    }
+
+    @Nullable
+    Object asker() {
+        return asker;
+    }
+
+    /** Says what becomes of its lines. */
+    void say(Line.Kind kind, String text) {
+        session.say(kind, text, asker);
     }
 
     /** Orders nothing any more once this holds: a stop came since the line was given. */
@@ -179,7 +197,7 @@ final class Execution {
 
     /** As {@link #submit}, for orders that only read: a script needs no robot to itself for them. */
     void read(List<Member> members, Function<Member, Order> orders) {
-        List<Order> ready = members.stream().map(orders).toList();
+        List<Order> ready = ready(members, orders);
         if (manner == Manner.IN_TURN) {
             await(() -> members.stream().allMatch(member -> member.hasRoom(owner)), Double.POSITIVE_INFINITY);
         }
@@ -193,9 +211,15 @@ final class Execution {
         }
     }
 
+    private List<Order> ready(List<Member> members, Function<Member, Order> orders) {
+        return members.stream()
+                .map(member -> orders.apply(member).askedBy(asker))
+                .toList();
+    }
+
     /** Carries an order out beside the queue. */
     List<Pending> runNow(List<Member> members, Function<Member, Order> orders) {
-        List<Order> ready = members.stream().map(orders).toList();
+        List<Order> ready = ready(members, orders);
         List<Pending> begun = new ArrayList<>();
         for (int index = 0; index < ready.size(); index++) {
             begun.add(members.get(index).runNow(ready.get(index)));
@@ -224,12 +248,13 @@ final class Execution {
         if (owner == null) {
             return order;
         }
-        return new Order(order.text(), order.moves(), robot -> {
+        Order.Job job = robot -> {
             if (ended || owner.isDismissed() || own.trouble().isPresent()) {
                 throw new MotionStopped("stopped");
             }
             return order.job().carryOut(robot);
-        });
+        };
+        return new Order(order.text(), order.moves(), job, order.asker());
     }
 
     void stop(List<Member> members) {

@@ -45,10 +45,16 @@ record Given(Statement statement, String text, Set<Integer> robots, long stops, 
     }
 
     boolean isStop() {
-        return isStopAll() || (statement instanceof Statement.ForRobots line && line.command() instanceof Command.Stop);
+        return isStop(statement);
     }
 
-    boolean isStopAll() {
+    /** Whether a statement is a STOP or stops some robots. */
+    static boolean isStop(Statement statement) {
+        return isStopAll(statement)
+                || (statement instanceof Statement.ForRobots line && line.command() instanceof Command.Stop);
+    }
+
+    private static boolean isStopAll(Statement statement) {
         return statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.StopAll;
     }
 

@@ -1,12 +1,35 @@
 package majic.script;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * One line that message area, console and session log all show, the same everywhere. Immutable.
  *
  * @param kind what it is
  * @param text without line break
+ * @param asker the parser whose line it repeats or answers; null if it concerns all
  */
-public record Line(Kind kind, String text) {
+public record Line(Kind kind, String text, @Nullable Object asker) {
+    /**
+     * A line that concerns all.
+     *
+     * @param kind what it is
+     * @param text without line break
+     */
+    public Line(Kind kind, String text) {
+        this(kind, text, null);
+    }
+
+    /**
+     * Whether it is to be shown to the source of lines that a parser has.
+     *
+     * @param parser of one place where lines come from
+     * @return false only if it answers another parser's line
+     */
+    public boolean concerns(MajicParser parser) {
+        return asker == null || asker == parser;
+    }
+
     /** What a line can be. */
     public enum Kind {
         /** A line as it was given to MAJIC. */

@@ -41,7 +41,7 @@ public final class MajicParser {
     private MajicParser(Session session, Source source) {
         this.session = session;
         this.source = source;
-        this.dispatcher = new Dispatcher(session, source);
+        this.dispatcher = new Dispatcher(session, source, this);
     }
 
     /**
@@ -115,7 +115,7 @@ public final class MajicParser {
     }
 
     private Optional<String> parseOne(String line, String place, Consumer<String> refusedLater) {
-        session.say(Line.Kind.COMMAND, line);
+        session.say(Line.Kind.COMMAND, line, this);
         try {
             Taken taken = take(line);
             remember(line);
@@ -149,7 +149,7 @@ public final class MajicParser {
             session.team().stopAll();
             takeBlock();
         }
-        session.say(Line.Kind.ERROR, message);
+        session.say(Line.Kind.ERROR, message, this);
         return message;
     }
 
@@ -174,10 +174,20 @@ public final class MajicParser {
         Piece piece = parser.piece();
         refuseMistakes(parser.mistakes());
         if (piece instanceof Piece.Plain plain) {
+            refuseTrust(plain.statement());
             check(plain.statement());
             return takePlain(plain, line);
         }
         return piece instanceof Piece.Nothing ? new Taken(List.of(), line) : takeBlockLine(piece, line);
+    }
+
+    private void refuseTrust(Statement statement) {
+        if (source == Source.SOCKET
+                && statement instanceof Statement.ForSession line
+                && (line.command() instanceof SessionCommand.Trust
+                        || line.command() instanceof SessionCommand.TrustOff)) {
+            throw new BotException("trust: not over a socket; type it in the window or at the terminal of MAJIC");
+        }
     }
 
     private Taken takePlain(Piece.Plain plain, String line) {
@@ -285,12 +295,69 @@ public final class MajicParser {
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
     public boolean awaitAll() throws InterruptedException {
-        if (isBlockOpen()) {
-            refuse(takeBlock(), "", "the \"end\" of the last block is missing; nothing of it was run");
-        }
+        finish();
         dispatcher.awaitAll();
         session.flush();
         return allSucceeded();
+    }
+
+    /** At the end of the lines: refuses a block whose {@code end} is missing. Returns at once. */
+    public void finish() {
+        if (isBlockOpen()) {
+            refuse(takeBlock(), "", "the \"end\" of the last block is missing; nothing of it was run");
+        }
+    }
+
+    /**
+     * Whether few lines wait for their turn.
+     *
+     * @return as soon as {@link #awaitRoom()} would return
+     */
+    public boolean hasRoom() {
+        return dispatcher.hasRoom();
+    }
+
+    /**
+     * Whether all lines and all they began have ended.
+     *
+     * @return as soon as {@link #awaitAll()} would return, but for what is still to be told
+     */
+    public boolean isDone() {
+        return dispatcher.isDone();
+    }
+
+    /**
+     * Whether a line can be read as MAJIC Script, whatever robots there are.
+     *
+     * @param line one line
+     * @return false for anything else, such as the request of a web browser
+     */
+    public boolean isScript(String line) {
+        return read(line).isPresent();
+    }
+
+    /**
+     * Whether a line stops robots: a {@code stop}, or what {@link #parseText(String)} would take as STOP because it
+     * cannot be read.
+     *
+     * @param line one line
+     * @return true if it must not wait
+     */
+    public boolean isStop(String line) {
+        return STOP.matcher(line).find()
+                && read(line)
+                        .map(piece -> piece instanceof Piece.Plain plain && Given.isStop(plain.statement()))
+                        .orElse(true);
+    }
+
+    private Optional<Piece> read(String line) {
+        try {
+            Parser parser = parser(line);
+            Piece piece = parser.piece();
+            return parser.mistakes().isEmpty() ? Optional.of(piece) : Optional.empty();
+        } catch (ScriptException e) {
+            return Optional.empty();
+        }
     }
 
     /**

@@ -31,7 +31,11 @@ public final class ScriptAct extends MajicAct {
     private transient volatile @Nullable Stage stage;
 
     /** Where it runs. */
-    private record Stage(Session session, Owner act, Map<String, Member> cast) {}
+    private record Stage(
+            Session session,
+            Owner act,
+            Map<String, Member> cast,
+            @Nullable Object asker) {}
 
     /**
      * A behaviour from a script or a saved session.
@@ -94,8 +98,8 @@ public final class ScriptAct extends MajicAct {
     }
 
     /** Tells it where it runs, before it is started; a robot for each role. */
-    void enter(Session session, Owner act, Map<String, List<Member>> cast) {
-        stage = new Stage(session, act, first(cast));
+    void enter(Session session, Owner act, Map<String, List<Member>> cast, @Nullable Object asker) {
+        stage = new Stage(session, act, first(cast), asker);
     }
 
     private static Map<String, Member> first(Map<String, List<Member>> cast) {
@@ -121,9 +125,12 @@ public final class ScriptAct extends MajicAct {
             throw new BotException("a behaviour in MAJIC Script runs in a session: 1 act FILE");
         }
         Behaviour behaviour = Behaviour.of(title, text);
-        refuse(behaviour.check(here.session, here.cast), here.session);
+        refuse(behaviour.check(here.session, here.cast), here);
         try {
-            run(behaviour, Execution.ofAct(here.session, here.act, behaviour.among(here.cast)));
+            run(
+                    behaviour,
+                    Execution.ofAct(here.session, here.act, behaviour.among(here.cast))
+                            .askedBy(here.asker));
         } catch (ExecutionEnded e) {
             throw e.outcome() == Answer.Outcome.STOPPED
                     ? new MotionStopped("stopped")
@@ -134,8 +141,8 @@ public final class ScriptAct extends MajicAct {
     }
 
     /** As of a script that is run, each mistake is said once and the answer counts them. */
-    private void refuse(List<Mistake> mistakes, Session session) {
-        Mistake.inOrder(mistakes, title).forEach(mistake -> session.say(Line.Kind.ERROR, mistake));
+    private void refuse(List<Mistake> mistakes, Stage here) {
+        Mistake.inOrder(mistakes, title).forEach(mistake -> here.session.say(Line.Kind.ERROR, mistake, here.asker));
         if (!mistakes.isEmpty()) {
             throw new BotException(Mistake.counted(mistakes.size()) + " in it, nothing was run");
         }

@@ -24,7 +24,7 @@ final class ScriptFile {
      */
     static void run(Path path, Execution execution) {
         String file = path.toString();
-        List<Statement> script = ScriptRun.parse(file, read(path), execution.session(), execution.selection());
+        List<Statement> script = ScriptRun.parse(file, read(path), execution);
         if (execution.isScript()) {
             execution.nested(file, () -> new Interpreter(execution).run(script));
             return;

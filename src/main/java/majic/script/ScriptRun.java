@@ -41,11 +41,12 @@ final class ScriptRun {
      *
      * @throws ExecutionEnded if it has mistakes; all of them were said
      */
-    static List<Statement> parse(String file, String text, Session session, Selection selection) {
+    static List<Statement> parse(String file, String text, Execution execution) {
+        Session session = execution.session();
         List<Mistake> mistakes = new ArrayList<>();
         List<Statement> script = read(text, words(session), mistakes);
-        mistakes.addAll(Checker.check(script, session, selection));
-        Mistake.inOrder(mistakes, file).forEach(mistake -> session.say(Line.Kind.ERROR, mistake));
+        mistakes.addAll(Checker.check(script, session, execution.selection()));
+        Mistake.inOrder(mistakes, file).forEach(mistake -> execution.say(Line.Kind.ERROR, mistake));
         if (!mistakes.isEmpty()) {
             throw new ExecutionEnded(
                     Answer.Outcome.FAILED, Mistake.counted(mistakes.size()) + " in it, nothing was run");
@@ -118,11 +119,11 @@ final class ScriptRun {
         if (file.isEmpty()) {
             return String.valueOf(mistake.getMessage());
         }
-        execution.session().say(Line.Kind.ERROR, mistake.mistake().in(file));
+        execution.say(Line.Kind.ERROR, mistake.mistake().in(file));
         return "line " + mistake.at().line();
     }
 
     private void say(String how) {
-        execution.session().say(Line.Kind.ANSWER, title + ": " + how);
+        execution.say(Line.Kind.ANSWER, title + ": " + how);
     }
 }

@@ -19,6 +19,7 @@ import majic.bot.TeamListener;
 import majic.log.ParameterLog;
 import majic.log.Sampling;
 import majic.log.SessionLog;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What everything in one running MAJIC has in common: the team, where robots come from, and what is said. Window,
@@ -133,6 +134,18 @@ public final class Session {
         }
     }
 
+    /**
+     * Does something on a listener's thread once the listener was told all that was said so far. Returns at once.
+     *
+     * @param listener one that was added; nothing happens for another
+     * @param task what to do; must return soon
+     */
+    public void afterwards(SessionListener listener, Runnable task) {
+        listeners.stream()
+                .filter(listening -> listening.isTo(listener))
+                .forEach(listening -> listening.afterwards(task));
+    }
+
     /** Waits until everybody has heard what was said so far, for one second at most. */
     public void flush() {
         CountDownLatch deaf = new CountDownLatch(listeners.size());
@@ -170,9 +183,17 @@ public final class Session {
 
     /** Says something to everybody; never waits. One lock keeps the order the same for all. */
     void say(Line.Kind kind, String text) {
-        Line line = new Line(kind, text);
+        say(new Line(kind, text));
+    }
+
+    /** As {@link #say(Line.Kind, String)}, for one source of lines in the first place. */
+    void say(Line.Kind kind, String text, @Nullable Object asker) {
+        say(new Line(kind, text, asker));
+    }
+
+    private void say(Line line) {
         synchronized (saying) {
-            log.write(kind.name().toLowerCase(Locale.ROOT), text);
+            log.write(line.kind().name().toLowerCase(Locale.ROOT), line.text());
             listeners.forEach(listening -> listening.tell(line));
         }
     }
@@ -213,7 +234,7 @@ public final class Session {
     private final class TeamRelay implements TeamListener {
         @Override
         public void answered(Answer answer) {
-            say(Line.Kind.ANSWER, answer.text());
+            say(Line.Kind.ANSWER, answer.text(), answer.asker());
         }
 
         @Override

@@ -169,6 +169,6 @@ final class SessionDoing implements SessionCommand.Visitor<@Nullable Void> {
     }
 
     private void answer(String text) {
-        session.say(Line.Kind.ANSWER, text);
+        execution.say(Line.Kind.ANSWER, text);
     }
 }

@@ -98,8 +98,8 @@ final class Telling implements Command.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void help(Command.Help help) {
-        members.forEach(member -> Help.of(member, help.parameter())
-                .forEach(line -> execution.session().say(Line.Kind.ANSWER, line)));
+        members.forEach(
+                member -> Help.of(member, help.parameter()).forEach(line -> execution.say(Line.Kind.ANSWER, line)));
         return null;
     }
 
