@@ -6,9 +6,6 @@ package majicsim.hemisson;
  * a program started there sets the right motor to 63.
  */
 final class BotStudio {
-    /** What the memory order of the sensor tables is, as indices of commands N and O. */
-    private static final int[] MEMORY_ORDER = {1, 2, 0, 5, 4, 3, 7, 6};
-
     private static final int ADDRESS_BYTES = 2;
     private static final int FIRST_PAGE = 0x18;
     private static final int LAST_PAGE = 0x1A;
@@ -35,12 +32,7 @@ final class BotStudio {
     Reply status() {
         StringBuilder reply = new StringBuilder("q");
         reply.append(byteOf(end[0] - FIRST_PAGE)).append(byteOf(end[1]));
-        for (int sensor : MEMORY_ORDER) {
-            reply.append(byteOf(infraRed.proximity(sensor)));
-        }
-        for (int sensor : MEMORY_ORDER) {
-            reply.append(byteOf(infraRed.ambient(sensor)));
-        }
+        reply.append(infraRed.tables());
         return Reply.of(reply.append(byteOf(0))
                 .append(board.pins.isHigh(0) ? '\1' : '\0')
                 .toString());

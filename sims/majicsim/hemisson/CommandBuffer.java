@@ -59,6 +59,11 @@ final class CommandBuffer {
         return new String(memory, 0, length);
     }
 
+    /** A piece of the memory. */
+    String text(int from, int count) {
+        return new String(memory, from, count);
+    }
+
     char at(int position) {
         return memory[position];
     }

@@ -10,6 +10,12 @@ final class InfraRed {
     private static final int GROUND_LEFT = 7;
     private static final double HAIR = 1e-9;
 
+    /** Where each sensor lies in its table, in the order of commands N and O; read in the factory image. */
+    private static final int[] PLACES = {2, 0, 1, 5, 4, 3, 7, 6};
+
+    private static final int AMBIENT = CommandBuffer.TABLES;
+    private static final int PROXIMITY = AMBIENT + Eyes.COUNT;
+
     private final Eyes eyes;
     private final CommandBuffer memory;
     private final int[] ambient = new int[Eyes.COUNT];
@@ -35,11 +41,16 @@ final class InfraRed {
     }
 
     int proximity(int sensor) {
-        return memory.at(CommandBuffer.TABLES + sensor);
+        return memory.at(PROXIMITY + PLACES[sensor]);
     }
 
     int ambient(int sensor) {
-        return memory.at(CommandBuffer.TABLES + Eyes.COUNT + sensor);
+        return memory.at(AMBIENT + PLACES[sensor]);
+    }
+
+    /** Both tables as they lie in the memory: proximity, then ambient. */
+    String tables() {
+        return memory.text(PROXIMITY, Eyes.COUNT) + memory.text(AMBIENT, Eyes.COUNT);
     }
 
     /** Whether the tables were refreshed since this was last asked. */
@@ -55,8 +66,8 @@ final class InfraRed {
         for (int i = 0; i < Eyes.COUNT; i++) {
             int lit = Math.max(0, ambient[i] - response[i]);
             int minuend = i == GROUND_LEFT ? ambient[GROUND_RIGHT] : ambient[i];
-            memory.poke(CommandBuffer.TABLES + i, minuend - lit);
-            memory.poke(CommandBuffer.TABLES + Eyes.COUNT + i, ambient[i]);
+            memory.poke(PROXIMITY + PLACES[i], minuend - lit);
+            memory.poke(AMBIENT + PLACES[i], ambient[i]);
         }
         fresh = true;
     }

@@ -45,9 +45,9 @@ class CommandBufferTest {
     @Test
     void aLongerCommandShowsInTheSensorsUntilTheyAreReadAnew() {
         desk.say("B" + "x".repeat(49) + "AB␍");
-        assertThat(desk.say("N␍")).isEqualTo("n,065,066,013,004,004,004,060,060␍␊");
-        desk.say("B" + "x".repeat(57) + "ab" + "x".repeat(14) + "␍");
-        assertThat(desk.say("O␍")).isEqualTo("o,097,098,120,120,120,120,120,120␍␊");
+        assertThat(desk.say("O␍")).isEqualTo("o,013,065,066,220,220,220,220,220␍␊");
+        desk.say("B" + "x".repeat(57) + "abcdefgh" + "␍");
+        assertThat(desk.say("N␍")).isEqualTo("n,099,097,098,102,101,100,104,103␍␊");
 
         desk.after(0.044);
 
