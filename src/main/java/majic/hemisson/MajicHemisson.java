@@ -32,6 +32,7 @@ public final class MajicHemisson extends MajicBot {
     private final Standstill standstill;
     private final Overseer overseer;
     private final Lamps lamps = new Lamps(this);
+    private final Pins pins = new Pins();
     private final Spectator spectator = new Spectator(this);
     private final Access access = new Access(this);
     private volatile Identity identity = Identity.NOBODY;
@@ -192,6 +193,10 @@ public final class MajicHemisson extends MajicBot {
 
     Overseer overseer() {
         return overseer;
+    }
+
+    Pins pins() {
+        return pins;
     }
 
     Lamps lamps() {

@@ -168,6 +168,7 @@ final class Overseer implements ConversationListener {
         modeUnknown = watching;
         reckoning.follow(Wheels.STILL, bot.nanos());
         bot.lamps().forget();
+        bot.pins().forget();
         Session open = session;
         if (open != null && watching) {
             open.conversation().ask(Question.SWITCHES);

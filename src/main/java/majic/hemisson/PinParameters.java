@@ -1,30 +1,60 @@
 package majic.hemisson;
 
+import majic.bot.BotException;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
+import majic.bot.Value;
 
 /** Three pins of the extension connector; HemiOS 1.43 and later have commands for them (Hemisson sheet 4.3). */
 final class PinParameters {
-    private static final String[] PINS = {"pinRB0", "pinRB6", "pinRB7"};
+    private static final String[] NAMES = {"pinRB0", "pinRB6", "pinRB7"};
 
     private final ParameterTable table;
     private final Access access;
+    private final Pins pins;
 
     PinParameters(ParameterTable table, Access access) {
         this.table = table;
         this.access = access;
+        this.pins = access.bot().pins();
     }
 
     void describe() {
-        for (int index = 0; index < PINS.length; index++) {
-            pin(index).describeSwitch(table, access, Parameter.onOff(PINS[index], "a pin of the extension connector"));
+        for (int pin = 0; pin < NAMES.length; pin++) {
+            describe(pin);
         }
     }
 
-    private static Dial pin(int index) {
-        return new Dial(
-                Question.ask("1," + index, "1,[01]", 0.5),
-                reply -> reply.text().charAt(2) - '0',
-                level -> Question.ask("2," + index + "," + level, "2", 0.4));
+    private void describe(int pin) {
+        Question level = Question.ask("1," + pin, "1,[01]", 0.5);
+        Look look = now -> pins.output(pin) == null ? level : null;
+        table.add(
+                        Parameter.onOff(
+                                NAMES[pin],
+                                "a pin of the extension connector: an input, from set on an output until a reset"),
+                        () -> read(pin, level, look))
+                .writes(values -> set(pin, values.get(0).isYes() ? 1 : 0));
+    }
+
+    private Value read(int pin, Question question, Look look) {
+        Integer set = pins.output(pin);
+        if (set != null) {
+            return Value.onOff(set == 1);
+        }
+        access.want(look);
+        return access.asked(question, reply -> Value.onOff(reply.text().charAt(2) == '1'))
+                .get();
+    }
+
+    /** It counts as an output before the robot makes it one, so that no look comes behind the command. */
+    private void set(int pin, int level) {
+        Integer before = pins.output(pin);
+        pins.becomes(pin, level);
+        try {
+            access.tell(Question.ask("2," + pin + "," + level, "2", 0.4));
+        } catch (BotException e) {
+            pins.becomes(pin, before);
+            throw e;
+        }
     }
 }

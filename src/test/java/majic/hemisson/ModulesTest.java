@@ -101,7 +101,10 @@ class ModulesTest {
 
         assertThat(bot.get("analog4")).hasToString("10");
         assertThat(bot.get("pinRB7").isYes()).isTrue();
-        assertThat(robot.commands()).contains("W,D0,31,01", "R,D0,14,01", "2,2,1", "1,2");
+        assertThat(bot.get("pinRB6").isYes()).isTrue();
+        assertThat(robot.commands())
+                .contains("W,D0,31,01", "R,D0,14,01", "2,2,1", "1,1")
+                .doesNotContain("1,2");
     }
 
     @Test

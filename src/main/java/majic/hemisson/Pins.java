@@ -1,0 +1,30 @@
+package majic.hemisson;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The pins of the extension connector that were set. Looking at a pin makes it an input again (Hemisson sheet 15), so what
+ * was set is remembered here and such a pin is not looked at. Thread-safe.
+ */
+final class Pins {
+    private static final int PINS = 3;
+
+    private final @Nullable Integer[] outputs = new Integer[PINS];
+
+    /** The level that a pin was set to; null while it is an input. */
+    synchronized @Nullable Integer output(int pin) {
+        return outputs[pin];
+    }
+
+    /** Takes note of the level that a pin is set to from now on; null for an input. */
+    synchronized void becomes(int pin, @Nullable Integer level) {
+        outputs[pin] = level;
+    }
+
+    /** After a reset all are inputs. */
+    synchronized void forget() {
+        for (int pin = 0; pin < PINS; pin++) {
+            outputs[pin] = null;
+        }
+    }
+}
