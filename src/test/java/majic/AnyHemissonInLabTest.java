@@ -13,6 +13,7 @@ import majic.bot.Value;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The driver with Hemissons of every kind: true receivers that go deaf, modules, both firmwares, modes of their own. */
@@ -91,8 +92,43 @@ class AnyHemissonInLabTest {
             assertThat(notices).anyMatch(notice -> notice.contains("[1, 0, 1, 1]"));
             assertThatThrownBy(() -> bot.move(500))
                     .isInstanceOf(BotException.class)
-                    .hasMessageMatching(".*(something else|not confirmed).*");
+                    .hasMessageContaining("mode \"dance\"")
+                    .hasMessageContaining("switch it off and on");
             bot.close();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1110, obstacle avoidance", "1101, line following", "1011, dance"})
+    void aStopAndAMoveOfARobotWithAModeOfItsOwnNameTheMode(String switches, String mode) throws Exception {
+        try (LabRig rig = LabRig.exactWithHemisson("kteam+overrun+switches=" + switches)) {
+            rig.add("hemisson");
+
+            for (String line : List.of("1 stop", "1 move 60", "1 stop", "1 drive 50 0 for 1s")) {
+                assertThat(rig.run(line))
+                        .hasSize(1)
+                        .first()
+                        .asString()
+                        .startsWith(line + ": failed: it runs in the mode \"" + mode);
+            }
+        }
+    }
+
+    @Test
+    void aPinThatWasSetKeepsItsLevelThoughItIsReadAllTheWhile() throws Exception {
+        try (LabRig rig = LabRig.exactWithHemisson("kteam")) {
+            MajicBot bot = rig.add("hemisson");
+            rig.lab().simulators().besideHemisson(person -> person.pinInput(0, false));
+            bot.get("pinRB0");
+            bot.set("pinRB0", "on");
+            for (int look = 0; look < 40; look++) {
+                assertThat(bot.get("pinRB0").isYes()).isTrue();
+                rig.lab().time().sleep(0.1);
+            }
+
+            rig.lab()
+                    .simulators()
+                    .besideHemisson(person -> assertThat(person.pinLevel(0)).isTrue());
         }
     }
 

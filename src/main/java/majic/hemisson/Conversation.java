@@ -63,6 +63,34 @@ final class Conversation {
         }
     }
 
+    /** Takes note whether the robot's running mode sets its speeds again after it was told others. */
+    void setsItsOwnSpeeds(boolean now) {
+        synchronized (lock) {
+            dialogue.stillness().setsItsOwnSpeeds(now);
+        }
+    }
+
+    /** Whether its running mode may set its speeds again after it was told others. */
+    boolean setsItsOwnSpeeds() {
+        synchronized (lock) {
+            return dialogue.stillness().setsItsOwnSpeeds();
+        }
+    }
+
+    /** Whether it sets its own speeds, and was found to do so after it was told to stand. */
+    boolean isContrary() {
+        synchronized (lock) {
+            return dialogue.stillness().isContrary();
+        }
+    }
+
+    /** How often it has confirmed that it stands. */
+    long confirmations() {
+        synchronized (lock) {
+            return dialogue.stillness().confirmations();
+        }
+    }
+
     /** Takes note whether the robot's receiver is known to be that of K-Team's firmware; so it is not taken to be at first. */
     void hasKTeamsReceiver(boolean now) {
         synchronized (lock) {

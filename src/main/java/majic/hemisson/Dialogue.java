@@ -115,8 +115,12 @@ final class Dialogue {
         if (open != null && open.purpose() == Purpose.STOP) {
             queue.discard(Purpose.MOTION, "stopped");
         } else {
-            queue.stop(stillness.isBrief() ? Question.VERIFY : Question.STOP);
+            queue.stop(wayToStop());
         }
+    }
+
+    private Question wayToStop() {
+        return stillness.isBrief() ? Question.VERIFY : Question.STOP;
     }
 
     void end(String why) {
@@ -218,10 +222,17 @@ final class Dialogue {
         }
         close(open, reply);
         meter.answered(open.roundTripNanos());
-        switch (stillness.answered(open.purpose(), reply)) {
+        switch (stillness.answered(open.purpose(), reply, answeredNanos)) {
             case VERIFY -> queue.addFirst(new Exchange(Question.VERIFY));
+            case VERIFY_LATER -> {
+                settling.begin(answeredNanos);
+                queue.addFirst(new Exchange(Question.VERIFY));
+            }
             case STOP -> stop();
-            case STOP_LATER -> stopAfterAPause();
+            case STOP_LATER -> {
+                settling.begin(answeredNanos);
+                queue.stopBehindFirst(wayToStop());
+            }
             case NOTHING -> LOG.log(Level.TRACE, "nothing follows");
         }
         return Outcome.answered(open);

@@ -38,6 +38,18 @@ final class ExchangeQueue {
         }
     }
 
+    /** The same, but behind what waits first: a robot that always sets its own speeds is asked other things, too. */
+    void stopBehindFirst(Question how) {
+        discard(Question.Purpose.MOTION, "stopped");
+        Exchange first = waiting.pollFirst();
+        if (!holds(how.purpose())) {
+            addFirst(new Exchange(how));
+        }
+        if (first != null) {
+            addFirst(first);
+        }
+    }
+
     @Nullable
     Exchange first() {
         return waiting.peekFirst();

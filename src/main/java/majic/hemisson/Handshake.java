@@ -69,6 +69,7 @@ final class Handshake {
     private void letStand(Identity identity, @Nullable Reply speeds) {
         boolean held = speeds != null && speeds.numbers().stream().allMatch(speed -> speed == 0);
         session.conversation().brief(held && !identity.listens());
+        session.conversation().setsItsOwnSpeeds(identity.setsItsOwnSpeeds());
         if (held && !identity.listens()) {
             return;
         }

@@ -17,6 +17,9 @@ record Identity(String version, List<Integer> switches, boolean tellsSpeeds) {
     private static final List<List<Integer>> LISTENING_MODES =
             List.of(REMOTE_CONTROL, List.of(1, 1, 1, 0), List.of(1, 1, 0, 1), List.of(1, 0, 1, 1), List.of(0, 1, 1, 1));
 
+    /** What a person can do about another mode than remote control. */
+    static final String REMEDY = "put all four to the side that reads 1 and switch it off and on";
+
     static final Identity NOBODY = new Identity("", List.of(), false);
 
     Identity {
@@ -31,6 +34,11 @@ record Identity(String version, List<Integer> switches, boolean tellsSpeeds) {
     /** Whether it takes every command, whatever else it does; in other modes a long one may deafen it (sheet 7). */
     boolean listens() {
         return switches.isEmpty() || LISTENING_MODES.contains(switches);
+    }
+
+    /** Whether its running mode sets its wheels, whatever they were told. A firmware built by others may have no modes. */
+    boolean setsItsOwnSpeeds() {
+        return listens() && !isRemoteControlled();
     }
 
     /** Whether its running mode may move it, and it cannot be asked whether it does. */
@@ -49,7 +57,7 @@ record Identity(String version, List<Integer> switches, boolean tellsSpeeds) {
         return isRemoteControlled()
                 ? null
                 : "its switches read " + switches + ", so it does not run in remote control mode and may do "
-                        + "as it likes; put all four to the side that reads 1 and switch it off and on";
+                        + "as it likes; " + REMEDY;
     }
 
     /** Whether it speaks the dialect of the robots that RoadNarrows sold (sheet 10). */

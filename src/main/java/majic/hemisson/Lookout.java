@@ -23,12 +23,15 @@ final class Lookout {
      *
      * @param inMotion whether the robot may move; it is asked nothing then that takes long, and nothing that it might
      *     refuse, for that would count as a missed answer
-     * @param checksSpeeds whether it is to be asked now and then for the speeds of its wheels
+     * @param identity whether it can be asked for the speeds of its wheels, and may set them itself
      */
-    Question next(long nowNanos, boolean inMotion, boolean checksSpeeds) {
+    Question next(long nowNanos, boolean inMotion, Identity identity) {
         turn = (turn + 1) % ROUND;
+        if (inMotion && turn % 2 == 1 && identity.setsItsOwnSpeeds() && identity.tellsSpeeds()) {
+            return Question.SPEEDS;
+        }
         Question wanted = turn % 4 == 1 ? wanted(nowNanos, inMotion) : null;
-        Question usual = wanted == null ? usual(checksSpeeds) : wanted;
+        Question usual = wanted == null ? usual(identity.tellsSpeeds()) : wanted;
         boolean mightBeRefused = inMotion ? !senses.knows(usual) : senses.isRefused(usual);
         return mightBeRefused ? Question.PROXIMITY : usual;
     }

@@ -11,6 +11,7 @@ import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Value;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A K-Team Hemisson. It has neither encoders nor a watchdog: motions are timed, positions are estimates, and a robot
@@ -60,7 +61,7 @@ public final class MajicHemisson extends MajicBot {
         super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
         this.sessions = new Sessions(address, time());
         this.answers = new Answers(sessions, changes(), this::isConnected);
-        this.standstill = new Standstill(sessions, changes(), this::isConnected);
+        this.standstill = new Standstill(sessions, changes(), this::isConnected, this::contrary);
         this.calibration = new Calibration(settings(), address);
         this.overseer = new Overseer(this, calibration.table());
         profile(HemissonProfile.of(calibration.table()));
@@ -124,6 +125,7 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
+        refuseContrary();
         overseer.motion().drives(nanos());
         driven = calibration.table().curve(mmPerSec, degPerSec);
         String failure = conversation().ask(Question.wheels(driven)).failure();
@@ -189,6 +191,18 @@ public final class MajicHemisson extends MajicBot {
 
     void tell(BotState state) {
         publish(state);
+    }
+
+    /** Begins no motion of a robot that has set its own speeds in place of a stop. */
+    void refuseContrary() {
+        String found = contrary();
+        if (found != null && conversation().isContrary()) {
+            throw new MotionFailed(found);
+        }
+    }
+
+    private @Nullable String contrary() {
+        return overseer.wheels().found();
     }
 
     Overseer overseer() {

@@ -34,6 +34,7 @@ final class OpenLoop {
 
     /** Looks where it stands now, so that a guard that holds already lets it stand. */
     private boolean mayBegin() {
+        bot.refuseContrary();
         Proximity before = bot.overseer().seen();
         Exchange look = bot.conversation().ask(Question.PROXIMITY);
         bot.answers()

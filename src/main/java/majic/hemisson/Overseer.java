@@ -17,6 +17,7 @@ final class Overseer implements ConversationListener {
     private final Lookout lookout = new Lookout(senses);
     private final DeadReckoning reckoning;
     private final LossOfLink loss;
+    private final WheelCheck wheels = new WheelCheck();
     private volatile @Nullable Session session;
     private volatile @Nullable Exchange look;
     private volatile boolean watching;
@@ -64,6 +65,10 @@ final class Overseer implements ConversationListener {
         return motion;
     }
 
+    WheelCheck wheels() {
+        return wheels;
+    }
+
     /** Looks after everything whose time has come. Called by the keeper. */
     void tick() {
         Session open = session;
@@ -99,13 +104,14 @@ final class Overseer implements ConversationListener {
     private void take(Exchange exchange, Reply reply) {
         switch (exchange.purpose()) {
             case MOTION, STOP -> wasTold(exchange);
-            case VERIFY -> follow(exchange, reply);
+            case VERIFY -> verified(exchange, reply);
             case ASK -> learn(exchange, reply);
         }
     }
 
     /** A running mode of the robot's own sets the wheels whatever they are told; where they go then is asked for. */
     private void wasTold(Exchange exchange) {
+        wheels.told(exchange.question().told());
         Identity identity = bot.identity();
         if (identity.isRemoteControlled() || !identity.tellsSpeeds()) {
             reckoning.follow(exchange.question().told(), exchange.middleNanos());
@@ -127,15 +133,23 @@ final class Overseer implements ConversationListener {
         }
     }
 
-    /** Other speeds than were set come from the TV remote or from another running mode (sheet 7 and 8). */
     private void checkSpeeds(Exchange exchange, Reply reply) {
         Session open = session;
-        boolean obeys = Wheels.of(reply).equals(reckoning.track().wheels());
-        if (open != null && watching && !obeys && open.conversation().mayMove()) {
+        String difference = wheels.compare(reply, bot.identity());
+        if (open != null
+                && watching
+                && difference != null
+                && open.conversation().mayMove()) {
             open.conversation().stop();
-            motion.meets("its wheels were set to " + reply.rest()
-                    + " by something else: a TV remote control, or a running mode "
-                    + "other than remote control (put all four switches to the side that reads 1 and restart it)");
+            motion.meets(difference);
+        }
+        follow(exchange, reply);
+    }
+
+    private void verified(Exchange exchange, Reply reply) {
+        String difference = wheels.compare(reply, bot.identity());
+        if (difference != null) {
+            motion.meets(difference);
         }
         follow(exchange, reply);
     }
@@ -161,11 +175,15 @@ final class Overseer implements ConversationListener {
         bot.raise();
     }
 
-    /** It reads its switches anew, and so may run in another mode from now on (sheet 4.3). */
+    /**
+     * It reads its switches anew, and so may run in another mode from now on (sheet 4.3). A greeting that was left in a
+     * buffer says nothing of a robot that is just being connected to; in mid session its speeds are asked for first.
+     */
     @Override
     public void wasReset() {
         motion.meets("it was switched on or reset meanwhile");
         modeUnknown = watching;
+        wheels.told(Wheels.STILL);
         reckoning.follow(Wheels.STILL, bot.nanos());
         bot.lamps().forget();
         bot.pins().forget();
@@ -181,6 +199,7 @@ final class Overseer implements ConversationListener {
         Session open = session;
         if (open != null) {
             open.conversation().brief(!identity.listens());
+            open.conversation().setsItsOwnSpeeds(identity.setsItsOwnSpeeds());
         }
         bot.recognise(identity);
     }
@@ -206,8 +225,7 @@ final class Overseer implements ConversationListener {
         boolean stopIsNear =
                 moving && motion.isEndNear(bot.nanos(), open.conversation().quality());
         if (turn && (last == null || last.isDone()) && !stopIsNear) {
-            look = open.conversation()
-                    .ask(lookout.next(bot.nanos(), moving, bot.identity().tellsSpeeds()));
+            look = open.conversation().ask(lookout.next(bot.nanos(), moving, bot.identity()));
         }
     }
 }

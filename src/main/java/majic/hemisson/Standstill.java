@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Patience;
@@ -11,14 +12,24 @@ import org.jspecify.annotations.Nullable;
 final class Standstill {
     private static final double BESIDE_ANSWERS_S = 0.9;
 
+    /** A robot that may set its own speeds is looked at for a while longer, seconds. */
+    private static final double OWN_SPEEDS_S = 1;
+
     private final Sessions sessions;
     private final Signal changes;
     private final BooleanSupplier connected;
+    private final Supplier<@Nullable String> contrary;
 
-    Standstill(Sessions sessions, Signal changes, BooleanSupplier connected) {
+    /**
+     * Does nothing yet.
+     *
+     * @param contrary which speeds the wheels were found at in place of those that were told
+     */
+    Standstill(Sessions sessions, Signal changes, BooleanSupplier connected, Supplier<@Nullable String> contrary) {
         this.sessions = sessions;
         this.changes = changes;
         this.connected = connected;
+        this.contrary = contrary;
     }
 
     /** Has it told to stand, in the next turn on the line; does not wait. */
@@ -39,18 +50,28 @@ final class Standstill {
         if (open == null || !Patience.isAllowed()) {
             return;
         }
+        Conversation conversation = open.conversation();
         double patience = 2 * open.timeoutSeconds() + BESIDE_ANSWERS_S;
+        patience += conversation.setsItsOwnSpeeds() ? OWN_SPEEDS_S : 0;
         try {
-            changes.await(() -> open.conversation().isStanding() || !connected.getAsBoolean(), patience);
+            changes.await(
+                    () -> conversation.isStanding() || conversation.isContrary() || !connected.getAsBoolean(),
+                    patience);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return;
         }
-        if (!open.conversation().isStanding()) {
-            throw connected.getAsBoolean()
-                    ? new BotException("the stop was not confirmed within " + patience + " s; " + MajicHemisson.HELP)
-                    : new LinkLost("the connection was lost before the stop was confirmed; " + MajicHemisson.HELP);
+        if (!conversation.isStanding()) {
+            throw unconfirmed(conversation.isContrary() ? contrary.get() : null, patience);
         }
+    }
+
+    private BotException unconfirmed(@Nullable String why, double patience) {
+        if (!connected.getAsBoolean()) {
+            return new LinkLost("the connection was lost before the stop was confirmed; " + MajicHemisson.HELP);
+        }
+        return new BotException(
+                why == null ? "the stop was not confirmed within " + patience + " s; " + MajicHemisson.HELP : why);
     }
 
     /**

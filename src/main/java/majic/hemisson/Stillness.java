@@ -9,10 +9,16 @@ import majic.hemisson.Question.Purpose;
  * it tell whether the digits arrived whole. So a robot that may have moved is asked for its speeds as well.
  */
 final class Stillness {
+    /** A running mode sets its speeds again within this time; those of a dance last longest (sheet 7), ns. */
+    private static final long OWN_SPEEDS_NANOS = 950_000_000;
+
     private boolean mayMove;
     private boolean doubtful = true;
     private boolean unreached;
     private boolean brief = true;
+    private boolean ownSpeeds;
+    private long stoppedNanos;
+    private long confirmations;
     private int disobeyed;
 
     /** What is to be sent behind an answer. */
@@ -20,6 +26,8 @@ final class Stillness {
         NOTHING,
         /** The question whether it stands. */
         VERIFY,
+        /** The same question, but not without pause: its running mode may set its speeds again. */
+        VERIFY_LATER,
         /** Another stop, at once. */
         STOP,
         /** Another stop, but not without pause: something else sets its speeds again and again. */
@@ -49,6 +57,23 @@ final class Stillness {
         return brief;
     }
 
+    void setsItsOwnSpeeds(boolean now) {
+        ownSpeeds = now;
+    }
+
+    boolean setsItsOwnSpeeds() {
+        return ownSpeeds;
+    }
+
+    /** Whether its running mode has set its speeds again after a stop. */
+    boolean isContrary() {
+        return ownSpeeds && disobeyed > 1;
+    }
+
+    long confirmations() {
+        return confirmations;
+    }
+
     void brief(boolean now) {
         brief = now;
     }
@@ -72,19 +97,24 @@ final class Stillness {
         doubtful = true;
         mayMove = false;
         unreached = false;
+        disobeyed = 0;
         brief = true;
     }
 
     /** What the answer to a question says about it. */
-    Next answered(Purpose purpose, Reply reply) {
+    Next answered(Purpose purpose, Reply reply, long nowNanos) {
         return switch (purpose) {
             case ASK, MOTION -> Next.NOTHING;
-            case STOP -> stopped();
-            case VERIFY -> verified(reply);
+            case STOP -> stopped(nowNanos);
+            case VERIFY -> verified(reply, nowNanos);
         };
     }
 
-    private Next stopped() {
+    private Next stopped(long nowNanos) {
+        stoppedNanos = nowNanos;
+        if (ownSpeeds) {
+            return Next.VERIFY_LATER;
+        }
         if (doubtful || mayMove) {
             return Next.VERIFY;
         }
@@ -97,13 +127,17 @@ final class Stillness {
         mayMove = false;
         unreached = false;
         disobeyed = 0;
+        confirmations++;
     }
 
-    private Next verified(Reply reply) {
+    private Next verified(Reply reply, long nowNanos) {
         if (reply.numbers().stream().anyMatch(speed -> speed != 0)) {
             brief = false;
             disobeyed++;
             return disobeyed == 1 ? Next.STOP : Next.STOP_LATER;
+        }
+        if (ownSpeeds && nowNanos - stoppedNanos < OWN_SPEEDS_NANOS) {
+            return Next.VERIFY_LATER;
         }
         stands();
         return Next.NOTHING;

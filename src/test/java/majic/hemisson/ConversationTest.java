@@ -277,6 +277,39 @@ class ConversationTest {
     }
 
     @Test
+    void aStopThatIsOrderedBehindTheEndOfTheConnectionDoesNotUndoThatItStands() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.stop();
+        hear("d");
+        hear("e,00,00");
+        conversation.end("closed");
+
+        conversation.stop();
+
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aRobotThatSetsItsOwnSpeedsIsLookedAtForASecondBeforeItCountsAsStanding() {
+        conversation.setsItsOwnSpeeds(true);
+        conversation.stop();
+        hear("d");
+        pass(0.1);
+        hear("e,00,00");
+        assertThat(conversation.isStanding()).isFalse();
+
+        for (int look = 0; look < 8; look++) {
+            pass(0.1);
+            hear("e,00,00");
+        }
+        assertThat(conversation.isStanding()).isFalse();
+        pass(0.1);
+        hear("e,00,00");
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
     void aQuestionInMotionCarriesAStopSoThatTwoCharactersBehindItAreOne() {
         moveOnABufferedLine();
         conversation.ask(Question.PROXIMITY);
