@@ -1,5 +1,6 @@
 package majic.hemisson;
 
+import java.util.function.BooleanSupplier;
 import majic.bot.Signal;
 
 /** How a connection ends: the robot is told to stand, whatever it does, and gets a moment to confirm (sheet 11). */
@@ -12,25 +13,25 @@ final class Farewell {
     private Farewell() {}
 
     /**
-     * Says it on the thread that closes; the robot's keeper may be gone, so overdue answers are looked for here.
+     * Says it. Another thread may order one more stop meanwhile; that does not undo a confirmation.
+     *
+     * <p>It is said on the thread that closes; the robot's keeper may be gone, so overdue answers are looked for here.
      *
      * @return whether the robot has confirmed that it stands
      */
     static boolean say(Session session, Signal changes) {
         Conversation conversation = session.conversation();
+        long before = conversation.confirmations();
+        BooleanSupplier over = () -> session.isClosed() || conversation.confirmations() > before;
         conversation.stop();
         try {
-            for (double waited = 0; waited < PATIENCE_S && !isOver(session); waited += LOOK_S) {
-                changes.await(() -> isOver(session), LOOK_S);
+            for (double waited = 0; waited < PATIENCE_S && !over.getAsBoolean(); waited += LOOK_S) {
+                changes.await(over, LOOK_S);
                 conversation.tick();
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        return conversation.isStanding();
-    }
-
-    private static boolean isOver(Session session) {
-        return session.isClosed() || session.conversation().isStanding();
+        return conversation.confirmations() > before || conversation.isStanding();
     }
 }

@@ -22,6 +22,7 @@ final class Overseer implements ConversationListener {
     private volatile @Nullable Exchange look;
     private volatile boolean watching;
     private volatile boolean modeUnknown;
+    private volatile boolean restarted;
     private long ticks;
 
     Overseer(MajicHemisson bot, SpeedTable table) {
@@ -35,6 +36,7 @@ final class Overseer implements ConversationListener {
     void begin(Session opened) {
         watching = false;
         modeUnknown = false;
+        restarted = false;
         look = null;
         senses.forget();
         motion.begins(Long.MAX_VALUE);
@@ -147,6 +149,12 @@ final class Overseer implements ConversationListener {
     }
 
     private void verified(Exchange exchange, Reply reply) {
+        if (restarted) {
+            restarted = false;
+            boolean moves =
+                    reply.kind() == Reply.Kind.ANSWER && !Wheels.of(reply).isStill();
+            bot.say("it was switched on or reset; its lamps are off, its motors " + (moves ? "run" : "stand"));
+        }
         String difference = wheels.compare(reply, bot.identity());
         if (difference != null) {
             motion.meets(difference);
@@ -183,6 +191,7 @@ final class Overseer implements ConversationListener {
     public void wasReset() {
         motion.meets("it was switched on or reset meanwhile");
         modeUnknown = watching;
+        restarted = watching;
         wheels.told(Wheels.STILL);
         reckoning.follow(Wheels.STILL, bot.nanos());
         bot.lamps().forget();
@@ -191,7 +200,6 @@ final class Overseer implements ConversationListener {
         if (open != null && watching) {
             open.conversation().ask(Question.SWITCHES);
         }
-        bot.say("it was switched on or reset; its motors stand and its lamps are off");
     }
 
     private void learnMode(List<Integer> switches) {

@@ -17,6 +17,10 @@ final class DrivenHemisson implements AutoCloseable {
     /** The same with something before it. */
     static final String NEAR = "n,060,004,004,004,004,004,060,080";
 
+    /** What a robot says first when it is switched on. */
+    static final String GREETING =
+            "HemiOS V1.50 , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30\r\nE-Mail : info@hemisson.com\r\n\r\n";
+
     private final List<String> notices = new CopyOnWriteArrayList<>();
     private final ScriptedHemisson robot;
     private final MajicHemisson bot;

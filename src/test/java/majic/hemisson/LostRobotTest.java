@@ -59,6 +59,21 @@ class LostRobotTest {
     }
 
     @Test
+    void aRobotThatWasLostAndStandsAgainIsClosedWithoutAnAlarm() {
+        bot.connect();
+        pair.fallSilentWhenMoving();
+        assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(BotException.class);
+        pair.await(() -> !bot.isConnected());
+        robot.answer('D', robot::setSpeeds);
+        robot.fallSilent(false);
+        pair.await(() -> pair.notices().stream().anyMatch(notice -> notice.contains("answers again and stands")));
+
+        bot.close();
+
+        assertThat(pair.notices()).noneMatch(notice -> notice.contains("has not confirmed"));
+    }
+
+    @Test
     void lastingSilenceIsExplained() {
         bot.connect();
         robot.fallSilent(true);

@@ -3,7 +3,9 @@ package majic.hemisson;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.charset.StandardCharsets;
 import majic.bot.BotException;
+import majic.bot.Patience;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -100,6 +102,44 @@ class MajicHemissonTest {
         bot.connect();
 
         assertThat(robot.commands()).allMatch(command -> command.length() <= 1);
+    }
+
+    @Test
+    void itsFirstReadingsAreThereWhenItIsConnected() {
+        bot.connect();
+
+        Patience.without(() -> {
+            assertThat(bot.get("prox")).hasToString("4, 4, 4, 4, 4, 4, 60, 80");
+            assertThat(bot.get("groundLeft")).hasToString("60");
+            assertThat(bot.get("light0")).hasToString("220");
+            assertThat(bot.get("switches")).hasToString("1, 1, 1, 1");
+            assertThat(bot.get("tvRemote")).hasToString("0");
+        });
+    }
+
+    @Test
+    void aGreetingThatWasLeftInABufferIsNotTakenForARobotThatStands() {
+        robot.greetWith(DrivenHemisson.GREETING.getBytes(StandardCharsets.ISO_8859_1));
+        robot.answer('I', command -> "i,1,1,1,0");
+        robot.answer('E', command -> "e,05,05");
+
+        bot.connect();
+
+        assertThat(pair.notices()).noneMatch(notice -> notice.contains("reset"));
+        assertThat(bot.state().moving()).isTrue();
+    }
+
+    @Test
+    void aGreetingInMidSessionIsToldWithWhatItsMotorsDo() {
+        bot.connect();
+        pair.switchOffAndOn();
+        pair.await(() -> !pair.notices().isEmpty());
+        assertThat(pair.notices()).containsExactly("it was switched on or reset; its lamps are off, its motors stand");
+
+        robot.answer('E', command -> "e,05,05");
+        pair.switchOffAndOn();
+        pair.await(() -> pair.notices().size() > 1);
+        assertThat(pair.notices().get(1)).endsWith("its motors run");
     }
 
     @Test

@@ -127,7 +127,7 @@ final class ScriptedHemisson implements AutoCloseable {
         return commands().stream().filter(command::equals).count();
     }
 
-    private String setSpeeds(String command) {
+    String setSpeeds(String command) {
         String[] parts = (command.charAt(0) + arguments).split(",");
         speeds = padded(parts[1]) + "," + padded(parts[2]);
         return "d";
