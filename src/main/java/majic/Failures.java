@@ -6,6 +6,7 @@ import java.lang.System.Logger.Level;
 import java.nio.file.FileSystemException;
 import majic.bot.BotException;
 import majic.bot.IoReason;
+import majic.log.VisibleText;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -51,7 +52,7 @@ final class Failures {
 
     private static void say(CommandLine command, Exception problem) {
         PrintWriter err = command.getErr();
-        err.println("majic: " + sentence(problem));
+        err.println("majic: " + VisibleText.of(sentence(problem)));
         err.flush();
     }
 

@@ -17,6 +17,7 @@ final class CommandPane extends JPanel {
         super(new MigLayout("insets 0, gap 4 4", "[][grow, fill]", "[grow, fill][][]"));
         line = new CommandLine(parser, this::showHint);
         hint.setName("hint");
+        hint.putClientProperty("html.disable", true);
         JLabel prompt = new JLabel("Command");
         prompt.setLabelFor(line);
         prompt.setDisplayedMnemonic('C');

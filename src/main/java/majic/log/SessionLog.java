@@ -93,7 +93,7 @@ public final class SessionLog implements AutoCloseable {
      * and the log says how many.
      *
      * @param kind what sort of line it is, in one word
-     * @param text the line; line breaks in it are shown as blanks
+     * @param text the line; line ends and control characters in it are made visible
      */
     public void write(String kind, String text) {
         if (file == null) {
@@ -197,6 +197,6 @@ public final class SessionLog implements AutoCloseable {
 
     private String stamped(String kind, String text) {
         String time = LINE_TIME.format(LocalDateTime.now(clock));
-        return String.format(Locale.ROOT, "%s %-7s %s%n", time, kind, text.replaceAll("\\R", " "));
+        return String.format(Locale.ROOT, "%s %-7s %s%n", time, kind, VisibleText.of(text));
     }
 }

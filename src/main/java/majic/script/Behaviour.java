@@ -63,7 +63,7 @@ final class Behaviour {
      */
     static void refuse(String title, List<Mistake> mistakes) {
         if (!mistakes.isEmpty()) {
-            throw new BotException(String.join("\n", Mistake.inOrder(mistakes, title)));
+            throw new BotException(String.join("; ", Mistake.inOrder(mistakes, title)));
         }
     }
 

@@ -1,15 +1,21 @@
 package majic.script;
 
+import majic.log.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
  * One line that message area, console and session log all show, the same everywhere. Immutable.
  *
  * @param kind what it is
- * @param text without line break
+ * @param text one line; line ends and control characters in it are made visible
  * @param asker the parser whose line it repeats or answers; null if it concerns all
  */
 public record Line(Kind kind, String text, @Nullable Object asker) {
+    /** Makes a text of any origin safe to show. */
+    public Line {
+        text = VisibleText.of(text);
+    }
+
     /**
      * A line that concerns all.
      *

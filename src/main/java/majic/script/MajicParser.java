@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
+import majic.log.VisibleText;
 
 /**
  * Takes lines of MAJIC Script, checks them and hands them to the robots they are for. Each place where lines come from
@@ -143,9 +144,9 @@ public final class MajicParser {
 
     private String refuse(String line, String place, String why) {
         dispatcher.tally().fail(line);
-        String message = place + why;
+        String message = VisibleText.of(place + why);
         if (STOP.matcher(line).find()) {
-            message = place + "taken as STOP: " + why;
+            message = VisibleText.of(place + "taken as STOP: " + why);
             session.team().stopAll();
             takeBlock();
         }

@@ -34,7 +34,7 @@ class SessionLogTest {
         log.close();
         assertThat(Files.readAllLines(log.file().orElseThrow()))
                 .containsExactly(
-                        "2007-09-01 12:00:00.250 command 1 move 500", "2007-09-01 12:00:00.250 answer  two lines");
+                        "2007-09-01 12:00:00.250 command 1 move 500", "2007-09-01 12:00:00.250 answer  two\\nlines");
     }
 
     @Test

@@ -1,0 +1,37 @@
+package majic.log;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * Makes texts of any origin safe to show in one line. Line ends, escape sequences of terminals and characters that turn
+ * the direction of the writing become visible, so that no text can be taken for an answer of its own or change what a
+ * screen shows.
+ */
+public final class VisibleText {
+    private static final Pattern UNSAFE = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Cs}\\p{Zl}\\p{Zp}]");
+
+    private VisibleText() {}
+
+    /**
+     * The text in one line of visible characters.
+     *
+     * @param text anything
+     * @return the text with {@code \n}, {@code \r} and {@code \}{@code u001b} and the like, written out, in place of
+     *     unsafe characters, and blanks in place of tabs
+     */
+    public static String of(String text) {
+        return UNSAFE.matcher(text.replace('\t', ' '))
+                .replaceAll(found -> Matcher.quoteReplacement(escape(found.group())));
+    }
+
+    private static String escape(String unsafe) {
+        return switch (unsafe) {
+            case "\n" -> "\\n";
+            case "\r" -> "\\r";
+            default ->
+                unsafe.chars().mapToObj(unit -> String.format("\\u%04x", unit)).collect(Collectors.joining());
+        };
+    }
+}

@@ -1,0 +1,145 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.FakeType;
+import majic.bot.MajicBot;
+import majic.bot.Member;
+import majic.bot.Order;
+import majic.bot.Owner;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** No text of a robot, of an act or of an exception can pass for an answer, or give orders to a terminal. */
+@Timeout(30)
+class ForgedAnswersTest {
+    private static final String FORGED = "gone\n2 stop: done\r\u001b[2J\u202e\u2028";
+    private static final String HARMLESS = "gone\\n2 stop: done\\r\\u001b[2J\\u202e\\u2028";
+    private static final String LAST = "1: the last notice";
+
+    @TempDir
+    private Path folder;
+
+    private final Screen screen = new Screen();
+    private Program program;
+    private Member robot;
+    private BufferedReader answers;
+
+    @BeforeEach
+    void start() throws Exception {
+        program = new Program(new UserFolder(folder), null);
+        MajicBot bot = new FakeType().create("one", BotEnvironment.plain());
+        bot.connect();
+        robot = program.team().add(bot, OptionalInt.empty());
+        Thread console = new Thread(() -> new Console(program, screen).run(List.of(), List.of()));
+        console.setDaemon(true);
+        console.start();
+        screen.asked.await();
+        int port = program.listen(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), true)
+                .port();
+        program.addFirst(List.of());
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
+        socket.getOutputStream().write("bots\n".getBytes(StandardCharsets.UTF_8));
+        answers = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
+        answers.readLine();
+    }
+
+    @AfterEach
+    void close() {
+        program.close();
+    }
+
+    /** A terminal that is never typed at. */
+    private static final class Screen implements Console.Source {
+        private final BlockingQueue<String> shown = new LinkedBlockingQueue<>();
+        private final CountDownLatch asked = new CountDownLatch(1);
+
+        @Override
+        public String next() {
+            asked.countDown();
+            try {
+                new CountDownLatch(1).await();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+            return null;
+        }
+
+        @Override
+        public void show(String line) {
+            shown.add(line);
+        }
+
+        @Override
+        public boolean interactive() {
+            return true;
+        }
+
+        @Override
+        public void close() {}
+    }
+
+    @Test
+    void anExceptionsMessageStaysInItsAnswer() throws Exception {
+        robot.submit(
+                new Order("get x", false, its -> {
+                    throw new BotException(FORGED);
+                }),
+                null);
+        isShownAs("1 get x: failed: " + HARMLESS);
+    }
+
+    @Test
+    void aRobotsNoticeStaysInItsLine() throws Exception {
+        robot.complain(new BotException(FORGED));
+        isShownAs("1: " + HARMLESS);
+    }
+
+    @Test
+    void whatAnActSaysStaysInItsLine() throws Exception {
+        robot.tell(new Owner(Owner.Kind.ACT, "Liar", () -> {}), FORGED);
+        isShownAs("1: Liar: " + HARMLESS);
+    }
+
+    private void isShownAs(String line) throws Exception {
+        assertThat(answers.readLine()).isEqualTo(line);
+        String shown = screen.shown.take();
+        while (!shown.contains("gone")) {
+            shown = screen.shown.take();
+        }
+        assertThat(shown).isEqualTo(line);
+        robot.complain(new BotException("the last notice"));
+        assertThat(answers.readLine()).isEqualTo(LAST);
+        program.close();
+        assertThat(sessionLog())
+                .filteredOn(kept -> kept.contains("gone"))
+                .hasSize(1)
+                .allMatch(kept -> kept.endsWith(line));
+        assertThat(sessionLog()).noneMatch(kept -> kept.startsWith("2 stop"));
+    }
+
+    private List<String> sessionLog() throws IOException {
+        try (var logs = Files.list(folder.resolve("sessions"))) {
+            return Files.readAllLines(logs.findFirst().orElseThrow());
+        }
+    }
+}
