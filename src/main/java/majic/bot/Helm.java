@@ -137,8 +137,12 @@ final class Helm {
             motion.pause(Math.min(DRIVE_RENEWAL_S, endS - motion.seconds()));
         }
         motion.send(bot::halt);
-        bot.confirmHalt();
-        motion.check();
+        try {
+            bot.confirmHalt();
+        } finally {
+            // A stop that came meanwhile is the reason, whatever became of the confirmation.
+            motion.check();
+        }
     }
 
     void drive(double mmPerSec, double degPerSec, Permit permit) {

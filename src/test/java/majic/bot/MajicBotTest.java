@@ -121,6 +121,30 @@ class MajicBotTest {
     }
 
     @Test
+    void aTimedDriveIsDoneWhenTheRobotHasConfirmedThatItStands() {
+        bot.standAfter(0.4);
+
+        MotionReport report = bot.drive(200, 30, 1, Guard.NEVER);
+
+        assertThat(report.seconds()).isBetween(1.4, 1.42);
+        assertThat(bot.sent()).endsWith("halt", "stands");
+    }
+
+    @Test
+    void aStopWhileATimedDriveBrakesEndsItAsStopped() {
+        bot.standAfter(0.4);
+        bot.getStuck();
+        clock.time()
+                .thread("stopper", () -> {
+                    pause(1.2);
+                    bot.revokeMotions();
+                })
+                .start();
+
+        assertThatThrownBy(() -> bot.drive(200, 30, 1, Guard.NEVER)).isInstanceOf(MotionStopped.class);
+    }
+
+    @Test
     void aLostLinkEndsAMoveWithItsCause() throws InterruptedException {
         clock.time()
                 .thread("cutter", () -> {
