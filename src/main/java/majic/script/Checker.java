@@ -16,6 +16,7 @@ final class Checker extends Inspection {
     private final Set<Member> limitsSet = new HashSet<>();
     private final boolean readsFiles;
     private boolean teamMayChange;
+    private boolean saves;
 
     private Checker(Session session, Selection selection, boolean readsFiles) {
         this.session = session;
@@ -74,9 +75,11 @@ final class Checker extends Inspection {
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
         SessionCommand command = line.command();
-        if (!teamMayChange && (readsFiles || !FileUse.by(command))) {
+        boolean runsSaved = saves && command instanceof SessionCommand.Run;
+        if (!teamMayChange && !runsSaved && (readsFiles || !FileUse.by(command))) {
             command.accept(new SessionCheck(session, selection));
         }
+        saves |= command instanceof SessionCommand.SaveSession;
         teamMayChange |= changesTeam(command);
         return null;
     }

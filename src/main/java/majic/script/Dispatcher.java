@@ -84,12 +84,13 @@ final class Dispatcher {
      * Takes a line. Never waits. A line that names files is checked, and carried out, on a thread of this source.
      *
      * @param refused gets the reason if a file the line names does not let it be done
+     * @param failed gets the reason if the line is refused when its turn comes
      * @throws BotException if it cannot be done now; nothing happened
      * @throws ScriptException if it cannot be done with the robots there are; nothing happened
      */
-    void give(Statement statement, String text, Consumer<String> refused) {
+    void give(Statement statement, String text, Consumer<String> refused, Consumer<String> failed) {
         Set<Integer> robots = Given.robots(statement, selection);
-        Given line = new Given(statement, text, robots, stops(robots), refused);
+        Given line = new Given(statement, text, robots, stops(robots), refused, failed, false);
         if (goesNow(line)) {
             perform(line, Execution.Manner.AT_ONCE);
         } else if (goesBeside(line) && !line.namesFile() && queue.isEmpty()) {
@@ -167,9 +168,24 @@ final class Dispatcher {
     private void inTurn(Given line) {
         if (wasStopped(line)) {
             tellStopped(line);
+        } else if (line.sent()) {
+            awaitFreed(line);
         } else if (filesAllow(line)) {
             takeTurn(line);
         }
+    }
+
+    /** Waits until the robots of a stop have stopped, and what it ended has given them back. */
+    private void awaitFreed(Given stop) {
+        try {
+            team.changes().await(() -> stopped(stop).stream().noneMatch(Execution::isEnding), Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private List<Member> stopped(Given stop) {
+        return stop.statement() instanceof Statement.ForRobots line ? selection.present(line.robots()) : team.members();
     }
 
     private void tellStopped(Given line) {
@@ -195,11 +211,9 @@ final class Dispatcher {
             tally.fail(line.title());
             session.say(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
         } catch (ScriptException | BotException e) {
-            tally.fail(line.title());
-            session.say(Line.Kind.ERROR, String.valueOf(e.getMessage()), asker);
+            line.failed().accept(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
-            tally.fail(line.title());
-            session.say(Line.Kind.ERROR, line.title() + ": " + Mishap.told(line.title(), e), asker);
+            line.failed().accept(line.title() + ": " + Mishap.told(line.title(), e));
         }
     }
 
@@ -232,6 +246,11 @@ final class Dispatcher {
             ownStops.during(stopping);
         } else {
             stopping.run();
+        }
+        if (queue.isCurrent(line)) {
+            awaitFreed(line);
+        } else if (source != Source.PROMPT) {
+            queue.add(line.asSent());
         }
     }
 

@@ -261,6 +261,20 @@ final class Execution {
         own.forget(members);
         lines.forget(members);
         team.stop(members, owner);
+        if (owner != null) {
+            await(() -> members.stream().noneMatch(Execution::isEnding), Double.POSITIVE_INFINITY);
+        }
+    }
+
+    /** Whether a stop is on its way to a robot, or what it ended has not given the robot back yet. */
+    static boolean isEnding(Member member) {
+        Owner holder = member.owner();
+        return member.isStopping() || (holder != null && holder.isDismissed());
+    }
+
+    /** Waits until the log commands given before have had their turn. */
+    void awaitLogging() {
+        await(() -> !lines.hasOpen(Orders::isLogging), Double.POSITIVE_INFINITY);
     }
 
     /** STOP. A script that says it ends by it like all others. */

@@ -14,8 +14,22 @@ import majic.bot.Member;
  * @param robots those it makes do something, as far as they were there by then
  * @param stops how often they had been stopped by then
  * @param refused gets the reason if the files it names do not let it be done
+ * @param failed gets the reason if it is refused by the session or a robot when its turn comes
+ * @param sent whether it is a stop that was sent already, of which only the end is waited for
  */
-record Given(Statement statement, String text, Set<Integer> robots, long stops, Consumer<String> refused) {
+record Given(
+        Statement statement,
+        String text,
+        Set<Integer> robots,
+        long stops,
+        Consumer<String> refused,
+        Consumer<String> failed,
+        boolean sent) {
+    /** The same, once it was sent. */
+    Given asSent() {
+        return new Given(statement, text, robots, stops, refused, failed, true);
+    }
+
     /** Its first line, as answers call it. */
     String title() {
         return text.strip().lines().findFirst().orElse("").replaceAll("\\s+", " ");

@@ -120,7 +120,8 @@ public final class MajicParser {
         try {
             Taken taken = take(line);
             remember(line);
-            give(taken, line, why -> refusedLater.accept(refuse(taken.text(), place, why)));
+            Consumer<String> failed = why -> refuse(taken.text(), place, why);
+            give(taken, line, why -> refusedLater.accept(refuse(taken.text(), place, why)), failed);
             return Optional.empty();
         } catch (ScriptException | BotException | ExecutionEnded e) {
             return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
@@ -129,13 +130,13 @@ public final class MajicParser {
         }
     }
 
-    private void give(Taken taken, String line, Consumer<String> refused) {
+    private void give(Taken taken, String line, Consumer<String> refused, Consumer<String> failed) {
         Consumer<String> forgotten = why -> {
             forget(line);
             refused.accept(why);
         };
         try {
-            taken.statements().forEach(statement -> dispatcher.give(statement, taken.text(), forgotten));
+            taken.statements().forEach(statement -> dispatcher.give(statement, taken.text(), forgotten, failed));
         } catch (RuntimeException | Error e) {
             forget(line);
             throw e;

@@ -110,6 +110,11 @@ final class Orders {
         });
     }
 
+    /** Whether an order begins or ends logging. */
+    static boolean isLogging(Order order) {
+        return order.text().startsWith("log ");
+    }
+
     private static List<String> names(List<Token> parameters, MajicBot bot) {
         return parameters.stream().map(name -> name(name, bot)).toList();
     }

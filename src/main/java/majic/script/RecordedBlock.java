@@ -16,7 +16,7 @@ final class RecordedBlock {
     private final long beganNanos;
     private final boolean waits;
     private long endedNanos = Long.MAX_VALUE;
-    private boolean cut;
+    private boolean completed;
     private int commands;
 
     /**
@@ -32,19 +32,15 @@ final class RecordedBlock {
         this.waits = waits;
     }
 
-    /** Ends it; {@code completed} tells whether it came to its own end. */
-    void end(long atNanos, boolean completed) {
+    /** Ends it; {@code byItself} tells whether it came to its own end. */
+    void end(long atNanos, boolean byItself) {
         endedNanos = atNanos;
-        cut = !completed;
+        completed = byItself;
     }
 
     /** Counts one more of its commands; false when there are too many to be kept. */
     boolean hasRoom() {
         return ++commands <= MOST_COMMANDS;
-    }
-
-    boolean isRunning() {
-        return endedNanos == Long.MAX_VALUE;
     }
 
     long endedNanos() {
@@ -53,12 +49,12 @@ final class RecordedBlock {
 
     /** Whether the lines behind it were given only after its robots had finished. */
     boolean hasFinished() {
-        return waits && !isRunning();
+        return waits;
     }
 
     /** Whether its own text does again what it did. */
     boolean standsForItself(List<RecordedEvent> all) {
-        return !cut && all.stream().noneMatch(this::isBeside);
+        return completed && all.stream().noneMatch(this::isBeside);
     }
 
     private boolean isBeside(RecordedEvent other) {

@@ -108,7 +108,7 @@ final class ReplayScript {
 
     private void end(RecordedEvent event) {
         RecordedBlock block = event.block();
-        if (block == null || block.isRunning()) {
+        if (block == null) {
             return;
         }
         reachedNanos = Math.max(reachedNanos, block.endedNanos());

@@ -101,6 +101,9 @@ final class SessionDoing implements SessionCommand.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void saveLog(SessionCommand.SaveLog save) {
+        if (!execution.isTyped()) {
+            execution.awaitLogging();
+        }
         if (session.parameterLog().isEmpty()) {
             throw new BotException("save log: there are no readings yet; \"1 log x every 100ms\" takes some");
         }

@@ -7,8 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import majic.bot.Answer;
 import majic.bot.Member;
+import majic.bot.Order;
 import majic.bot.Pending;
 import org.jspecify.annotations.Nullable;
 
@@ -57,6 +59,12 @@ final class Tally {
     synchronized boolean allEnded() {
         look();
         return open.isEmpty();
+    }
+
+    /** Whether an order of some kind is still under way. */
+    synchronized boolean hasOpen(Predicate<Order> kind) {
+        look();
+        return open.keySet().stream().map(Pending::order).anyMatch(kind);
     }
 
     private void look() {
