@@ -5,11 +5,16 @@ import java.util.concurrent.CountDownLatch;
 import majic.aibo.MajicAibo;
 import majic.bot.BotListener;
 import majic.bot.BotState;
+import majic.bot.Guard;
 import majic.bot.MajicBot;
+import majic.bot.MotionFailed;
 import majic.hemisson.MajicHemisson;
 import majic.pioneer.MajicPioneer;
 
-/** A program that embeds one robot, moves it and closes nothing. Prints a line once the robot moves; ends when a line comes. */
+/**
+ * A program that embeds one robot, moves it and closes nothing. Moves a metre, or drives at the speed it is given. Prints a
+ * line once the robot moves; ends when a line comes.
+ */
 final class EndedProgram {
     private EndedProgram() {}
 
@@ -26,12 +31,26 @@ final class EndedProgram {
             }
         });
         bot.connect();
-        Thread driving = new Thread(() -> bot.move(1000));
+        Thread driving = new Thread(() -> {
+            if (args.length == 1) {
+                bot.move(1000);
+            } else {
+                drive(bot, Double.parseDouble(args[1]));
+            }
+        });
         driving.setDaemon(true);
         driving.start();
         moving.await();
         System.out.println("moving");
         exitWhenTold();
+    }
+
+    private static void drive(MajicBot bot, double mmPerSec) {
+        try {
+            bot.drive(mmPerSec, 0, 40, Guard.NEVER);
+        } catch (MotionFailed e) {
+            System.out.println("failed: " + e.getMessage());
+        }
     }
 
     private static void exitWhenTold() throws IOException {

@@ -131,6 +131,13 @@ final class RecordedLine implements AutoCloseable {
         }
     }
 
+    /** What was sent behind the first bytes. */
+    String sentSince(int from) {
+        synchronized (sent) {
+            return sent.substring(from);
+        }
+    }
+
     /** Waits until a text has been sent, behind the first bytes. */
     void await(String text, int from) throws InterruptedException {
         synchronized (sent) {

@@ -8,8 +8,6 @@ import com.sun.jna.NativeLibrary;
 import com.sun.jna.Platform;
 import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -29,7 +27,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A program of its own that embeds a robot ends in mid-motion, and the robot is stopped. */
+/** A program of its own that embeds a robot ends or stands still in mid-motion, and the robot is stopped. */
 @Timeout(60)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has neither signals nor pseudo-terminals")
 class ShutdownTest {
@@ -79,7 +77,7 @@ class ShutdownTest {
                 RecordedLine line = robot.line(lab)) {
             Process program = start(EndedProgram.class, Map.of(), robot.type + ":" + line.address());
             try {
-                awaitMotion(program);
+                awaitLine(program, "moving");
                 int before = line.length();
 
                 end(program, end);
@@ -87,6 +85,31 @@ class ShutdownTest {
                 assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
                 line.await(robot.stop, before);
                 awaitStationary(lab, robot.type);
+            } finally {
+                program.destroyForcibly();
+            }
+        }
+    }
+
+    @Test
+    void aDogDoesNotWalkOnWhenTheProgramStoodStillAndGoesOn() throws Exception {
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+                RecordedLine line = Robot.AIBO.line(lab)) {
+            Process program = start(EndedProgram.class, Map.of(), "aibo:" + line.address(), "80");
+            try {
+                awaitLine(program, "moving");
+                line.await("robot.walk(", 0);
+                signal(program, "STOP");
+                lab.time().sleep(3);
+                int before = line.length();
+
+                signal(program, "CONT");
+
+                awaitLine(program, "failed: ");
+                line.await("stop walk, stop turn,", before);
+                lab.time().sleep(2);
+                assertThat(line.sentSince(before)).doesNotContain("robot.walk(");
+                awaitStationary(lab, "aibo");
             } finally {
                 program.destroyForcibly();
             }
@@ -115,13 +138,12 @@ class ShutdownTest {
         }
     }
 
-    private static void awaitMotion(Process program) throws IOException {
-        BufferedReader printed =
-                new BufferedReader(new InputStreamReader(program.getInputStream(), StandardCharsets.UTF_8));
+    private static void awaitLine(Process program, String start) throws IOException {
+        BufferedReader printed = program.inputReader();
         List<String> lines = new ArrayList<>();
-        for (String line = printed.readLine(); !"moving".equals(line); line = printed.readLine()) {
+        for (String line = ""; !line.startsWith(start); lines.add(line)) {
+            line = printed.readLine();
             assertThat(line).as("printed before: %s", lines).isNotNull();
-            lines.add(line);
         }
     }
 
@@ -139,10 +161,14 @@ class ShutdownTest {
             program.getOutputStream().write('\n');
             program.getOutputStream().flush();
         } else {
-            new ProcessBuilder("kill", "-" + end, String.valueOf(program.pid()))
-                    .start()
-                    .waitFor();
+            signal(program, end.name());
         }
+    }
+
+    private static void signal(Process program, String name) throws Exception {
+        new ProcessBuilder("kill", "-" + name, String.valueOf(program.pid()))
+                .start()
+                .waitFor();
     }
 
     private static Process start(Class<?> program, Map<String, String> environment, String... args) throws IOException {

@@ -105,6 +105,14 @@ final class Access {
         return commands.size() == 1 ? commands.get(0) : "{ " + String.join(" & ", commands) + " }";
     }
 
+    /**
+     * A command that a server passes on to all members of a group, such that it ends once under its own tag. Without the
+     * braces a 1.0 kernel reports an end for each member, some or all of them under the tag {@code __system__} (URBI sheet 21).
+     */
+    static String toGroup(String command) {
+        return "{ " + command + " }";
+    }
+
     /** An assignment; the value is a plain number. */
     static String assign(String variable, double amount) {
         return variable + " = " + Dialect.number(amount);

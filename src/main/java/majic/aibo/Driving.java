@@ -12,8 +12,10 @@ import org.jspecify.annotations.Nullable;
 final class Driving {
     private static final double PIECE_MS = 600;
 
-    /** A drive is renewed at least this often; what is older is forgotten even if nobody says so, seconds. */
-    private static final double LEASE_S = 0.7;
+    /** A drive is renewed more often; one that is older ends, and does not go on when it is renewed later, seconds. */
+    private static final double LEASE_S = 1;
+
+    private static final String LATE = "the drive was not renewed in time; the dog was told to stop";
 
     /** A piece and the two seconds that a slow engine is late, with something to spare. */
     private static final double OVERDUE_S = PIECE_MS / 1000 + 3;
@@ -40,6 +42,9 @@ final class Driving {
      */
     void drive(double mmPerSec, double degPerSec) {
         Stride stride = choose(mmPerSec, degPerSec);
+        if (hasLapsed()) {
+            fail(LATE);
+        }
         refuseAfterFailure();
         if (stride != null && session.runner().current() == null) {
             session.feet().refuseFallen(session.dog().senses().posture());
@@ -97,8 +102,8 @@ final class Driving {
         if (stride == null) {
             return;
         }
-        if (session.watch().time().secondsSince(renewedNanos) > LEASE_S) {
-            session.halt();
+        if (hasLapsed()) {
+            fail(LATE);
             return;
         }
         Running running = session.runner().current();
@@ -110,6 +115,11 @@ final class Driving {
         } else if (running.piece() != null && running.piece().gait() != stride.gait() && !running.isStopRequested()) {
             session.runner().halt(session.sweep().halt());
         }
+    }
+
+    /** Whether somebody drives and has not said so for too long, as when the program stood still. */
+    private boolean hasLapsed() {
+        return wanted != null && session.watch().time().secondsSince(renewedNanos) > LEASE_S;
     }
 
     private void fail(String wrong) {

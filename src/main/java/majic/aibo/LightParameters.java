@@ -72,7 +72,8 @@ final class LightParameters implements Theme {
         }
         table.add(list, access.askedAll(values(leds), Unit.NONE)).writes(values -> {
             if (values.size() == 1) {
-                access.tell(List.of(Access.assign(group, values.get(0).number())));
+                access.tell(List.of(
+                        Access.toGroup(Access.assign(group, values.get(0).number()))));
             } else {
                 put(leds, values);
             }
@@ -106,7 +107,7 @@ final class LightParameters implements Theme {
         }
         if (on) {
             former = access.ask(values(FACE), amount -> Value.of(amount, Unit.NONE));
-            access.tell(List.of("ledF = 1"));
+            access.tell(List.of(Access.toGroup("ledF = 1")));
         } else {
             put(FACE, former);
         }

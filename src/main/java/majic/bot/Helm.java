@@ -21,6 +21,12 @@ final class Helm {
     /** How often a timed drive renews itself, seconds. */
     private static final double DRIVE_RENEWAL_S = 0.3;
 
+    /**
+     * A timed drive that is renewed later than this fails, seconds: the program stood still, and a robot that its own
+     * watchdog has stopped meanwhile must not go on by itself.
+     */
+    private static final double LATEST_RENEWAL_S = 1.5;
+
     private final MajicBot bot;
     private final Keeper keeper;
     private final Permits permits = new Permits();
@@ -131,9 +137,15 @@ final class Helm {
     }
 
     private void driveOn(double mmPerSec, double degPerSec, double seconds, Motion motion) {
-        double endS = motion.seconds() + seconds;
+        double renewedS = motion.seconds();
+        double endS = renewedS + seconds;
         while (motion.seconds() < endS && !motion.guardReached()) {
-            motion.send(() -> bot.driveAt(mmPerSec, degPerSec));
+            double lastS = renewedS;
+            motion.send(() -> {
+                refuseLateRenewal(motion.seconds() - lastS);
+                bot.driveAt(mmPerSec, degPerSec);
+            });
+            renewedS = motion.seconds();
             motion.pause(Math.min(DRIVE_RENEWAL_S, endS - motion.seconds()));
         }
         motion.send(bot::halt);
@@ -142,6 +154,12 @@ final class Helm {
         } finally {
             // A stop that came meanwhile is the reason, whatever became of the confirmation.
             motion.check();
+        }
+    }
+
+    private static void refuseLateRenewal(double afterS) {
+        if (afterS > LATEST_RENEWAL_S) {
+            throw new MotionFailed("this program stood still for " + Math.round(afterS) + " s; the drive ended");
         }
     }
 

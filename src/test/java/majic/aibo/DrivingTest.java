@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicInteger;
+import majic.bot.Guard;
 import majic.bot.MotionFailed;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -63,6 +65,32 @@ class DrivingTest {
         assertThatThrownBy(() -> driveUntilReceived(60, 0, "motors on"))
                 .isInstanceOf(MotionFailed.class)
                 .hasMessage("the dog's motors were switched off");
+    }
+
+    @Test
+    void aDriveThatWasRenewedTooLateDoesNotGoOn() {
+        AtomicInteger walks = new AtomicInteger();
+        Guard slow = () -> {
+            if (dogs.dog.isWalking()) {
+                walks.set(dogs.dog.received("robot.walk(").size());
+                standStill(1.3);
+            }
+            return false;
+        };
+
+        assertThatThrownBy(() -> dogs.aibo.drive(60, 0, 40, slow))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("not renewed in time");
+        assertThat(dogs.dog.received("robot.walk(").size()).isLessThanOrEqualTo(walks.get() + 1);
+        assertThat(dogs.dog.isWalking()).isFalse();
+    }
+
+    private void standStill(double seconds) {
+        try {
+            dogs.aibo.time().sleep(seconds);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     @Test

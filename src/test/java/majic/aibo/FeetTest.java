@@ -37,7 +37,7 @@ class FeetTest {
         assertThat(poses())
                 .satisfiesExactly(
                         lay -> assertThat(lay).endsWith("+end: robot.lay()"),
-                        off -> assertThat(off).endsWith("+end: motors off"));
+                        off -> assertThat(off).endsWith("+end: { motors off }"));
         assertThat(dogs.aibo.get("motors").isYes()).isFalse();
     }
 
@@ -47,7 +47,7 @@ class FeetTest {
 
         motorsOff();
 
-        assertThat(poses()).singleElement().asString().endsWith("motors off");
+        assertThat(poses()).singleElement().asString().endsWith("{ motors off }");
     }
 
     @Test
@@ -62,6 +62,16 @@ class FeetTest {
 
         motorsOff();
         assertThat(dogs.dog.received("motors off")).hasSize(1);
+    }
+
+    @Test
+    void aDogThatCannotTellThatItLiesGoesLoose() {
+        dogs.dog.guessOnceDown = "unknown";
+
+        motorsOff();
+
+        assertThat(dogs.dog.received("motors off")).hasSize(1);
+        assertThat(dogs.aibo.get("motors").isYes()).isFalse();
     }
 
     @Test

@@ -106,11 +106,29 @@ final class ScriptedCommands {
             dog.set("legLF1.load", "1.000000");
         }
         if (command.contains("robot.lay") && !dog.staysUp) {
-            dog.set("robot.MyguessPosition()", "\"lay\"");
+            dog.set("robot.MyguessPosition()", '"' + dog.guessOnceDown + '"');
         }
         if (command.contains("motors off")) {
             dog.set("legLF1.load", "0.000000");
         }
-        line.say(tag, "*** end");
+        sayEnd(tag, command);
+    }
+
+    /** A command for a group ends for each of its members, and seldom under its own tag (URBI sheet 21). */
+    private void sayEnd(String tag, String command) {
+        switch (command) {
+            case "motors off" -> sayEnds("__system__", 19);
+            case "ledF = 1" -> {
+                sayEnds(tag, 14);
+                sayEnds("__system__", 1);
+            }
+            default -> sayEnds(tag, 1);
+        }
+    }
+
+    private void sayEnds(String tag, int times) {
+        for (int i = 0; i < times; i++) {
+            line.say(tag, "*** end");
+        }
     }
 }

@@ -54,6 +54,9 @@ final class ScriptedDog implements AutoCloseable {
     /** Whether it lies down when it is told to. */
     volatile boolean staysUp;
 
+    /** What it takes its posture for once it lies; with its fore legs at -20 degrees a real one says "unknown". */
+    volatile String guessOnceDown = "lay";
+
     /** A word of the commands that it complains of. */
     volatile String knowsNo = "nothing of that kind";
 

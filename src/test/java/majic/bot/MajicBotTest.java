@@ -50,6 +50,36 @@ class MajicBotTest {
     }
 
     @Test
+    void aTimedDriveThatStoodStillDoesNotGoOn() {
+        Guard slow = () -> {
+            if (bot.sent().contains("drive 100 0")) {
+                standStill(3);
+            }
+            return false;
+        };
+        clock.time().thread("reading", () -> read(1)).start();
+
+        assertThatThrownBy(() -> bot.drive(100, 0, 40, slow))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("stood still for 3 s");
+        assertThat(bot.sent().stream().filter("halt"::equals)).hasSize(1);
+        assertThat(bot.sent()).endsWith("halt");
+    }
+
+    private void read(double afterSeconds) {
+        standStill(afterSeconds);
+        bot.tell("voltage", Value.of(12, Unit.V));
+    }
+
+    private void standStill(double seconds) {
+        try {
+            clock.time().sleep(seconds);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
     void aGuardThatCannotBeToldFailsTheMoveAndHalts() {
         assertThatThrownBy(() -> bot.move(500, () -> {
                     throw new BotException("sonar: no reading yet");
