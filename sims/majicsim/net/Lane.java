@@ -4,12 +4,13 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
-/** One direction of a line: applies the ordered faults and keeps what is not due yet. Guarded by the lab's lock. */
+/** One direction of a line: applies the ordered faults and keeps what is not due yet. Guarded by the lab's lock, but for {@link #isEmpty()}. */
 final class Lane {
     private final Faults faults;
     private final boolean jitters;
     private final Consumer<byte[]> exit;
     private final ArrayDeque<Piece> shelf = new ArrayDeque<>();
+    private volatile boolean empty = true;
 
     Lane(Faults faults, boolean jitters, Consumer<byte[]> exit) {
         this.faults = faults;
@@ -34,6 +35,7 @@ final class Lane {
         while (!shelf.isEmpty() && !faults.isOutage() && shelf.peek().dueNanos() <= faults.nowNanos()) {
             exit.accept(shelf.remove().bytes());
         }
+        empty = shelf.isEmpty();
     }
 
     /** Lets out everything, due or not. */
@@ -41,19 +43,23 @@ final class Lane {
         while (!shelf.isEmpty()) {
             exit.accept(shelf.remove().bytes());
         }
+        empty = true;
     }
 
+    /** Whether nothing is kept; may be asked without the lock. */
     boolean isEmpty() {
-        return shelf.isEmpty();
+        return empty;
     }
 
     void clear() {
         shelf.clear();
+        empty = true;
     }
 
     private void shelve(long dueNanos, byte[] bytes) {
         long notBefore =
                 shelf.isEmpty() ? dueNanos : Math.max(dueNanos, shelf.getLast().dueNanos());
+        empty = false;
         shelf.add(new Piece(notBefore, bytes));
     }
 

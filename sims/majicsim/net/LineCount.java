@@ -4,11 +4,12 @@ package majicsim.net;
  * How far a line's robot end has got; for a clock that waits until nothing is in flight. A line that is gone for good is no longer
  * counted.
  *
+ * @param robot the robot's end: {@code 127.0.0.1:port}, or the path of the pseudo-terminal
  * @param peer as {@link Line#peer()}
  * @param consumed bytes read from the client and dealt with; counted after the firmware has finished with them, and so after the
  *     replies to them were counted; bytes that jitter or delay keep on the shelf count when shelved
  * @param written bytes given to the client; counted just before they are written
- * @param open whether the robot's end still takes messages
+ * @param open whether the robot's end still takes messages, or keeps some that only lab time will release
  * @param deaf whether the robot's end leaves bytes unread on purpose (ordered fault), so that waiting for them is useless
  */
-public record LineCount(String peer, long consumed, long written, boolean open, boolean deaf) {}
+public record LineCount(String robot, String peer, long consumed, long written, boolean open, boolean deaf) {}

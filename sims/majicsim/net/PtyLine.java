@@ -5,7 +5,7 @@ final class PtyLine extends RobotLine {
     private final PseudoTerminal terminal;
 
     PtyLine(PseudoTerminal terminal, Wiring wiring) {
-        super(terminal.path(), wiring, false);
+        super(terminal.path(), terminal.path(), wiring, false);
         this.terminal = terminal;
     }
 

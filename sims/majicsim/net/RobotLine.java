@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicLong;
 abstract class RobotLine implements Line {
     private static final System.Logger LOG = System.getLogger(RobotLine.class.getName());
 
+    private final String robot;
     private final String peer;
     private final Wiring wiring;
     private final Lane out;
@@ -19,7 +20,8 @@ abstract class RobotLine implements Line {
     private volatile Ending ending = Ending.NONE;
 
     /** With {@code jitters}, each exchange takes as long as the faults' jitter says. */
-    RobotLine(String peer, Wiring wiring, boolean jitters) {
+    RobotLine(String robot, String peer, Wiring wiring, boolean jitters) {
+        this.robot = robot;
         this.peer = peer;
         this.wiring = wiring;
         this.out = new Lane(wiring.faults(), jitters, this::writeCounted);
@@ -116,8 +118,14 @@ abstract class RobotLine implements Line {
     }
 
     final LineCount count() {
+        boolean delivers = isOpen() || (ending == Ending.BY_ROBOT && !out.isEmpty());
         return new LineCount(
-                peer, consumed.get(), written.get(), isOpen(), !wiring.faults().isReading());
+                robot,
+                peer,
+                consumed.get(),
+                written.get(),
+                delivers,
+                !wiring.faults().isReading());
     }
 
     private void deliver(byte[] bytes) {

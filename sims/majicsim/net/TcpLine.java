@@ -20,7 +20,11 @@ final class TcpLine extends RobotLine {
     private int unsentBytes;
 
     TcpLine(SocketChannel channel, SelectionKey key, Wiring wiring) throws IOException {
-        super(keyOf((InetSocketAddress) channel.getRemoteAddress()), wiring, true);
+        super(
+                keyOf((InetSocketAddress) channel.getLocalAddress()),
+                keyOf((InetSocketAddress) channel.getRemoteAddress()),
+                wiring,
+                true);
         this.channel = channel;
         this.key = key;
         channel.setOption(StandardSocketOptions.TCP_NODELAY, true);

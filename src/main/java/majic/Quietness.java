@@ -20,7 +20,18 @@ final class Quietness implements BooleanSupplier {
     private final Supplier<List<Traffic>> drivers;
     private final Supplier<List<LineCount>> robots;
     private final Set<String> robotAddresses;
-    private final Set<String> met = new HashSet<>();
+    private final Set<Ends> met = new HashSet<>();
+
+    /** Both ends of a connection. One alone does not tell it: a system gives one local port to connections with several robots. */
+    private record Ends(String driver, String robot) {
+        static Ends of(Traffic link) {
+            return new Ends(link.local(), link.remote());
+        }
+
+        static Ends of(LineCount line) {
+            return new Ends(line.peer(), line.robot());
+        }
+    }
 
     /**
      * Compares both ends.
@@ -44,6 +55,12 @@ final class Quietness implements BooleanSupplier {
                 && Set.copyOf(lines).equals(Set.copyOf(robots.get()));
     }
 
+    /** What both ends have counted, link by link, for a report on a clock that stands still. */
+    @Override
+    public String toString() {
+        return "drivers " + ours() + ", robots " + robots.get();
+    }
+
     private List<Traffic> ours() {
         return drivers.get().stream()
                 .filter(link -> robotAddresses.contains(link.remote()))
@@ -51,17 +68,17 @@ final class Quietness implements BooleanSupplier {
     }
 
     private boolean agree(List<Traffic> links, List<LineCount> lines) {
-        Map<String, LineCount> byPeer = new HashMap<>();
-        lines.forEach(line -> byPeer.put(line.peer(), line));
-        met.retainAll(byPeer.keySet());
+        Map<Ends, LineCount> left = new HashMap<>();
+        lines.forEach(line -> left.put(Ends.of(line), line));
+        met.retainAll(left.keySet());
         for (Traffic link : links) {
-            met.add(link.local());
-            LineCount line = byPeer.remove(link.local());
+            met.add(Ends.of(link));
+            LineCount line = left.remove(Ends.of(link));
             if (line == null || !agree(link, line)) {
                 return false;
             }
         }
-        return byPeer.values().stream().noneMatch(line -> met.contains(line.peer()) && line.open() && !line.deaf());
+        return left.values().stream().noneMatch(line -> met.contains(Ends.of(line)) && line.open() && !line.deaf());
     }
 
     private static boolean agree(Traffic link, LineCount line) {

@@ -174,7 +174,7 @@ class LabTest {
         try (Client client = new Client(lab.addresses().get("hemisson"))) {
             client.send("B\r");
             assertThat(client.read(17)).isEqualTo("b,HemiOS_v_1.50\r\n");
-            LineCount wanted = new LineCount(client.key(), 2, 17, true, false);
+            LineCount wanted = new LineCount(lab.addresses().get("hemisson"), client.key(), 2, 17, true, false);
             while (!lab.lines().contains(wanted)) {
                 Thread.onSpinWait();
             }

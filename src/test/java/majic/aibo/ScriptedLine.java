@@ -33,7 +33,8 @@ final class ScriptedLine {
 
     LineCount count() {
         boolean open = closed.getCount() > 0;
-        return new LineCount("127.0.0.1:" + socket.getPort(), consumed.get(), written.get(), open, deaf);
+        String here = "127.0.0.1:" + socket.getLocalPort();
+        return new LineCount(here, "127.0.0.1:" + socket.getPort(), consumed.get(), written.get(), open, deaf);
     }
 
     void serve() {

@@ -172,7 +172,8 @@ final class ScriptedHemisson implements AutoCloseable {
         }
 
         LineCount count() {
-            return new LineCount(peer, consumed.get(), written.get(), open, false);
+            return new LineCount(
+                    "127.0.0.1:" + socket.getLocalPort(), peer, consumed.get(), written.get(), open, false);
         }
 
         void write(byte[] bytes) throws IOException {

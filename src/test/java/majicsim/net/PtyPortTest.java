@@ -61,7 +61,8 @@ class PtyPortTest {
     @Test
     void countsAreKeptUnderTheDevicesPath() throws IOException {
         exchange("abc", 7);
-        LineCount wanted = new LineCount(opened.orElseThrow().address(), 3, 7, true, false);
+        LineCount wanted = new LineCount(
+                opened.orElseThrow().address(), opened.orElseThrow().address(), 3, 7, true, false);
         while (!opened.orElseThrow().lines().contains(wanted)) {
             Thread.onSpinWait();
         }

@@ -40,7 +40,7 @@ class TcpPortTest {
         try (Client client = new Client(port.address())) {
             client.send("abc");
             client.read(7);
-            awaitCount(new LineCount(client.key(), 3, 7, true, false));
+            awaitCount(new LineCount(port.address(), client.key(), 3, 7, true, false));
         }
     }
 
@@ -128,7 +128,7 @@ class TcpPortTest {
         try (Client client = new Client(port.address())) {
             awaitEvent("connected");
             client.send("a");
-            awaitCount(new LineCount(client.key(), 1, 0, true, false));
+            awaitCount(new LineCount(port.address(), client.key(), 1, 0, true, false));
             step(10 * MS);
             assertThat(client.read(2)).isEqualTo("hi");
             step(20 * MS);
@@ -154,7 +154,7 @@ class TcpPortTest {
     void aPeerThatStopsReadingStillTalks() throws Exception {
         try (Client client = new Client(port.address())) {
             client.read(2);
-            awaitCount(new LineCount(client.key(), 0, 2, true, false));
+            awaitCount(new LineCount(port.address(), client.key(), 0, 2, true, false));
             faults.stopReading();
             assertThat(port.lines()).extracting(LineCount::deaf).containsExactly(true);
             client.send("unread");
@@ -190,7 +190,7 @@ class TcpPortTest {
             client.read(2);
             faults.delay(10);
             client.send("stop");
-            awaitCount(new LineCount(client.key(), 4, 2, true, false));
+            awaitCount(new LineCount(port.address(), client.key(), 4, 2, true, false));
         }
         step(10 * MS);
         awaitEvent("received stop");
@@ -202,7 +202,7 @@ class TcpPortTest {
         faults.delay(10);
         try (Client first = new Client(port.address())) {
             first.send("stop");
-            awaitCount(new LineCount(first.key(), 4, 0, true, false));
+            awaitCount(new LineCount(port.address(), first.key(), 4, 0, true, false));
         }
         try (Client second = new Client(port.address())) {
             awaitEvent("received stop");

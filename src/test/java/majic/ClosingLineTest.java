@@ -1,0 +1,74 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Set;
+import java.util.concurrent.locks.ReentrantLock;
+import majic.link.Link;
+import majic.link.Links;
+import majicsim.net.Clients;
+import majicsim.net.Faults;
+import majicsim.net.Firmware;
+import majicsim.net.Line;
+import majicsim.net.TcpPort;
+import majicsim.net.Wiring;
+import majicsim.world.Noise;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A robot that hangs up while its last words are still under way holds no stepped clock up. */
+@Timeout(60)
+class ClosingLineTest {
+    private final Faults faults = new Faults(Noise.seeded(1));
+
+    /** Answers the first bytes, and hangs up. */
+    private static final class LastWords implements Firmware {
+        @Override
+        public void received(Line line, byte[] bytes) {
+            line.send(new byte[] {1, 2, 3});
+            line.close();
+        }
+
+        @Override
+        public void step(double seconds) {}
+    }
+
+    @Test
+    void whatIsStillUnderWayArrivesBeforeTheEnd() throws IOException, InterruptedException {
+        TcpPort port = TcpPort.open(0, Clients.ONE, new Wiring(new ReentrantLock(true), new LastWords(), faults));
+        Quietness quietness = new Quietness(Links::traffic, port::lines, Set.of(port.address()));
+        Link link = Links.of("//" + port.address(), 0, 0);
+        StringBuffer heard = new StringBuffer();
+        try (TestClock clock = new TestClock(port::step, quietness)) {
+            link.open(1000);
+            Thread reader = new Thread(() -> heard.append(readAll(link)));
+            reader.start();
+            faults.delay(50);
+            link.write(new byte[] {9});
+
+            clock.time().sleep(1);
+
+            reader.join();
+            assertThat(heard).hasToString("3");
+        } finally {
+            link.close();
+            port.close();
+        }
+    }
+
+    /** How many bytes come until the end. */
+    private static int readAll(Link link) {
+        byte[] chunk = new byte[10];
+        int bytes = 0;
+        try {
+            for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
+                bytes += count;
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes;
+    }
+}
