@@ -1,12 +1,19 @@
 package majic;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Set;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
+import majic.bot.BotException;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -18,15 +25,25 @@ import org.jspecify.annotations.Nullable;
  * <p>Threads made by {@link #thread} and those that {@link #join} are members: a stepped clock stands still while one of
  * them runs, and goes on when all of them wait at a {@link Signal}. Who wakes a member counts it as running before it
  * does, so the clock cannot slip in between.
+ *
+ * <p>A clock ends when a step of its lab throws, and a stepped one also when it has stood still for 10 s of real time
+ * though a thread waits for a time to come and no member has used the processor. Every wait then throws a
+ * {@link BotException} that says why.
  */
 final class LabClock implements TimeSource, AutoCloseable {
+    private static final Logger LOG = System.getLogger(LabClock.class.getName());
+    private static final long LOOK_NANOS = 250_000_000;
+
     private final Steps lab;
     private final Pacing pacing;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition membersWait = lock.newCondition();
+    private final Set<Waiter> waiting = new HashSet<>();
     private final PriorityQueue<Waiter> sleepers = new PriorityQueue<>(Comparator.comparingLong(w -> w.deadline));
-    private final ThreadLocal<Boolean> membership = ThreadLocal.withInitial(() -> false);
+    private final Map<Thread, ClockMember> members = new HashMap<>();
+    private final StandstillWatch watch = new StandstillWatch();
     private volatile long nowNanos;
+    private volatile @Nullable String ended;
     private int running;
     private long awakenings;
     private volatile boolean closed;
@@ -78,50 +95,78 @@ final class LabClock implements TimeSource, AutoCloseable {
 
     @Override
     public Thread thread(String name, Runnable body) {
-        enter();
-        Thread thread = new Thread(
-                () -> {
-                    membership.set(true);
-                    try {
-                        body.run();
-                    } finally {
-                        leave();
-                    }
-                },
-                name);
+        Thread thread = new MemberThread(name, body);
         thread.setDaemon(true);
         return thread;
     }
 
     @Override
     public Membership join() {
-        boolean before = membership.get();
-        if (before) {
+        Thread thread = Thread.currentThread();
+        if (!enter(thread)) {
             return () -> {};
         }
-        enter();
-        membership.set(true);
-        return () -> {
-            membership.set(false);
-            leave();
-        };
+        return () -> leave(thread);
     }
 
-    private void enter() {
+    /** Is a member from the call of {@link #start()}, unless that fails, to its end. */
+    private final class MemberThread extends Thread {
+        private final Runnable body;
+
+        MemberThread(String name, Runnable body) {
+            super(name);
+            this.body = body;
+        }
+
+        @Override
+        public synchronized void start() {
+            boolean entered = enter(this);
+            boolean started = false;
+            try {
+                super.start();
+                started = true;
+            } finally {
+                if (entered && !started) {
+                    leave(this);
+                }
+            }
+        }
+
+        @Override
+        public void run() {
+            try {
+                body.run();
+            } catch (ClockEnded e) {
+                LOG.log(Level.DEBUG, "{0} ends with the clock", getName());
+            } finally {
+                leave(this);
+            }
+        }
+    }
+
+    /** False if the thread is a member already. */
+    private boolean enter(Thread thread) {
         lock.lock();
         try {
+            if (members.containsKey(thread)) {
+                return false;
+            }
+            members.put(thread, new ClockMember());
             running++;
             awakenings++;
+            return true;
         } finally {
             lock.unlock();
         }
     }
 
-    private void leave() {
+    private void leave(Thread thread) {
         lock.lock();
         try {
-            running--;
-            membersWait.signalAll();
+            if (members.remove(thread) != null) {
+                running--;
+                membersWait.signalAll();
+            }
         } finally {
             lock.unlock();
         }
@@ -129,14 +174,61 @@ final class LabClock implements TimeSource, AutoCloseable {
 
     private void run() {
         try {
-            while (!closed) {
+            while (!closed && ended == null) {
                 long seen = awaitMembers();
-                if (pacing.mayStep(nowNanos) && !closed) {
+                if (!closed && pacing.mayStep(nowNanos)) {
                     stepUnlessAwake(seen);
+                } else if (pacing.awaitsMembers()) {
+                    endIfStuck();
                 }
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.ERROR, "the simulated lab has ended", e);
+            end("the simulated lab has ended by an error in it (" + e + "), see MAJIC's log; start it again");
+        }
+    }
+
+    private void endIfStuck() {
+        lock.lock();
+        try {
+            boolean waits = !sleepers.isEmpty();
+            if (waits && watch.isOver(members.keySet())) {
+                String report = watch.report(members, pacing.toString());
+                LOG.log(Level.ERROR, report);
+                end(report);
+            } else if (!waits) {
+                watch.stepped();
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void end(String why) {
+        lock.lock();
+        try {
+            ended = why;
+            List.copyOf(waiting).forEach(this::wake);
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void refuseEnded() {
+        String why = ended;
+        if (why != null) {
+            throw new ClockEnded(why);
+        }
+    }
+
+    /** Why a wait failed. */
+    private static final class ClockEnded extends BotException {
+        private static final long serialVersionUID = 1;
+
+        ClockEnded(String message) {
+            super(message);
         }
     }
 
@@ -144,8 +236,9 @@ final class LabClock implements TimeSource, AutoCloseable {
     private long awaitMembers() throws InterruptedException {
         lock.lockInterruptibly();
         try {
-            while (pacing.awaitsMembers() && (running > 0 || sleepers.isEmpty()) && !closed) {
-                membersWait.await();
+            while (pacing.awaitsMembers() && (running > 0 || sleepers.isEmpty()) && !closed && ended == null) {
+                membersWait.await(LOOK_NANOS, TimeUnit.NANOSECONDS);
+                endIfStuck();
             }
             return awakenings;
         } finally {
@@ -158,6 +251,7 @@ final class LabClock implements TimeSource, AutoCloseable {
             return;
         }
         lab.step();
+        watch.stepped();
         nowNanos = lab.nanos();
         lock.lock();
         try {
@@ -184,7 +278,9 @@ final class LabClock implements TimeSource, AutoCloseable {
         }
         waiter.woken = true;
         sleepers.remove(waiter);
-        if (waiter.member) {
+        waiting.remove(waiter);
+        if (waiter.member != null) {
+            waiter.member.runs();
             running++;
             awakenings++;
         }
@@ -194,7 +290,7 @@ final class LabClock implements TimeSource, AutoCloseable {
     /** One thread waiting once. Guarded by the clock's lock. */
     private final class Waiter {
         private final long deadline;
-        private final boolean member = membership.get();
+        private final @Nullable ClockMember member = members.get(Thread.currentThread());
         private final Condition wakeUp = lock.newCondition();
         private boolean woken;
 
@@ -219,6 +315,7 @@ final class LabClock implements TimeSource, AutoCloseable {
                 if (nowNanos >= deadline) {
                     return false;
                 }
+                refuseEnded();
                 pause(seen, deadline);
             }
         }
@@ -248,7 +345,7 @@ final class LabClock implements TimeSource, AutoCloseable {
             lock.lockInterruptibly();
             @Nullable Waiter waiter = null;
             try {
-                if (raises != seen) {
+                if (raises != seen || ended != null) {
                     return;
                 }
                 waiter = new Waiter(deadline);
@@ -267,10 +364,12 @@ final class LabClock implements TimeSource, AutoCloseable {
 
         private void fallAsleep(Waiter waiter) {
             waiters.add(waiter);
+            waiting.add(waiter);
             if (waiter.deadline != Long.MAX_VALUE) {
                 sleepers.add(waiter);
             }
-            if (waiter.member) {
+            if (waiter.member != null) {
+                waiter.member.waits();
                 running--;
             }
             membersWait.signalAll();

@@ -4,7 +4,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 
-/** When a lab's clock may take its next step. Asked on the clock's own thread, again and again. */
+/**
+ * When a lab's clock may take its next step. Asked on the clock's own thread, again and again. In words it says what holds
+ * the clock.
+ */
 interface Pacing {
     /**
      * Whether the next step may be taken; may wait a little before it says no.
@@ -39,6 +42,11 @@ interface Pacing {
             @Override
             public boolean awaitsMembers() {
                 return true;
+            }
+
+            @Override
+            public String toString() {
+                return "lines: " + quiet;
             }
         };
     }

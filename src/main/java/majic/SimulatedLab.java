@@ -33,7 +33,12 @@ final class SimulatedLab implements LabAccess, AutoCloseable {
                 new LabClock.Steps() {
                     @Override
                     public void step() {
-                        lab.step();
+                        try {
+                            lab.step();
+                        } catch (RuntimeException | Error e) {
+                            lab.close();
+                            throw e;
+                        }
                     }
 
                     @Override

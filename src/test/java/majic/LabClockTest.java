@@ -1,12 +1,16 @@
 package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
+import majic.bot.BotException;
 import majic.bot.Signal;
 import majic.bot.TimeSource.Membership;
 import org.junit.jupiter.api.AfterEach;
@@ -24,6 +28,7 @@ class LabClockTest {
             new LabClock.Steps() {
                 @Override
                 public void step() {
+                    inStep.run();
                     labNanos.addAndGet(STEP_NANOS);
                 }
 
@@ -34,6 +39,7 @@ class LabClockTest {
             },
             Pacing.stepped(quiet::get));
     private Membership membership = () -> {};
+    private volatile Runnable inStep = () -> {};
 
     @BeforeEach
     void joinTheClock() {
@@ -119,6 +125,65 @@ class LabClockTest {
         hush.join();
 
         assertThat(clock.nanos()).isEqualTo(STEP_NANOS);
+    }
+
+    @Test
+    void aThreadThatCannotStartHoldsNothingUp() throws InterruptedException {
+        clock.thread("never started", () -> {});
+        Thread started = clock.thread("started once", () -> {});
+        started.start();
+        started.join();
+        assertThatThrownBy(started::start).isInstanceOf(IllegalThreadStateException.class);
+
+        clock.sleep(1);
+
+        assertThat(clock.nanos()).isEqualTo(1_000_000_000);
+    }
+
+    @Test
+    void anErrorInTheLabEndsEveryWaitWithAMessage() throws InterruptedException {
+        AtomicReference<String> why = new AtomicReference<>();
+        Signal never = clock.signal();
+        Thread other = clock.thread("other", () -> {
+            try {
+                await(never, new AtomicBoolean());
+            } catch (BotException e) {
+                why.set(e.getMessage());
+            }
+        });
+        other.start();
+        inStep = () -> {
+            throw new IllegalStateException("a mistake");
+        };
+
+        assertThatThrownBy(() -> clock.sleep(1))
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("the simulated lab has ended")
+                .hasMessageContaining("a mistake");
+
+        other.join();
+        assertThat(why.get()).contains("the simulated lab has ended");
+        assertThatThrownBy(() -> clock.sleep(1)).isInstanceOf(BotException.class);
+    }
+
+    @Test
+    void aClockThatStandsStillSaysWhatHoldsIt() {
+        CountDownLatch testIsOver = new CountDownLatch(1);
+        clock.thread("stuck", () -> {
+                    try {
+                        testIsOver.await();
+                    } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                    }
+                })
+                .start();
+
+        assertThatThrownBy(() -> clock.sleep(1))
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("has stood still for 10 s")
+                .hasMessageContaining("stuck: running for 1")
+                .hasMessageContaining("CountDownLatch.await");
+        testIsOver.countDown();
     }
 
     private static void await(Signal signal, AtomicBoolean ready) {

@@ -15,6 +15,7 @@ public interface Signal {
      * @param seconds how long at most, on the clock that made this signal; {@link #FOR_EVER} is allowed
      * @return whether the condition held when this returned
      * @throws InterruptedException if the thread is interrupted meanwhile
+     * @throws BotException if the clock has ended, as a simulated lab's does by an error in the lab; the message says why
      */
     boolean await(BooleanSupplier condition, double seconds) throws InterruptedException;
 

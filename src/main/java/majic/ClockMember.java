@@ -1,0 +1,27 @@
+package majic;
+
+/** What one member of a {@link LabClock} does, and since when. Guarded by the clock's lock. */
+final class ClockMember {
+    private boolean waiting;
+    private long sinceNanos = System.nanoTime();
+
+    void runs() {
+        becomes(false);
+    }
+
+    void waits() {
+        becomes(true);
+    }
+
+    private void becomes(boolean nowWaiting) {
+        waiting = nowWaiting;
+        sinceNanos = System.nanoTime();
+    }
+
+    /** For instance {@code running for 10.2 s} of real time. */
+    @Override
+    public String toString() {
+        double seconds = (System.nanoTime() - sinceNanos) / 1e9;
+        return (waiting ? "waiting for " : "running for ") + Math.round(seconds * 10) / 10.0 + " s";
+    }
+}
