@@ -61,7 +61,7 @@ public final class MajicHemisson extends MajicBot {
         super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
         this.sessions = new Sessions(address, time());
         this.answers = new Answers(sessions, changes(), this::isConnected);
-        this.standstill = new Standstill(sessions, changes(), this::isConnected, this::contrary);
+        this.standstill = new Standstill(sessions, changes(), this::isLost, this::contrary);
         this.calibration = new Calibration(settings(), address);
         this.overseer = new Overseer(this, calibration.table());
         profile(HemissonProfile.of(calibration.table()));

@@ -17,18 +17,19 @@ final class Standstill {
 
     private final Sessions sessions;
     private final Signal changes;
-    private final BooleanSupplier connected;
+    private final BooleanSupplier lost;
     private final Supplier<@Nullable String> contrary;
 
     /**
      * Does nothing yet.
      *
+     * @param lost whether the connection was lost; while it is being closed the robot still answers
      * @param contrary which speeds the wheels were found at in place of those that were told
      */
-    Standstill(Sessions sessions, Signal changes, BooleanSupplier connected, Supplier<@Nullable String> contrary) {
+    Standstill(Sessions sessions, Signal changes, BooleanSupplier lost, Supplier<@Nullable String> contrary) {
         this.sessions = sessions;
         this.changes = changes;
-        this.connected = connected;
+        this.lost = lost;
         this.contrary = contrary;
     }
 
@@ -53,21 +54,26 @@ final class Standstill {
         Conversation conversation = open.conversation();
         double patience = 2 * open.timeoutSeconds() + BESIDE_ANSWERS_S;
         patience += conversation.setsItsOwnSpeeds() ? OWN_SPEEDS_S : 0;
+        long before = conversation.confirmations();
+        BooleanSupplier stands = () -> conversation.isStanding() || conversation.confirmations() > before;
         try {
-            changes.await(
-                    () -> conversation.isStanding() || conversation.isContrary() || !connected.getAsBoolean(),
-                    patience);
+            changes.await(() -> stands.getAsBoolean() || conversation.isContrary() || isOver(open), patience);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return;
         }
-        if (!conversation.isStanding()) {
-            throw unconfirmed(conversation.isContrary() ? contrary.get() : null, patience);
+        if (!stands.getAsBoolean()) {
+            throw unconfirmed(open, patience);
         }
     }
 
-    private BotException unconfirmed(@Nullable String why, double patience) {
-        if (!connected.getAsBoolean()) {
+    private boolean isOver(Session open) {
+        return lost.getAsBoolean() || open.isClosed();
+    }
+
+    private BotException unconfirmed(Session open, double patience) {
+        String why = open.conversation().isContrary() ? contrary.get() : null;
+        if (isOver(open)) {
             return new LinkLost("the connection was lost before the stop was confirmed; " + MajicHemisson.HELP);
         }
         return new BotException(

@@ -3,6 +3,8 @@ package majic.hemisson;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
@@ -71,6 +73,23 @@ class LostRobotTest {
         bot.close();
 
         assertThat(pair.notices()).noneMatch(notice -> notice.contains("has not confirmed"));
+    }
+
+    @Test
+    void aStopThatIsConfirmedWhileTheConnectionIsClosedIsDone() {
+        bot.connect();
+        bot.drive(42, 0);
+        pair.await(pair::isMoving);
+        AtomicReference<CompletableFuture<Void>> closing = new AtomicReference<>();
+        robot.answer('E', command -> {
+            closing.compareAndSet(null, robot.clock().aside(bot::close));
+            return "e,00,00";
+        });
+
+        bot.stop();
+
+        robot.clock().join(closing.get());
+        assertThat(pair.notices()).noneMatch(notice -> notice.contains("confirmed"));
     }
 
     @Test
