@@ -40,10 +40,10 @@ public final class Hand implements AutoCloseable {
             throw new BotException(member.number() + " is busy; \"" + member.number() + " stop\" ends it");
         }
         member.claim(owner);
-        member.bot()
-                .time()
-                .thread("robot " + member.number() + " by hand", this::run)
-                .start();
+        if (!member.time().begin("robot " + member.number() + " by hand", this::run)) {
+            member.free(owner);
+            throw new BotException(member.number() + ": the system has no thread left to drive it by hand");
+        }
     }
 
     /**

@@ -153,16 +153,22 @@ final class Dispatcher {
             return;
         }
         beside.incrementAndGet();
-        team.time()
-                .thread("script: " + line.title(), () -> {
-                    try {
-                        attempt(line);
-                    } finally {
-                        beside.decrementAndGet();
-                        team.changes().raise();
-                    }
-                })
-                .start();
+        boolean begun = team.time().begin("script: " + line.title(), () -> {
+            try {
+                attempt(line);
+            } finally {
+                ended();
+            }
+        });
+        if (!begun) {
+            ended();
+            line.failed().accept(line.title() + ": the system has no thread left for it; end an act or a program");
+        }
+    }
+
+    private void ended() {
+        beside.decrementAndGet();
+        team.changes().raise();
     }
 
     private void inTurn(Given line) {

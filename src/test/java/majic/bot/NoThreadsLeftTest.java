@@ -1,6 +1,7 @@
 package majic.bot;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
@@ -86,6 +87,15 @@ class NoThreadsLeftTest {
         until(() -> first.sent().contains("halt") && second.sent().contains("halt"));
         testIsOver.countDown();
         stop.join();
+    }
+
+    @Test
+    void aHandThatCannotDriveLeavesTheRobotFree() {
+        join();
+        time.exhausted = true;
+
+        assertThatThrownBy(() -> new Hand(team.member(1))).hasMessageContaining("no thread left");
+        assertThat(team.member(1).owner()).isNull();
     }
 
     @Test
