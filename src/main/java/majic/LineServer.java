@@ -31,6 +31,10 @@ final class LineServer implements AutoCloseable {
     static final int MOST_CLIENTS = 64;
 
     private static final System.Logger LOG = System.getLogger(LineServer.class.getName());
+
+    /** With fewer, connections of a flood that the system drops keep the next client waiting for a second. */
+    private static final int MOST_UNACCEPTED = 1024;
+
     private static final long PAUSE_AFTER_TROUBLE_NANOS = 100_000_000;
 
     /** How often clients are looked at whose lines wait for their turn. */
@@ -89,7 +93,7 @@ final class LineServer implements AutoCloseable {
         try {
             socket.setOption(StandardSocketOptions.SO_REUSEADDR, true);
             socket.configureBlocking(false);
-            return socket.bind(address);
+            return socket.bind(address, MOST_UNACCEPTED);
         } catch (IOException e) {
             socket.close();
             throw new IOException("cannot listen at port " + address.getPort() + ": " + e.getMessage(), e);
