@@ -67,8 +67,14 @@ final class CommandReader {
 
     private @Nullable Step parse(String command) {
         Place start = place;
-        Lexer lexer = new Lexer(command, start, (at, problem) -> complain.accept(at + ": " + problem));
+        List<String> invalid = new ArrayList<>();
+        Lexer lexer = new Lexer(command, start, (at, problem) -> invalid.add(at + ": " + problem));
         Parser parser = new Parser(lexer.tokens());
+        if (!invalid.isEmpty()) {
+            place = lexer.end();
+            complain.accept(invalid.get(0));
+            return null;
+        }
         try {
             Step step = parser.command();
             place = lexer.end();

@@ -12,8 +12,9 @@ final class Parser {
     /** A command that runs needs more stack than an operator. */
     private static final int LEVELS_A_COMMAND = 5;
 
-    private static final Set<String> ENDS =
-            Set.of(";", ",", "&", "|", "}", ")", "]", ":", "else", "onleave", "=", "list");
+    private static final Set<String> ENDS = Set.of("else", "onleave", "list");
+
+    private static final Set<String> STARTS = Set.of("(", "[", "-", "!", "$");
 
     private final TokenStream tokens;
     private final ExprParser exprs;
@@ -78,15 +79,17 @@ final class Parser {
         if (tokens.match("{")) {
             return block();
         }
-        Token token = tokens.peek();
-        if (token.is(TokenKind.END) || (ENDS.contains(token.text()) && !token.is(TokenKind.STRING)) || atQuote(token)) {
-            return new Statement.Empty();
-        }
-        return instructions.instruction();
+        return atNothing(tokens.peek()) ? new Statement.Empty() : instructions.instruction();
     }
 
-    private static boolean atQuote(Token token) {
-        return token.is(TokenKind.SYMBOL) && token.text().startsWith("'");
+    /** Whether no command begins with that word or sign: then the command in front of it is an empty one. */
+    private static boolean atNothing(Token token) {
+        return switch (token.kind()) {
+            case END -> true;
+            case SYMBOL -> !STARTS.contains(token.text());
+            case WORD -> ENDS.contains(token.text());
+            default -> false;
+        };
     }
 
     private Statement block() throws SyntaxError {

@@ -49,6 +49,7 @@ class TranscriptTest {
                 "\"a\"+123456789; ~ [notag] \"a1.23457e+08\"",
                 "string(87.6); ~ [notag] \"87\"",
                 "loop legRF1 << legRF1.val, ~ [error] !!! 19.14: syntax error, unexpected <",
+                "@; ~ [error] !!! 19.1: syntax error, unexpected @, expecting end of command",
                 "if 1 2; ~ [error] !!! 19.4: syntax error, unexpected number, expecting (",
                 "x = \u00e9 5; ~ [error] !!! 19.5: invalid character: \u00e9",
                 "headPan.val->rangemin; ~ [notag] -91.000000",
@@ -62,6 +63,12 @@ class TranscriptTest {
     void answersOneLineAsTheSheetSays(String sent, String received) {
         assertThat(Bench.exact().client().ask(sent).stream().map(Transcript::plain))
                 .containsExactly(received);
+    }
+
+    @Test
+    void aByteThatIsNoCharacterOfTheLanguageCostsItsCommandWithOneError() {
+        assertThat(Bench.exact().client().ask("x = \u00e9t\u00e9 5; isdef(x);"))
+                .containsExactly("[error] !!! 19.5: invalid character: \u00e9", "[notag] 0.000000");
     }
 
     private static List<String> lines(String resource) throws IOException {
