@@ -30,7 +30,7 @@ sealed interface Action extends Statement {
     record Change(Name target, int sign, Expr amount) implements Action {
         @Override
         public Task start(Context context) {
-            return new Prepared(context, List.of(amount), values -> Effects.change(context, this, values.get(0)));
+            return new Prepared(context, List.of(), values -> Effects.change(context, this));
         }
     }
 

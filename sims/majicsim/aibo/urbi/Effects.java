@@ -14,14 +14,19 @@ final class Effects {
         return null;
     }
 
-    static @Nullable Task change(Context context, Action.Change change, Value amount) throws Failure {
-        Variable variable = variable(context, change.target());
-        double sum = variable.target().number() + change.sign() * amount.number();
-        variable.submit(sum, context.kernel().pass());
-        return null;
+    static Task change(Context context, Action.Change change) throws Failure {
+        Task all = Broadcast.of(
+                context, change.target(), member -> new Action.Change(member, change.sign(), change.amount()));
+        if (all != null) {
+            return all;
+        }
+        String operator = change.sign() > 0 ? "+" : "-";
+        Expr sum = new Expr.Binary(operator, new Expr.Variable(change.target()), change.amount());
+        Statement assignment = new Action.Assign(change.target(), sum, List.of(), false);
+        return new Substitute(context, assignment.start(Substitute.context(context)));
     }
 
-    static @Nullable Task power(Context context, Action.Power power) throws Failure {
+    static Task power(Context context, Action.Power power) throws Failure {
         Task all = Broadcast.of(context, power.device(), member -> new Action.Power(member, power.load()));
         if (all != null) {
             return all;
@@ -69,15 +74,5 @@ final class Effects {
             connection.send(context.tag(), "*** " + value.show());
         }
         return null;
-    }
-
-    private static Variable variable(Context context, Name name) throws Failure {
-        String key = new Evaluator(context).key(name);
-        Variable variable = context.kernel().variables().find(context, key);
-        if (variable == null) {
-            throw Failure.of(
-                    "Unknown identifier: " + context.kernel().variables().wantedName(context, key));
-        }
-        return variable;
     }
 }

@@ -49,6 +49,19 @@ class BroadcastTest {
     }
 
     @Test
+    void aChangeIsAnAssignmentOfTheKernels() {
+        assertThat(client.ask("i = 1; t+end: i++; i; s = \"a\"; s += \"b\"; s;"))
+                .containsExactly("[__system__] *** end", "[notag] 2.000000", "[notag] \"ab\"");
+        assertThat(client.ask("ears = 0; t+end: ears += 1; earL; earR;"))
+                .containsExactly(
+                        "[__system__] *** end",
+                        "[__system__] *** end",
+                        "[__system__] *** end",
+                        "[notag] 1.000000",
+                        "[notag] 1.000000");
+    }
+
+    @Test
     void inBracesACommandToAGroupEndsOnce() {
         assertThat(client.ask("t+end: { motors off }, u+end: { ledF = 1 & head = 5 },"))
                 .containsExactly("[t] *** end", "[u] *** end");
