@@ -1,0 +1,100 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
+import majic.bot.Answer;
+import majic.bot.BotFactory;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.Guard;
+import majic.bot.MajicBot;
+import majic.bot.Order;
+import majic.bot.Pose;
+import majic.bot.Settings;
+import majic.bot.Team;
+import majic.bot.TeamListener;
+import majicsim.LabOptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** STOP halts real drivers' robots though every listener blocks for ever. The lab's clock follows the wall clock here. */
+@Timeout(60)
+class BlockedListenersTest {
+    private final CountDownLatch testIsOver = new CountDownLatch(1);
+
+    private void blockForEver() {
+        try {
+            testIsOver.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Blocks at whatever it is told. */
+    private final class Blocked implements BotListener, TeamListener {
+        @Override
+        public void stateChanged(MajicBot bot, BotState state) {
+            blockForEver();
+        }
+
+        @Override
+        public void notice(MajicBot bot, String message) {
+            blockForEver();
+        }
+
+        @Override
+        public void answered(Answer answer) {
+            blockForEver();
+        }
+
+        @Override
+        public void latchChanged(boolean latched) {
+            blockForEver();
+        }
+    }
+
+    @Test
+    void everyRobotOfTheLabIsStopped() throws IOException, InterruptedException {
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+                Team team = new Team(lab.time())) {
+            BotFactory factory = new BotFactory(Plugins.types(Path.of("none")), Settings.inMemory());
+            factory.useLab(lab);
+            for (String robot : lab.robots()) {
+                MajicBot bot = factory.create("sim:" + robot);
+                bot.connect();
+                team.add(bot, OptionalInt.empty());
+            }
+            Map<String, Pose> start = lab.truePoses();
+            team.members()
+                    .forEach(member -> member.submit(
+                            new Order(
+                                    "drive 50 0 for 20s", true, bot -> List.of(bot.drive(50, 0, 20, Guard.NEVER) + "")),
+                            null));
+            while (!allMoved(start, lab.truePoses())) {
+                lab.time().sleep(0.1);
+            }
+            team.members().forEach(member -> member.bot().addListener(new Blocked()));
+            team.addListener(new Blocked());
+            lab.time().sleep(0.3);
+
+            team.stopAll();
+
+            lab.time().sleep(3);
+            Map<String, Pose> stopped = lab.truePoses();
+            lab.time().sleep(1);
+            assertThat(lab.truePoses()).isEqualTo(stopped);
+        } finally {
+            testIsOver.countDown();
+        }
+    }
+
+    private static boolean allMoved(Map<String, Pose> start, Map<String, Pose> now) {
+        return start.keySet().stream().allMatch(robot -> now.get(robot).distanceMm(start.get(robot)) > 20);
+    }
+}
