@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import majic.act.ActMaker;
+import majic.act.Acts;
 import majic.bot.BotException;
+import majic.script.ScriptAct;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -14,7 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code majic act make}: a file of classes or of a source. */
+/** {@code majic act make}: a file of classes, of a source or of a script. */
 @Command(
         name = "make",
         mixinStandardHelpOptions = true,
@@ -28,7 +30,8 @@ final class ActMakeCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "CLASSES",
-            description = "a .java source, a .class file in the folder of its package, such a folder, or a jar")
+            description =
+                    "a .java source, a .class file in the folder of its package, such a folder, a jar, or a script")
     private Path classes = Path.of("");
 
     @Option(names = "--class", paramLabel = "CLASS", description = "which class is the act, if there are several")
@@ -40,6 +43,10 @@ final class ActMakeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         try {
+            if (Acts.isScript(classes.toString())) {
+                makeOfScript();
+                return 0;
+            }
             ActMaker maker = ActMaker.from(classes);
             String chosen = actClass == null ? maker.onlyAct() : actClass;
             output.write(
@@ -50,5 +57,16 @@ final class ActMakeCommand implements Callable<Integer> {
         } catch (BotException e) {
             return Failures.failed(Objects.requireNonNull(spec).commandLine(), e);
         }
+    }
+
+    private void makeOfScript() throws IOException {
+        if (actClass != null) {
+            throw new BotException("--class " + actClass + ": a script has no classes");
+        }
+        ScriptAct act = ScriptAct.read(classes);
+        output.write(
+                act.title().replaceFirst("\\.[^.]*$", ""),
+                details -> ActMaker.save(act, details),
+                Objects.requireNonNull(spec).commandLine().getOut());
     }
 }

@@ -47,6 +47,14 @@ class ActCommandTest {
     }
 
     @Test
+    void makesAFileOfAScript() throws IOException {
+        Path script = Files.writeString(folder.resolve("wander.majic"), "me move 100");
+        Path act = folder.resolve("wander.act");
+        assertThat(run("make", script, "-o", act)).isZero();
+        assertThat(out.toString()).startsWith("wrote " + act).contains("act: wander");
+    }
+
+    @Test
     void anUnsuitableSourceIsOneSentenceAndAFailure() throws IOException {
         assertThat(run("make", source("none;"), "-o", folder.resolve("nod.act")))
                 .isEqualTo(Failures.FAILED);

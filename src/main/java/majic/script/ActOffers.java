@@ -2,6 +2,7 @@ package majic.script;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import majic.act.ActDetails;
 import majic.act.ActFile;
 import majic.act.Acts;
@@ -50,11 +51,11 @@ public final class ActOffers {
         if (called.contains("\"")) {
             throw new BotException(called + ": a file whose name has a quotation mark in it cannot be used here");
         }
-        if (called.endsWith(ScriptAct.ENDING)) {
-            Path path = Path.of(called);
-            String name = String.valueOf(path.getFileName()).replace(ScriptAct.ENDING, "");
-            ActDetails details = new ActDetails(name, "", "", "A script.");
-            return new ActOffer(called, details, ScriptAct.read(path).roles(), null);
+        Optional<Path> script = session.behaviours().scriptAt(called);
+        if (script.isPresent()) {
+            ScriptAct act = ScriptAct.read(script.get());
+            String name = act.title().substring(0, act.title().length() - ScriptAct.ENDING.length());
+            return new ActOffer(called, new ActDetails(name, "", "", "A script."), act.roles(), null);
         }
         ActFile file = acts.find(called);
         return new ActOffer(called, file.details(), session.behaviours().roles(file), file);

@@ -81,12 +81,22 @@ final class Behaviours {
         return new Order(text, true, robot -> {
             Found found = find(act.name());
             Map<String, List<Member>> cast = cast(act, found, me, others);
+            sayIfOwn(SessionCheck.text(act.name()), me);
             long began = me.time().nanos();
             ActRun run = run(found, cast, leave, execution);
             String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
             return List.of(text
                     + String.format(Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
         });
+    }
+
+    private void sayIfOwn(String name, Member me) {
+        if (acts.replacesShipped(name)) {
+            session.say(
+                    Line.Kind.NOTICE,
+                    me.number() + ": " + name + " from " + acts.folder()
+                            + ", in place of the one that comes with MAJIC");
+        }
     }
 
     private static Map<String, List<Member>> cast(Command.Act act, Found found, Member me, List<Member> others) {
@@ -161,10 +171,11 @@ final class Behaviours {
 
     private String listed(String name) {
         try {
-            ActFile file = acts.find(name);
+            ActOffer offer = session.offers().find(name);
             String roles =
-                    String.join(", ", roles(file).stream().map(Role::toString).toList());
-            return "acts: " + name + " (" + roles + "): " + file.details().description();
+                    String.join(", ", offer.roles().stream().map(Role::toString).toList());
+            String own = acts.replacesShipped(name) ? " (your own, in place of the one that comes with MAJIC)" : "";
+            return "acts: " + name + " (" + roles + "): " + offer.details().description() + own;
         } catch (BotException e) {
             return "acts: " + name + ": " + e.getMessage();
         }
@@ -212,7 +223,12 @@ final class Behaviours {
 
     private Found find(Literal name) {
         String text = SessionCheck.text(name);
-        return text.endsWith(ScriptAct.ENDING) ? script(SessionCheck.path(name)) : file(text);
+        return scriptAt(text).map(Behaviours::script).orElseGet(() -> file(text));
+    }
+
+    /** The file of a script that goes by a name or path; empty if an act does. */
+    Optional<Path> scriptAt(String name) {
+        return acts.locate(name).filter(path -> Acts.isScript(path.toString()));
     }
 
     private static Found script(Path path) {
@@ -237,12 +253,15 @@ final class Behaviours {
      * @return their names, sorted
      */
     List<String> namesFor(List<Member> members) {
-        return acts.names().stream().filter(name -> fits(name, members)).toList();
+        return acts.names().stream()
+                .filter(name -> fits(name, members))
+                .map(SessionRecord::quoted)
+                .toList();
     }
 
     private boolean fits(String name, List<Member> members) {
         try {
-            Role first = roles(acts.find(name)).get(0);
+            Role first = session.offers().find(name).roles().get(0);
             return members.stream().allMatch(member -> first.unfit(member.bot()).isEmpty());
         } catch (BotException e) {
             return false;

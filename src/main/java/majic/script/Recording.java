@@ -49,7 +49,11 @@ record Recording(@Nullable SessionRecord record, @Nullable RecordedBlock block) 
         } else {
             boolean moves = Commanded.orders(command);
             RecordedEvent event = record.command(
-                    ReplayWording.of(command, robots, execution.isTyped()),
+                    ReplayWording.of(
+                            command,
+                            robots,
+                            execution.isTyped(),
+                            execution.session().behaviours().acts()),
                     moves ? robots : Set.of(),
                     execution.owner(),
                     block);

@@ -12,23 +12,24 @@ final class ReplayWording {
      * A command for robots.
      *
      * @param typed whether a person at a prompt gave it, for whom a reading was taken at once
+     * @param acts finds the files of behaviours
      * @return empty if there is nothing to repeat
      */
-    static String of(Command command, Set<Integer> robots, boolean typed) {
+    static String of(Command command, Set<Integer> robots, boolean typed, Acts acts) {
         return command instanceof Command.Help
                 ? ""
-                : ReplayScript.numbers(robots) + " " + Wording.of(repeated(command, typed));
+                : ReplayScript.numbers(robots) + " " + Wording.of(repeated(command, typed, acts));
     }
 
-    private static Command repeated(Command command, boolean typed) {
+    private static Command repeated(Command command, boolean typed, Acts acts) {
         if (typed && command instanceof Command.Get get) {
             return new Command.Get(get.at(), get.parameters(), true);
         }
         if (command instanceof Command.Act act) {
             String name = SessionCheck.text(act.name());
-            if (name.endsWith(ScriptAct.ENDING) || name.endsWith(Acts.ENDING)) {
-                Literal file =
-                        new Literal(act.name().at(), act.name().value(), absolute(SessionCheck.path(act.name())));
+            if (Acts.isFile(name)) {
+                Path found = acts.locate(name).orElseThrow();
+                Literal file = new Literal(act.name().at(), act.name().value(), absolute(found));
                 return new Command.Act(act.at(), file, act.others());
             }
         }

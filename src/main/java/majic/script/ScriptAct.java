@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import majic.act.Acts;
 import majic.act.MajicAct;
 import majic.act.Role;
 import majic.bot.Answer;
@@ -22,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ScriptAct extends MajicAct {
     /** How files with scripts end. */
-    public static final String ENDING = ".majic";
+    public static final String ENDING = Acts.SCRIPT_ENDING;
 
     private static final long serialVersionUID = 1;
 

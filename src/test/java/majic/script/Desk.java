@@ -8,6 +8,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
+import majic.act.Acts;
 import majic.act.NoActs;
 import majic.bot.BotFactory;
 import majic.bot.FakeBot;
@@ -26,13 +27,21 @@ final class Desk implements AutoCloseable {
     final Team team = new Team(time);
     final BotFactory factory = new BotFactory(List.of(aibo, pioneer), Settings.inMemory());
     final AtomicInteger quits = new AtomicInteger();
-    final Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), quits::incrementAndGet);
-    final MajicParser prompt = new MajicParser(session, true);
-    final MajicParser pipe = new MajicParser(session, false);
+    final Session session;
+    final MajicParser prompt;
+    final MajicParser pipe;
     private final List<Line> heard = Collections.synchronizedList(new ArrayList<>());
     private final TimeSource.Membership membership = time.join();
 
     Desk() {
+        this(NoActs.here());
+    }
+
+    /** With behaviours of the user's own. */
+    Desk(Acts acts) {
+        session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
+        prompt = new MajicParser(session, true);
+        pipe = new MajicParser(session, false);
         factory.useLab(new FakeLab(time));
         session.addListener(heard::add);
     }
