@@ -50,8 +50,8 @@ final class FreshAct {
     private static List<Role> rolesAsSaid(MajicAct act) throws IOException {
         try {
             return List.copyOf(act.roles());
-        } catch (RuntimeException e) {
-            throw new Unfit("failed in its roles(): " + e, e);
+        } catch (RuntimeException | Error e) {
+            throw new Unfit("failed in its roles(): " + Blame.named(e), e);
         }
     }
 }

@@ -145,7 +145,7 @@ public abstract class MajicAct extends Thread implements Serializable {
      *
      * @param robot connected; nobody else should command it meanwhile
      * @throws IllegalThreadStateException if it was started before
-     * @throws BotException if it needs another robot, or several
+     * @throws BotException if it needs another robot, or several, or the system has no thread for it
      */
     public final void start(MajicBot robot) {
         List<Role> wanted = roles();
@@ -191,7 +191,11 @@ public abstract class MajicAct extends Thread implements Serializable {
         setDaemon(true);
         setName("act " + getClass().getSimpleName());
         setContextClassLoader(getClass().getClassLoader());
-        super.start();
+        try {
+            super.start();
+        } catch (OutOfMemoryError e) {
+            throw new BotException("the system has no thread left for the act; end another program and try again", e);
+        }
         awaitQuietly(begun);
     }
 

@@ -40,14 +40,17 @@ final class ActLoader {
 
     /** Writing the consent down may wait; where it cannot be kept, it holds until the program ends. */
     private void agree(LoadTarget target, ActOffer offer) {
-        Edt.background("agreeing to " + offer.called(), () -> {
-            try {
-                session.offers().agree(offer);
-            } catch (BotException e) {
-                voice.complain(String.valueOf(e.getMessage()));
-            }
-            Edt.later(() -> askRoles(target, offer));
-        });
+        Edt.background(
+                "agreeing to " + offer.called(),
+                () -> {
+                    try {
+                        session.offers().agree(offer);
+                    } catch (BotException e) {
+                        voice.complain(String.valueOf(e.getMessage()));
+                    }
+                    Edt.later(() -> askRoles(target, offer));
+                },
+                voice::complain);
     }
 
     private void askRoles(LoadTarget target, ActOffer offer) {

@@ -12,7 +12,6 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
-import majic.bot.BotException;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
 import net.miginfocom.swing.MigLayout;
@@ -61,14 +60,13 @@ final class ChooseActDialog extends MajicDialog {
 
     private void readAll() {
         summary.say("Reading the behaviours there are …");
-        Edt.background("reading behaviours", () -> {
-            try {
-                List<ActEntry> all = ActEntry.readAll(offers);
-                Edt.later(() -> fillList(all));
-            } catch (BotException e) {
-                Edt.later(() -> summary.complain(String.valueOf(e.getMessage())));
-            }
-        });
+        Edt.background(
+                "reading behaviours",
+                () -> {
+                    List<ActEntry> all = ActEntry.readAll(offers);
+                    Edt.later(() -> fillList(all));
+                },
+                summary::complain);
     }
 
     private void fillList(List<ActEntry> all) {
@@ -81,10 +79,13 @@ final class ChooseActDialog extends MajicDialog {
 
     /** A file is looked at like those that have a name, before it is loaded. */
     private void readFile(Path file) {
-        Edt.background("reading " + file, () -> {
-            ActEntry entry = ActEntry.read(offers, file.toAbsolutePath().toString());
-            Edt.later(() -> showFile(entry));
-        });
+        Edt.background(
+                "reading " + file,
+                () -> {
+                    ActEntry entry = ActEntry.read(offers, file.toAbsolutePath().toString());
+                    Edt.later(() -> showFile(entry));
+                },
+                summary::complain);
     }
 
     private void showFile(ActEntry entry) {

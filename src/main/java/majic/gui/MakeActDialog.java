@@ -2,7 +2,6 @@ package majic.gui;
 
 import java.awt.Window;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -12,7 +11,6 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import majic.act.ActDetails;
 import majic.act.Acts;
-import majic.bot.BotException;
 import majic.script.ActOffers;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
@@ -154,14 +152,13 @@ final class MakeActDialog extends MajicDialog {
     private void work(String doing, Work work) {
         make.setEnabled(false);
         outcome.show(doing, false);
-        Edt.background("act maker", () -> {
-            try {
-                Runnable done = work.done();
-                Edt.later(() -> ended(done));
-            } catch (BotException | InvalidPathException e) {
-                Edt.later(() -> ended(() -> outcome.show(String.valueOf(e.getMessage()), true)));
-            }
-        });
+        Edt.background(
+                "making an act",
+                () -> {
+                    Runnable done = work.done();
+                    Edt.later(() -> ended(done));
+                },
+                why -> ended(() -> outcome.show(why, true)));
     }
 
     private void ended(Runnable show) {

@@ -15,6 +15,7 @@ import majic.bot.FakeBot;
 import majic.bot.Member;
 import majic.bot.Order;
 import majic.bot.Owner;
+import majic.bot.Signal;
 import majic.bot.SteppedTime;
 import majic.bot.Team;
 import majic.bot.TeamListener;
@@ -25,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** An act has its robots to itself, and whoever stops one of them ends it for all. */
 @Timeout(30)
@@ -241,6 +243,78 @@ class ActRunTest implements TeamListener {
         awaitIdle();
         assertThat(said).anyMatch(line -> line.matches("1 act: failed: " + why));
         assertThat(leader.sent()).endsWith("halt");
+    }
+
+    /** A clock that an act's thread cannot enter. */
+    private record ClosedToActs(TimeSource time) implements TimeSource {
+        @Override
+        public long nanos() {
+            return time.nanos();
+        }
+
+        @Override
+        public Signal signal() {
+            return time.signal();
+        }
+
+        @Override
+        public Thread thread(String name, Runnable body) {
+            return time.thread(name, body);
+        }
+
+        @Override
+        public Membership join() {
+            if (Thread.currentThread() instanceof MajicAct) {
+                throw new OutOfMemoryError("no room");
+            }
+            return time.join();
+        }
+    }
+
+    @Test
+    void anActThatCannotEnterItsClockLeavesItsRobotFree() throws InterruptedException {
+        FakeBot robot = FakeBot.on(new ClosedToActs(time));
+        robot.connect();
+        Member third = team.add(robot, OptionalInt.empty());
+        ActRun run = new ActRun(new Scatter(), "Alone", Map.of(Role.ME, List.of(third)), third.leave());
+        third.submit(
+                new Order("act", true, control -> {
+                    run.run(null);
+                    return List.of("act: done");
+                }),
+                null);
+        assertThat(team.changes().await(third::isIdle, Signal.FOR_EVER)).isTrue();
+        assertThat(said).anyMatch(line -> line.startsWith("3 act: failed: OutOfMemoryError: no room"));
+        assertThat(third.owner()).isNull();
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void anErrorInItsCodeLeavesItsRobotStoppedAndFree(boolean inItsEnding) throws InterruptedException {
+        order(alone(new MajicAct() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            protected void behave() {
+                bot.drive(100, 0);
+                if (!inItsEnding) {
+                    endless(0);
+                }
+            }
+
+            @Override
+            protected void ended(boolean cutShort) {
+                endless(0);
+            }
+
+            private int endless(int depth) {
+                return endless(depth + 1) + 1;
+            }
+        }));
+        awaitIdle();
+        assertThat(said).anyMatch(line -> line.startsWith("1 act: failed: ") && line.contains("StackOverflowError"));
+        assertThat(leader.sent()).containsSubsequence("drive 100 0", "halt");
+        assertThat(first.owner()).isNull();
     }
 
     /** Pays no attention to anything, until the test is over. */

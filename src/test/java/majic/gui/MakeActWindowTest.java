@@ -87,4 +87,16 @@ class MakeActWindowTest {
         window.click("No");
         assertThat(there).hasContent("precious");
     }
+
+    @Test
+    void anErrorInAnActsOwnCodeIsToldAndLeavesTheWindowUsable() throws IOException {
+        String failing = "public class Failing extends majic.act.MajicAct {"
+                + " public java.util.List<majic.act.Role> roles() { throw new AssertionError(\"no idea\"); }"
+                + " protected void behave() {} }";
+        window.write("makeFrom", own.source("Failing", failing).toString());
+        window.await("something to make", () -> window.isEnabled("Make"));
+        window.click("Make");
+        window.await("why not", () -> window.text("makeOutcome").contains("failed in its roles()"));
+        assertThat(window.isEnabled("Make")).isTrue();
+    }
 }
