@@ -9,7 +9,7 @@ import java.nio.channels.SocketChannel;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import majic.StandingRobot;
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -58,8 +58,8 @@ public class DriveBenchmark {
         driver.connect();
         bare = SocketChannel.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), robot.port()));
         bare.setOption(StandardSocketOptions.TCP_NODELAY, true);
-        speed = direct(Command.VEL.packet(250));
-        rate = direct(Command.RVEL.packet(-15));
+        speed = direct(ArcosCommand.VEL.packet(250));
+        rate = direct(ArcosCommand.RVEL.packet(-15));
     }
 
     private static ByteBuffer direct(byte[] packet) {

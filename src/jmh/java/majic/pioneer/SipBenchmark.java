@@ -9,7 +9,7 @@ import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
-import majic.pioneer.state.Tracker;
+import majic.pioneer.state.StateTracker;
 import org.jspecify.annotations.Nullable;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -38,7 +38,7 @@ public class SipBenchmark {
 
     private final byte[] wire = Bytes.of(Bytes.TURNING_RIGHT);
     private final FrameDecoder decoder = new FrameDecoder();
-    private final Tracker tracker = new Tracker(Models.of("p3dx"), Pose.START);
+    private final StateTracker tracker = new StateTracker(Models.of("p3dx"), Pose.START);
     private final Consumer<Packet> keep = packet -> sip = Sip.decode(packet);
     private @Nullable Sip sip;
     private long nanos;

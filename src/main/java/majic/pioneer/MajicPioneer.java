@@ -17,32 +17,32 @@ import majic.bot.Pose;
 import majic.bot.Value;
 import majic.link.Link;
 import majic.link.Links;
-import majic.pioneer.arcos.Command;
-import majic.pioneer.arcos.Identity;
+import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.panel.PioneerPanel;
 import majic.pioneer.panel.PioneerScene;
-import majic.pioneer.parameters.Access;
-import majic.pioneer.parameters.PaceParameters;
+import majic.pioneer.parameters.PioneerAccess;
 import majic.pioneer.parameters.PioneerCommands;
 import majic.pioneer.parameters.PioneerParameters;
-import majic.pioneer.session.Approach;
+import majic.pioneer.parameters.RampParameters;
+import majic.pioneer.session.ActiveRamps;
+import majic.pioneer.session.ArcosHandshake;
 import majic.pioneer.session.ArcosLine;
-import majic.pioneer.session.Dynamics;
-import majic.pioneer.session.Handshake;
+import majic.pioneer.session.BaudRates;
 import majic.pioneer.session.LinkWatch;
 import majic.pioneer.session.Maneuver;
-import majic.pioneer.session.Rates;
-import majic.pioneer.session.Session;
+import majic.pioneer.session.MotionFaults;
+import majic.pioneer.session.MotionTarget;
+import majic.pioneer.session.PioneerSession;
+import majic.pioneer.session.SpeedProfile;
 import majic.pioneer.session.Subscriptions;
-import majic.pioneer.session.Troubles;
-import majic.pioneer.session.Way;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
-import majic.pioneer.state.Placement;
+import majic.pioneer.state.PoseOffset;
 import majic.pioneer.state.Ramps;
 import org.jspecify.annotations.Nullable;
 
@@ -61,9 +61,9 @@ public final class MajicPioneer extends MajicBot {
     private static final double EMERGENCY_S = 1;
 
     private final String address;
-    private final AtomicReference<@Nullable Session> session = new AtomicReference<>();
-    private final Dynamics dynamics = new Dynamics(Models.USUAL);
-    private final Placement placement = new Placement();
+    private final AtomicReference<@Nullable PioneerSession> session = new AtomicReference<>();
+    private final ActiveRamps dynamics = new ActiveRamps(Models.USUAL);
+    private final PoseOffset placement = new PoseOffset();
     private final PioneerParameters parameters;
     private final PioneerCommands commands;
     private volatile Pose lastPose = Pose.START;
@@ -89,8 +89,8 @@ public final class MajicPioneer extends MajicBot {
         super(new PioneerType(), Models.USUAL.profile(Ramps.careful(Limits.of(Models.USUAL, null))), environment);
         this.address = address;
         link();
-        Access access = new Access(session::get);
-        PaceParameters pace = new PaceParameters(dynamics, this::useRamps);
+        PioneerAccess access = new PioneerAccess(session::get);
+        RampParameters pace = new RampParameters(dynamics, this::useRamps);
         this.parameters =
                 new PioneerParameters(table(), PioneerParameters.themes(access, time(), placement, pace, this::notice));
         this.commands = new PioneerCommands(access);
@@ -101,7 +101,7 @@ public final class MajicPioneer extends MajicBot {
 
     private Link link() {
         try {
-            return Links.of(address, PioneerType.PORT, Rates.POWER_UP);
+            return Links.of(address, PioneerType.PORT, BaudRates.POWER_UP);
         } catch (IllegalArgumentException e) {
             throw new BotException("pioneer:" + e.getMessage(), e);
         }
@@ -116,7 +116,7 @@ public final class MajicPioneer extends MajicBot {
 
     /** A motion under way has planned its braking by those in force. */
     private void useRamps(UnaryOperator<Ramps> change) {
-        Session open = current();
+        PioneerSession open = current();
         if (isBusy() && !isDriving()) {
             throw new BotException(name() + " is in a motion; how it speeds up and brakes can be set when it stands");
         }
@@ -137,13 +137,13 @@ public final class MajicPioneer extends MajicBot {
     protected void open() {
         try {
             openOnce();
-        } catch (Handshake.SessionClosed e) {
+        } catch (ArcosHandshake.SessionClosed e) {
             openOnce();
         }
     }
 
     private void openOnce() {
-        Session opening = new Session(new ArcosLine(link(), time()), time(), changes(), new Owner());
+        PioneerSession opening = new PioneerSession(new ArcosLine(link(), time()), time(), changes(), new Owner());
         session.set(opening);
         opening.open(lastPose, dynamics);
         try {
@@ -154,7 +154,7 @@ public final class MajicPioneer extends MajicBot {
         }
     }
 
-    private void adopt(Session opened) {
+    private void adopt(PioneerSession opened) {
         Model model = opened.model();
         if (!model.known()) {
             notice("it calls itself " + model.subclass()
@@ -167,14 +167,14 @@ public final class MajicPioneer extends MajicBot {
     /** Who answers there, with its model and the name its owner gave it (ARCOS sheet 4). */
     @Override
     public String introduction() {
-        Session open = session.get();
-        Identity known = open == null ? null : open.identity();
+        PioneerSession open = session.get();
+        PioneerIdentity known = open == null ? null : open.identity();
         return known == null ? super.introduction() : super.introduction() + known.details();
     }
 
     @Override
     protected void shut() {
-        Session open = session.get();
+        PioneerSession open = session.get();
         if (open != null) {
             open.finish();
         }
@@ -182,23 +182,24 @@ public final class MajicPioneer extends MajicBot {
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
-        Session open = current();
+        PioneerSession open = current();
         return cover(
                 open,
-                new Way.Straight(open.state(), mm, Approach.straight(cruiseMmPerSec(), dynamics.ramps())),
+                new MotionTarget.Straight(open.state(), mm, SpeedProfile.straight(cruiseMmPerSec(), dynamics.ramps())),
                 motion);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
-        Session open = current();
+        PioneerSession open = current();
         return cover(
                 open,
-                new Way.Turning(open.state(), degrees, Approach.turning(cruiseTurnDegPerSec(), dynamics.ramps())),
+                new MotionTarget.Turning(
+                        open.state(), degrees, SpeedProfile.turning(cruiseTurnDegPerSec(), dynamics.ramps())),
                 motion);
     }
 
-    private Value cover(Session open, Way way, Motion motion) {
+    private Value cover(PioneerSession open, MotionTarget way, Motion motion) {
         if (!motion.pause(0)) {
             return way.value(open.state());
         }
@@ -207,7 +208,7 @@ public final class MajicPioneer extends MajicBot {
             return way.value(open.state());
         }
         Bumpers bumpers = Bumpers.of(open.model(), open.config());
-        return new Maneuver(open, way, new Troubles(bumpers, way.heading(), open.state())).run(motion);
+        return new Maneuver(open, way, new MotionFaults(bumpers, way.heading(), open.state())).run(motion);
     }
 
     @Override
@@ -224,10 +225,10 @@ public final class MajicPioneer extends MajicBot {
     /** A robot that does not brake as it should is stopped as hard as it can. */
     @Override
     protected void confirmHalt() {
-        Session open = current();
+        PioneerSession open = current();
         parameters.halt();
         if (Patience.isAllowed() && !open.awaitStanding(HALT_S)) {
-            open.send(Command.ESTOP.packet());
+            open.send(ArcosCommand.ESTOP.packet());
             if (!open.awaitStanding(EMERGENCY_S)) {
                 throw new BotException(name() + " has not been seen to stand within " + (int) (HALT_S + EMERGENCY_S)
                         + " s of the stop");
@@ -241,10 +242,12 @@ public final class MajicPioneer extends MajicBot {
     }
 
     private Optional<PioneerScene> scene() {
-        return Optional.ofNullable(session.get()).filter(Session::hasSpoken).map(this::scene);
+        return Optional.ofNullable(session.get())
+                .filter(PioneerSession::hasSpoken)
+                .map(this::scene);
     }
 
-    private PioneerScene scene(Session open) {
+    private PioneerScene scene(PioneerSession open) {
         return new PioneerScene(
                 open.model(),
                 open.state(),
@@ -257,8 +260,8 @@ public final class MajicPioneer extends MajicBot {
     }
 
     /** The session, which there is from the first connect on. */
-    private Session current() {
-        Session open = session.get();
+    private PioneerSession current() {
+        PioneerSession open = session.get();
         if (open == null) {
             throw new BotException(name() + " is not connected");
         }
@@ -266,25 +269,25 @@ public final class MajicPioneer extends MajicBot {
     }
 
     private void watch() {
-        Session open = session.get();
+        PioneerSession open = session.get();
         if (open != null && isConnected()) {
             open.watch();
         }
     }
 
     private void request() {
-        Session open = session.get();
+        PioneerSession open = session.get();
         if (open != null && isConnected()) {
             open.request();
         }
     }
 
     /** What the panel draws; null before the first connect. */
-    public @Nullable Session session() {
+    public @Nullable PioneerSession session() {
         return session.get();
     }
 
-    private void publish(Session from, PioneerState state) {
+    private void publish(PioneerSession from, PioneerState state) {
         if (from == session.get()) {
             lastPose = state.pose();
             boolean moving = state.isMoving() || from.wheels().areDriven();
@@ -298,9 +301,9 @@ public final class MajicPioneer extends MajicBot {
     }
 
     /** Hears of the session. */
-    private final class Owner implements Session.Owner {
+    private final class Owner implements PioneerSession.Owner {
         @Override
-        public void heard(Session from, PioneerState state) {
+        public void heard(PioneerSession from, PioneerState state) {
             publish(from, state);
         }
 
@@ -310,7 +313,7 @@ public final class MajicPioneer extends MajicBot {
         }
 
         @Override
-        public void lost(Session from, LinkLost cause) {
+        public void lost(PioneerSession from, LinkLost cause) {
             if (from == session.get()) {
                 MajicPioneer.this.lost(cause);
             }

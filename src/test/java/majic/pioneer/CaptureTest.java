@@ -14,14 +14,14 @@ import java.util.Objects;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import majic.bot.Pose;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Bytes;
-import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.arcos.Reception;
+import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Models;
-import majic.pioneer.state.Tracker;
+import majic.pioneer.state.StateTracker;
 import org.junit.jupiter.api.Test;
 
 /** A whole session of the maker's client with the maker's simulator, where the captures are at hand. */
@@ -33,7 +33,7 @@ class CaptureTest {
         FrameDecoder decoder = new FrameDecoder();
         List<Packet> packets = decode(decoder, "R<");
 
-        assertThat(decoder.reception()).isEqualTo(new Reception(packets.size(), 0, 0));
+        assertThat(decoder.reception()).isEqualTo(new PacketCounts(packets.size(), 0, 0));
         assertThat(packets).filteredOn(Packet::isSip).hasSizeGreaterThan(60).allMatch(sip -> Sip.decode(sip) != null);
     }
 
@@ -47,8 +47,8 @@ class CaptureTest {
 
     @Test
     void ourCommandsAreByteForByteTheMakersClients() throws IOException {
-        Map<Integer, Command> commands =
-                Arrays.stream(Command.values()).collect(Collectors.toMap(Command::number, Function.identity()));
+        Map<Integer, ArcosCommand> commands = Arrays.stream(ArcosCommand.values())
+                .collect(Collectors.toMap(ArcosCommand::number, Function.identity()));
         for (Packet packet : decode(new FrameDecoder(), "C>")) {
             byte[] data = packet.data();
             if (data.length == 3) {
@@ -61,7 +61,7 @@ class CaptureTest {
 
     @Test
     void theRobotIsTrackedWithoutAJump() throws IOException {
-        Tracker tracker = new Tracker(Models.of("p3dx"), Pose.START);
+        StateTracker tracker = new StateTracker(Models.of("p3dx"), Pose.START);
         Pose before = Pose.START;
         long nanos = 0;
         for (Packet packet : decode(new FrameDecoder(), "R<")) {

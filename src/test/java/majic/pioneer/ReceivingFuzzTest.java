@@ -13,12 +13,12 @@ import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.arcos.Reception;
+import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
-import majic.pioneer.state.Tracker;
+import majic.pioneer.state.StateTracker;
 
 /**
  * Whatever bytes come from a robot: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see
@@ -46,7 +46,7 @@ class ReceivingFuzzTest {
             at = indexOf(wire, sent, at) + sent.length;
             packetBytes += sent.length;
         }
-        Reception reception = decoder.reception();
+        PacketCounts reception = decoder.reception();
         assertThat(reception.packets()).isEqualTo(packets.size());
         assertThat(reception.skippedBytes()).isEqualTo(wire.length - packetBytes);
     }
@@ -81,7 +81,7 @@ class ReceivingFuzzTest {
 
     @FuzzTest
     void noPacketUpsetsTheDriver(byte[] plan) {
-        Tracker tracker = new Tracker(Models.of("p3dx"), Pose.START);
+        StateTracker tracker = new StateTracker(Models.of("p3dx"), Pose.START);
         PioneerState state = tracker.track(Objects.requireNonNull(Sip.decode(GOOD)), CYCLE_NANOS);
         for (Packet packet : decode(new FrameDecoder(), packets(plan), 512)) {
             assertThat(Config.decode(packet).frontBumpers()).isNotNegative();

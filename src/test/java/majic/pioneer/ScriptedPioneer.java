@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Bytes;
-import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.SipBytes;
 import majic.pioneer.session.RampModel;
@@ -281,7 +281,7 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
 
     private static String name(int number) {
         @Nullable String known = null;
-        for (Command command : Command.values()) {
+        for (ArcosCommand command : ArcosCommand.values()) {
             known = command.number() == number ? command.name() : known;
         }
         return known == null ? "number " + number : known;

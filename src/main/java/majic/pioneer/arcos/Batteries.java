@@ -27,12 +27,12 @@ public record Batteries(List<Cell> cells) implements Report {
         cells = List.copyOf(cells);
     }
 
-    static Batteries read(Fields fields) {
+    static Batteries read(FieldReader fields) {
         int count = fields.ubyte();
         int bytesEach = fields.ubyte();
         List<Cell> cells = new ArrayList<>();
         while (cells.size() < count && bytesEach > 0 && fields.remaining() >= bytesEach) {
-            Fields cell = fields.part(bytesEach);
+            FieldReader cell = fields.part(bytesEach);
             cells.add(new Cell(cell.ubyte(), cell.ubyte(), cell.ubyte(), cell.ubyte(), cell.ubyte()));
         }
         return new Batteries(cells);

@@ -20,7 +20,7 @@ public final class Config {
 
     /** Decodes a packet, whatever its length. */
     public static Config decode(Packet packet) {
-        Fields data = packet.fields();
+        FieldReader data = packet.fields();
         Map<ConfigField, Object> fields = new EnumMap<>(ConfigField.class);
         for (ConfigField field : ConfigField.values()) {
             fields.put(field, field.read(data));

@@ -164,7 +164,7 @@ public enum ConfigField {
     }
 
     /** The next field of a packet: text, or a number as a {@code Long}. */
-    Object read(Fields fields) {
+    Object read(FieldReader fields) {
         if (fields.remaining() == 0) {
             return missing();
         }

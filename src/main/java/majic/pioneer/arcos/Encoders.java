@@ -12,7 +12,7 @@ public record Encoders(int leftTicks, int rightTicks) implements Report {
     static final int TYPE = 0x90;
     private static final int BYTES = 8;
 
-    static @Nullable Encoders read(Fields fields) {
+    static @Nullable Encoders read(FieldReader fields) {
         return fields.remaining() < BYTES ? null : new Encoders(fields.sint32(), fields.sint32());
     }
 }

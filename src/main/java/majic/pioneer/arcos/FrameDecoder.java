@@ -20,7 +20,7 @@ public final class FrameDecoder {
     private long packets;
     private long damagedPackets;
     private long skippedBytes;
-    private volatile Reception reception = Reception.NONE;
+    private volatile PacketCounts reception = PacketCounts.NONE;
 
     /** A decoder that has seen nothing yet; one for each link. */
     public FrameDecoder() {}
@@ -62,7 +62,7 @@ public final class FrameDecoder {
         }
         System.arraycopy(bytes, at, bytes, 0, filled - at);
         filled -= at;
-        reception = new Reception(packets, damagedPackets, skippedBytes);
+        reception = new PacketCounts(packets, damagedPackets, skippedBytes);
     }
 
     /** The next place where a packet may begin; a last FA may be the first half of a header. */
@@ -97,7 +97,7 @@ public final class FrameDecoder {
     }
 
     /** What has come so far; safe from any thread. */
-    public Reception reception() {
+    public PacketCounts reception() {
         return reception;
     }
 }

@@ -13,7 +13,7 @@ public record GripperReport(int kind, int switches, int graspTime) implements Re
     static final int TYPE = 0xE0;
     private static final int BYTES = 3;
 
-    static @Nullable GripperReport read(Fields fields) {
+    static @Nullable GripperReport read(FieldReader fields) {
         return fields.remaining() < BYTES ? null : new GripperReport(fields.ubyte(), fields.ubyte(), fields.ubyte());
     }
 

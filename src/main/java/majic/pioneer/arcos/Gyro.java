@@ -25,7 +25,7 @@ public record Gyro(List<Sample> samples) implements Report {
         samples = List.copyOf(samples);
     }
 
-    static Gyro read(Fields fields) {
+    static Gyro read(FieldReader fields) {
         int count = fields.ubyte();
         List<Sample> samples = new ArrayList<>();
         while (samples.size() < count && fields.remaining() >= SAMPLE_BYTES) {

@@ -20,7 +20,7 @@ public record InputsOutputs(List<Integer> digitalIn, List<Integer> digitalOut, L
         analog = List.copyOf(analog);
     }
 
-    static InputsOutputs read(Fields fields) {
+    static InputsOutputs read(FieldReader fields) {
         return new InputsOutputs(
                 fields.ubytes(fields.ubyte()), fields.ubytes(fields.ubyte()), fields.uints(fields.ubyte()));
     }

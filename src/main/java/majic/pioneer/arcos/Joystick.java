@@ -15,7 +15,7 @@ public record Joystick(boolean button1, boolean button2, int x, int y, int throt
     static final int TYPE = 0xF8;
     private static final int BYTES = 8;
 
-    static @Nullable Joystick read(Fields fields) {
+    static @Nullable Joystick read(FieldReader fields) {
         return fields.remaining() < BYTES
                 ? null
                 : new Joystick(fields.ubyte() != 0, fields.ubyte() != 0, fields.uint(), fields.uint(), fields.uint());

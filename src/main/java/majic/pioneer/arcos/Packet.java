@@ -32,8 +32,8 @@ public final class Packet {
     }
 
     /** A fresh cursor at the first data byte. */
-    Fields fields() {
-        return new Fields(data);
+    FieldReader fields() {
+        return new FieldReader(data);
     }
 
     /** Whether it is a standard SIP; ARIA takes all of 0x30 to 0x3F for one (ARCOS sheet 8). */

@@ -33,7 +33,7 @@ public record Sip(
         int control,
         int flags,
         int compass,
-        Readings sonar,
+        SonarReadings sonar,
         SipTail tail) {
     /** Bytes up to and with the sonar count. */
     private static final int HEAD_BYTES = 19;
@@ -47,7 +47,7 @@ public record Sip(
      * @return the fields; null if it is too short to be a SIP
      */
     public static @Nullable Sip decode(Packet packet) {
-        Fields fields = packet.fields();
+        FieldReader fields = packet.fields();
         if (fields.remaining() < HEAD_BYTES) {
             return null;
         }
@@ -72,8 +72,8 @@ public record Sip(
      * A count that the packet cannot hold belongs to no readings: the vendor's simulator sends one such SIP after SONAR 1
      * (ARCOS sheet 8.2), with its tail right behind the count.
      */
-    private static Readings sonar(Fields fields) {
+    private static SonarReadings sonar(FieldReader fields) {
         int count = fields.ubyte();
-        return count * READING_BYTES <= fields.remaining() ? Readings.read(fields, count) : Readings.NONE;
+        return count * READING_BYTES <= fields.remaining() ? SonarReadings.read(fields, count) : SonarReadings.NONE;
     }
 }

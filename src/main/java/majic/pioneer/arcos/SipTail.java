@@ -38,7 +38,7 @@ public record SipTail(
     public static final int ABSENT = Integer.MIN_VALUE;
 
     /** Reads what is left of a SIP. */
-    static SipTail read(Fields rest) {
+    static SipTail read(FieldReader rest) {
         return new SipTail(
                 rest.ubyteOr(ABSENT),
                 rest.ubyteOr(ABSENT),

@@ -89,7 +89,7 @@ final class PioneerDrawing extends WayContent {
         Graphics2D echoPen = (Graphics2D) pen.create();
         new EchoesDrawing(ink, view).paint(echoPen, echoes.all(), shown.state().atNanos());
         echoPen.dispose();
-        new BodyDrawing(shown, ink, view.pxPerMm()).paint(robot);
+        new PioneerBodyDrawing(shown, ink, view.pxPerMm()).paint(robot);
         robot.dispose();
     }
 

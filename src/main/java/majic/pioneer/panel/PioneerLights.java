@@ -6,7 +6,7 @@ import majic.bot.MajicBot;
 import majic.panel.Light;
 import majic.panel.Light.Kind;
 import majic.panel.LightsPanel;
-import majic.pioneer.arcos.Reception;
+import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.PioneerState;
 
@@ -83,7 +83,7 @@ final class PioneerLights {
         }
     }
 
-    private void showRate(double perSecond, Reception reception) {
+    private void showRate(double perSecond, PacketCounts reception) {
         long damaged = reception.damagedPackets();
         String rate = String.format(Locale.ROOT, "link %.0f/s", perSecond);
         boolean bad = damaged * DAMAGED_ONE_IN > reception.packets();

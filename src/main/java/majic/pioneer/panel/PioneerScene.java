@@ -2,7 +2,7 @@ package majic.pioneer.panel;
 
 import majic.bot.MajicBot;
 import majic.bot.Range;
-import majic.pioneer.arcos.Reception;
+import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.PioneerState;
@@ -25,7 +25,7 @@ public record PioneerScene(
         Bumpers bumpers,
         MajicBot.Connection connection,
         double silenceMs,
-        Reception reception,
+        PacketCounts reception,
         Range speedLimits,
         Range turnLimits) {
 

@@ -6,7 +6,7 @@ import java.util.function.ToIntFunction;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
@@ -16,12 +16,12 @@ final class ContactParameters implements Theme {
     /** As BUMPSTALL numbers them (ARCOS sheet 6.1, 17). */
     private static final List<String> SIDES = List.of("none", "front", "rear", "both");
 
-    private final Access access;
-    private final Told bumpStall;
+    private final PioneerAccess access;
+    private final AssumedSetting bumpStall;
 
-    ContactParameters(Access access) {
+    ContactParameters(PioneerAccess access) {
         this.access = access;
-        this.bumpStall = new Told(access);
+        this.bumpStall = new AssumedSetting(access);
     }
 
     @Override
@@ -50,7 +50,9 @@ final class ContactParameters implements Theme {
                         Parameter.choice("bumpStall", SIDES, "the bumpers that stop the robot by themselves"),
                         bumpStall.reader())
                 .writes(values -> bumpStall.tell(
-                        Command.BUMPSTALL.packet(SIDES.indexOf(values.get(0).toString())), values.get(0)));
+                        ArcosCommand.BUMPSTALL.packet(
+                                SIDES.indexOf(values.get(0).toString())),
+                        values.get(0)));
     }
 
     /** Something that is so or not. */

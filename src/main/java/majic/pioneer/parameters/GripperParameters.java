@@ -6,22 +6,22 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Gripper;
 
-/** How gripper and lift stand. Moving them is a command: {@link GripperOrders}. */
+/** How gripper and lift stand. Moving them is a command: {@link GripperCommands}. */
 final class GripperParameters implements Theme {
     static final int STEP_MS = 20;
     private static final int LONGEST_MS = 5100;
     private static final int GRASP = 16;
 
-    private final Access access;
-    private final Told grasp;
+    private final PioneerAccess access;
+    private final AssumedSetting grasp;
 
-    GripperParameters(Access access) {
+    GripperParameters(PioneerAccess access) {
         this.access = access;
-        this.grasp = new Told(access);
+        this.grasp = new AssumedSetting(access);
     }
 
     @Override
@@ -43,8 +43,8 @@ final class GripperParameters implements Theme {
     }
 
     private void grasp(Value time) {
-        access.send(Command.GRIPPER.packet(GRASP));
-        grasp.tell(Command.GRIPPERVAL.packet((int) Math.round(time.number() / STEP_MS)), time);
+        access.send(ArcosCommand.GRIPPER.packet(GRASP));
+        grasp.tell(ArcosCommand.GRIPPERVAL.packet((int) Math.round(time.number() / STEP_MS)), time);
     }
 
     /** How the robot's words are made. */
@@ -53,7 +53,7 @@ final class GripperParameters implements Theme {
     }
 
     private static Value words(Optional<Gripper> gripper, Wording wording) {
-        return gripper.map(told -> Value.text(wording.of(told))).orElse(Access.NOT_TOLD);
+        return gripper.map(told -> Value.text(wording.of(told))).orElse(PioneerAccess.NOT_TOLD);
     }
 
     static String paddles(Gripper gripper) {

@@ -8,10 +8,10 @@ import majic.pioneer.state.Equipment;
 
 /** The motors, and how the controller feels. */
 final class HealthParameters implements Theme {
-    private final Access access;
-    private final Switches switches;
+    private final PioneerAccess access;
+    private final PowerSwitches switches;
 
-    HealthParameters(Access access, Switches switches) {
+    HealthParameters(PioneerAccess access, PowerSwitches switches) {
         this.access = access;
         this.switches = switches;
     }
@@ -25,12 +25,12 @@ final class HealthParameters implements Theme {
         table.add(
                 Parameter.number("temperature", Unit.CELSIUS, "of the controller, where it has a thermometer"),
                 access.state(state -> state.temperatureC().isEmpty()
-                        ? Access.NOT_TOLD
+                        ? PioneerAccess.NOT_TOLD
                         : Value.of(state.temperatureC().getAsInt(), Unit.CELSIUS)));
         table.add(
                 Parameter.number("faults", Unit.NONE, "the controller's fault flags as one number, 0 when all is well"),
                 access.state(state -> state.faults().isEmpty()
-                        ? Access.NOT_TOLD
+                        ? PioneerAccess.NOT_TOLD
                         : Value.of(state.faults().getAsInt(), Unit.NONE)));
     }
 }

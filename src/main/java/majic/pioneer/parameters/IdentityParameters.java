@@ -7,21 +7,21 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.ConfigField;
-import majic.pioneer.arcos.Identity;
+import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.state.Equipment;
 
 /** Who the robot is and how its controller is set up. */
 final class IdentityParameters implements Theme {
-    private final Access access;
+    private final PioneerAccess access;
 
-    IdentityParameters(Access access) {
+    IdentityParameters(PioneerAccess access) {
         this.access = access;
     }
 
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
-        table.add(Parameter.text("model", "how it calls its make"), identity(Identity::subclass));
-        table.add(Parameter.text("robotName", "the name its owner gave it"), identity(Identity::name));
+        table.add(Parameter.text("model", "how it calls its make"), identity(PioneerIdentity::subclass));
+        table.add(Parameter.text("robotName", "the name its owner gave it"), identity(PioneerIdentity::name));
         text(table, "serialNumber", ConfigField.SERNUM, "of the controller");
         text(table, "firmware", ConfigField.FIRMWARE, "version of the robot's own program");
         text(table, "bootLoader", ConfigField.BOOTLOADER, "version of what starts it");
@@ -35,9 +35,9 @@ final class IdentityParameters implements Theme {
         number(table, "cycle", Unit.MS, ConfigField.SIPCYCLE, "from one packet of the robot to the next");
     }
 
-    private Supplier<Value> identity(Function<Identity, String> part) {
+    private Supplier<Value> identity(Function<PioneerIdentity, String> part) {
         return access.session(open -> {
-            Identity known = open.identity();
+            PioneerIdentity known = open.identity();
             return known == null ? Value.unknown("not connected") : Value.text(part.apply(known));
         });
     }
@@ -49,6 +49,7 @@ final class IdentityParameters implements Theme {
     private void number(ParameterTable table, String name, Unit unit, ConfigField field, String help) {
         table.add(
                 Parameter.number(name, unit, help),
-                access.config(config -> config.has(field) ? Value.of(config.number(field), unit) : Access.NOT_TOLD));
+                access.config(
+                        config -> config.has(field) ? Value.of(config.number(field), unit) : PioneerAccess.NOT_TOLD));
     }
 }

@@ -8,7 +8,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Feed;
 
@@ -20,9 +20,9 @@ final class InputOutputParameters implements Theme {
     /** Analog inputs that the SIP can show. */
     private static final int LAST_PORT = 7;
 
-    private final Access access;
+    private final PioneerAccess access;
 
-    InputOutputParameters(Access access) {
+    InputOutputParameters(PioneerAccess access) {
         this.access = access;
     }
 
@@ -90,7 +90,7 @@ final class InputOutputParameters implements Theme {
     }
 
     private void put(int states, int mask) {
-        byte[] packet = Command.DIGOUT.packet(states, mask);
+        byte[] packet = ArcosCommand.DIGOUT.packet(states, mask);
         if (access.open().state().ports().digitalOut().isEmpty()) {
             access.send(packet);
             return;
@@ -103,20 +103,20 @@ final class InputOutputParameters implements Theme {
 
     private void select(int port) {
         access.order(
-                Command.ADSEL.packet(port),
+                ArcosCommand.ADSEL.packet(port),
                 state -> state.ports().analogPort().orElse(port) == port,
                 "the robot did not change to analog input " + port);
     }
 
     private static Value number(OptionalInt told) {
-        return told.isEmpty() ? Access.NOT_TOLD : Value.of(told.getAsInt(), Unit.NONE);
+        return told.isEmpty() ? PioneerAccess.NOT_TOLD : Value.of(told.getAsInt(), Unit.NONE);
     }
 
     private static Value flag(OptionalInt bits, int bit) {
-        return bits.isEmpty() ? Access.NOT_TOLD : Value.onOff((bits.getAsInt() & bit) != 0);
+        return bits.isEmpty() ? PioneerAccess.NOT_TOLD : Value.onOff((bits.getAsInt() & bit) != 0);
     }
 
     private static Value volts(OptionalDouble told) {
-        return told.isEmpty() ? Access.NOT_TOLD : Value.of(told.getAsDouble(), Unit.V);
+        return told.isEmpty() ? PioneerAccess.NOT_TOLD : Value.of(told.getAsDouble(), Unit.V);
     }
 }

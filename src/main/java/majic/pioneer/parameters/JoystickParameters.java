@@ -5,7 +5,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Joystick;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Feed;
@@ -15,12 +15,12 @@ final class JoystickParameters implements Theme {
     private static final double REST = 512;
     private static final double FULL = 1023;
 
-    private final Access access;
-    private final Told drives;
+    private final PioneerAccess access;
+    private final AssumedSetting drives;
 
-    JoystickParameters(Access access) {
+    JoystickParameters(PioneerAccess access) {
         this.access = access;
-        this.drives = new Told(access);
+        this.drives = new AssumedSetting(access);
     }
 
     @Override
@@ -38,7 +38,7 @@ final class JoystickParameters implements Theme {
     }
 
     private void drive(boolean on) {
-        drives.tell(Command.JOYDRIVE.packet(on ? 1 : 0), Value.onOff(on));
+        drives.tell(ArcosCommand.JOYDRIVE.packet(on ? 1 : 0), Value.onOff(on));
     }
 
     /** Whoever stops the robot wants it to stand, whoever drives it. */

@@ -8,9 +8,9 @@ import majic.pioneer.state.Equipment;
 
 /** How well the robot is heard. */
 final class LinkParameters implements Theme {
-    private final Access access;
+    private final PioneerAccess access;
 
-    LinkParameters(Access access) {
+    LinkParameters(PioneerAccess access) {
         this.access = access;
     }
 

@@ -10,14 +10,14 @@ public final class PioneerCommands {
     /** All that there can be. */
     public static final List<String> NAMES = List.of("gripper", "carry", "dock", "undock", "tones");
 
-    private final Tune tune;
-    private final GripperOrders gripper;
-    private final DockOrders dock;
+    private final TonesCommand tune;
+    private final GripperCommands gripper;
+    private final DockCommands dock;
 
-    public PioneerCommands(Access access) {
-        this.tune = new Tune(access);
-        this.gripper = new GripperOrders(access);
-        this.dock = new DockOrders(access);
+    public PioneerCommands(PioneerAccess access) {
+        this.tune = new TonesCommand(access);
+        this.gripper = new GripperCommands(access);
+        this.dock = new DockCommands(access);
     }
 
     /** Those for what a robot has. */

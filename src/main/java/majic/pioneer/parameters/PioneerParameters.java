@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import majic.bot.ParameterTable;
 import majic.bot.TimeSource;
 import majic.pioneer.state.Equipment;
-import majic.pioneer.state.Placement;
+import majic.pioneer.state.PoseOffset;
 
 /**
  * The parameters of a Pioneer besides those that every robot has, theme by theme in the order in which people read them.
@@ -25,8 +25,8 @@ public final class PioneerParameters {
 
     /** All themes there are. */
     public static List<Theme> themes(
-            Access access, TimeSource time, Placement placement, PaceParameters pace, Consumer<String> notice) {
-        Switches switches = new Switches(access, notice);
+            PioneerAccess access, TimeSource time, PoseOffset placement, RampParameters pace, Consumer<String> notice) {
+        PowerSwitches switches = new PowerSwitches(access, notice);
         return List.of(
                 new PoseParameters(access, placement),
                 pace,
@@ -37,7 +37,7 @@ public final class PioneerParameters {
                 new SensorParameters(access),
                 new GripperParameters(access),
                 new InputOutputParameters(access),
-                new SoundParameters(access, time),
+                new BuzzerParameters(access, time),
                 new JoystickParameters(access),
                 new IdentityParameters(access),
                 new LinkParameters(access));

@@ -7,19 +7,19 @@ import majic.bot.ParameterTable;
 import majic.bot.Pose;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.pioneer.session.Session;
+import majic.pioneer.session.PioneerSession;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
-import majic.pioneer.state.Placement;
+import majic.pioneer.state.PoseOffset;
 
 /** Where the robot is, and where it is to be said to be. Setting it moves nothing. */
 final class PoseParameters implements Theme {
     private static final double FARTHEST_MM = 1_000_000;
 
-    private final Access access;
-    private final Placement placement;
+    private final PioneerAccess access;
+    private final PoseOffset placement;
 
-    PoseParameters(Access access, Placement placement) {
+    PoseParameters(PioneerAccess access, PoseOffset placement) {
         this.access = access;
         this.placement = placement;
     }
@@ -69,7 +69,7 @@ final class PoseParameters implements Theme {
 
     /** Returns when everybody has been told, one SIP later. */
     private void put(UnaryOperator<Pose> change) {
-        Session open = access.open();
+        PioneerSession open = access.open();
         PioneerState now = open.state();
         placement.put(now.pose(), change.apply(pose(now)));
         open.awaitState(next -> next.sip() != now.sip(), 1);

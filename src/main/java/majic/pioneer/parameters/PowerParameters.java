@@ -13,9 +13,9 @@ import majic.pioneer.state.Equipment;
 
 /** Battery and charger. */
 final class PowerParameters implements Theme {
-    private final Access access;
+    private final PioneerAccess access;
 
-    PowerParameters(Access access) {
+    PowerParameters(PioneerAccess access) {
         this.access = access;
     }
 
@@ -47,10 +47,10 @@ final class PowerParameters implements Theme {
     }
 
     private static Value volts(long tenths) {
-        return tenths == 0 ? Access.NOT_TOLD : Value.of(tenths / 10.0, Unit.V);
+        return tenths == 0 ? PioneerAccess.NOT_TOLD : Value.of(tenths / 10.0, Unit.V);
     }
 
     private static Value charging(Charging charging) {
-        return charging == Charging.UNKNOWN ? Access.NOT_TOLD : Value.text(charging.words());
+        return charging == Charging.UNKNOWN ? PioneerAccess.NOT_TOLD : Value.text(charging.words());
     }
 }

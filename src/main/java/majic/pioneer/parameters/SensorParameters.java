@@ -14,9 +14,9 @@ import majic.pioneer.state.Scaling;
 
 /** What tells the robot how it moves: wheels, encoders, compass, gyro. */
 final class SensorParameters implements Theme {
-    private final Access access;
+    private final PioneerAccess access;
 
-    SensorParameters(Access access) {
+    SensorParameters(PioneerAccess access) {
         this.access = access;
     }
 
@@ -31,7 +31,7 @@ final class SensorParameters implements Theme {
                 Parameter.number(
                         "compass", Unit.DEG, "as the compass shows it, 2 to 358; unknown without one and at 0"),
                 access.state(state -> state.compassDeg().isEmpty()
-                        ? Access.NOT_TOLD
+                        ? PioneerAccess.NOT_TOLD
                         : Value.of(state.compassDeg().getAsInt(), Unit.DEG)));
         if (equipment.gyro()) {
             table.add(

@@ -5,7 +5,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
@@ -19,14 +19,14 @@ final class SonarParameters implements Theme {
 
     private static final int SLOWEST_MS = 1000;
 
-    private final Access access;
-    private final Switches switches;
-    private final Told cycle;
+    private final PioneerAccess access;
+    private final PowerSwitches switches;
+    private final AssumedSetting cycle;
 
-    SonarParameters(Access access, Switches switches) {
+    SonarParameters(PioneerAccess access, PowerSwitches switches) {
         this.access = access;
         this.switches = switches;
-        this.cycle = new Told(access);
+        this.cycle = new AssumedSetting(access);
     }
 
     @Override
@@ -73,13 +73,13 @@ final class SonarParameters implements Theme {
                                 .within(FASTEST_MS, SLOWEST_MS)
                                 .inWholes(),
                         cycle.reader(access.config(config -> Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS))))
-                .writes(values ->
-                        cycle.tell(Command.SONARCYCLE.packet((int) values.get(0).number()), values.get(0)));
+                .writes(values -> cycle.tell(
+                        ArcosCommand.SONARCYCLE.packet((int) values.get(0).number()), values.get(0)));
     }
 
     private static Value range(int disc, PioneerState state) {
         if (!state.sonar().hasHeard(disc)) {
-            return state.sonarOn() ? Access.NOTHING_YET : Value.unknown("the sonars are off");
+            return state.sonarOn() ? PioneerAccess.NOTHING_YET : Value.unknown("the sonars are off");
         }
         int range = state.sonar().rangeMm(disc);
         return range >= SonarScan.NOTHING_MM ? Value.CLEAR : Value.of(range, Unit.MM);
@@ -88,7 +88,7 @@ final class SonarParameters implements Theme {
     private static Value gap(Side side, PioneerState state) {
         Double gap = state.gaps().get(side);
         if (gap == null) {
-            return state.sonarOn() ? Access.NOTHING_YET : Value.unknown("the sonars are off");
+            return state.sonarOn() ? PioneerAccess.NOTHING_YET : Value.unknown("the sonars are off");
         }
         return gap.isInfinite() ? Value.CLEAR : Value.of(Math.round(gap), Unit.MM);
     }

@@ -13,7 +13,7 @@ import majic.driver.LinkReader;
 import majic.link.Link;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.arcos.Reception;
+import majic.pioneer.arcos.PacketCounts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,9 +30,9 @@ public final class ArcosLine {
     private final Link link;
     private final TimeSource time;
     private final FrameDecoder decoder = new FrameDecoder();
-    private final FirstWords firstWords = new FirstWords();
-    private final Slumber slumber = new Slumber();
-    private volatile int baud = Rates.POWER_UP;
+    private final FirstBytes firstWords = new FirstBytes();
+    private final SuspendDetector slumber = new SuspendDetector();
+    private volatile int baud = BaudRates.POWER_UP;
     private volatile long sentNanos;
     private volatile @Nullable LinkLost end;
 
@@ -149,18 +149,18 @@ public final class ArcosLine {
     }
 
     /** What came first. */
-    FirstWords firstWords() {
+    FirstBytes firstWords() {
         return firstWords;
     }
 
     /** How well the robot's bytes have come through. */
-    Reception reception() {
+    PacketCounts reception() {
         return decoder.reception();
     }
 
     /** Whether there is room for more than SIPs: not on a serial port as it is after power-up (ARCOS sheet 1). */
     boolean isFast() {
-        return baud > Rates.POWER_UP || !link.address().startsWith("serial:");
+        return baud > BaudRates.POWER_UP || !link.address().startsWith("serial:");
     }
 
     /**

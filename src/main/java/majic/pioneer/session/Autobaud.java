@@ -3,12 +3,12 @@ package majic.pioneer.session;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import majic.bot.BotException;
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Config;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes a serial line faster where the robot allows it: at {@value Rates#POWER_UP} baud one SIP with 16 readings fills the
+ * Makes a serial line faster where the robot allows it: at {@value BaudRates#POWER_UP} baud one SIP with 16 readings fills the
  * whole cycle (ARCOS sheet 1). A robot that hears nothing valid for 500 ms falls back by itself, and so does this side.
  */
 final class Autobaud {
@@ -29,11 +29,11 @@ final class Autobaud {
     /** The robot's own 500 ms, and then a SIP (ARCOS sheet 6.1, HOSTBAUD). */
     private static final double FALL_BACK_S = 1;
 
-    private final Session session;
+    private final PioneerSession session;
     private final ArcosLine line;
     private volatile boolean raised;
 
-    Autobaud(Session session, ArcosLine line) {
+    Autobaud(PioneerSession session, ArcosLine line) {
         this.session = session;
         this.line = line;
     }
@@ -45,10 +45,10 @@ final class Autobaud {
      * @throws BotException if the robot is not heard any more at either speed
      */
     void run(@Nullable Config config, int rate) {
-        if (config == null || config.autobaud() != AUTOMATIC || rate != Rates.POWER_UP || !line.setBaud(rate)) {
+        if (config == null || config.autobaud() != AUTOMATIC || rate != BaudRates.POWER_UP || !line.setBaud(rate)) {
             return;
         }
-        change(Rates.FAST_CODE, Rates.FAST);
+        change(BaudRates.FAST_CODE, BaudRates.FAST);
         raised = isHeard();
         if (!raised) {
             fallBack();
@@ -71,16 +71,16 @@ final class Autobaud {
     }
 
     private void slowDown() {
-        change(Rates.POWER_UP_CODE, Rates.POWER_UP);
+        change(BaudRates.POWER_UP_CODE, BaudRates.POWER_UP);
         if (!isHeard()) {
-            line.send(Command.CLOSE.packet(1));
+            line.send(ArcosCommand.CLOSE.packet(1));
             settle();
-            line.setBaud(Rates.FAST);
+            line.setBaud(BaudRates.FAST);
         }
     }
 
     private void change(int code, int baud) {
-        line.send(Command.HOSTBAUD.packet(code));
+        line.send(ArcosCommand.HOSTBAUD.packet(code));
         settle();
         line.setBaud(baud);
     }
@@ -94,7 +94,7 @@ final class Autobaud {
         int proofs = 0;
         for (int pulse = 0; pulse < PULSES && proofs < PROOFS; pulse++) {
             long seen = session.state().atNanos();
-            line.send(Command.PULSE.packet());
+            line.send(ArcosCommand.PULSE.packet());
             if (session.awaitState(state -> state.atNanos() != seen, PULSE_S)) {
                 proofs++;
             }
@@ -103,12 +103,12 @@ final class Autobaud {
     }
 
     private void fallBack() {
-        LOG.log(Level.DEBUG, () -> line.address() + " does not follow to " + Rates.FAST + " baud");
-        line.setBaud(Rates.POWER_UP);
+        LOG.log(Level.DEBUG, () -> line.address() + " does not follow to " + BaudRates.FAST + " baud");
+        line.setBaud(BaudRates.POWER_UP);
         long seen = session.state().atNanos();
         if (!session.awaitState(state -> state.atNanos() != seen, FALL_BACK_S)) {
             throw new BotException(line.address() + " is not heard any more since its speed was to change from "
-                    + Rates.POWER_UP + " to " + Rates.FAST + " baud; try again");
+                    + BaudRates.POWER_UP + " to " + BaudRates.FAST + " baud; try again");
         }
     }
 }

@@ -3,7 +3,7 @@ package majic.pioneer.session;
 import majic.bot.LinkLost;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;
 
@@ -34,11 +34,11 @@ public final class LinkWatch {
     }
 
     private final ArcosLine line;
-    private final Wheels wheels;
+    private final VelocitySetpoint wheels;
     private final TimeSource time;
     private final Signal changes;
 
-    LinkWatch(ArcosLine line, Wheels wheels, TimeSource time, Signal changes) {
+    LinkWatch(ArcosLine line, VelocitySetpoint wheels, TimeSource time, Signal changes) {
         this.line = line;
         this.wheels = wheels;
         this.time = time;
@@ -58,7 +58,7 @@ public final class LinkWatch {
         double silence = time.secondsSince(last.atNanos());
         switch (judge(silence, time.secondsSince(line.sentNanos()), moving)) {
             case WAIT -> {}
-            case PULSE -> line.send(Command.PULSE.packet());
+            case PULSE -> line.send(ArcosCommand.PULSE.packet());
             case HOLD -> holdOnce();
             case GIVE_UP -> {
                 int seconds = (int) (moving ? LOST_MOVING_S : LOST_STANDING_S);

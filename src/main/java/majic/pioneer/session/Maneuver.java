@@ -21,20 +21,20 @@ public final class Maneuver {
     /** Before the robot's own rhythm is known, seconds. */
     private static final double USUAL_CYCLE_S = 0.1;
 
-    private final Session session;
-    private final Way way;
-    private final Troubles troubles;
+    private final PioneerSession session;
+    private final MotionTarget way;
+    private final MotionFaults troubles;
     private final double limitS;
     private final int holdsBefore;
-    private final Steering steering;
+    private final SpeedController steering;
     private double movedS;
 
-    public Maneuver(Session session, Way way, Troubles troubles) {
+    public Maneuver(PioneerSession session, MotionTarget way, MotionFaults troubles) {
         this.session = session;
         this.way = way;
         this.troubles = troubles;
         this.limitS = way.approach().limitS(Math.abs(way.target()));
-        this.steering = new Steering(way.approach(), way.target());
+        this.steering = new SpeedController(way.approach(), way.target());
         this.holdsBefore = session.wheels().holds();
     }
 

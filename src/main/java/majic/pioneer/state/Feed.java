@@ -1,7 +1,7 @@
 package majic.pioneer.state;
 
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Batteries;
-import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.Encoders;
@@ -15,22 +15,22 @@ import org.jspecify.annotations.Nullable;
 /** What a robot can be asked to send beside its SIPs, and how (ARCOS sheet 6.1, 11). */
 public enum Feed {
     /** Batteries with electronics of their own. */
-    BATTERIES(Command.BATTERYINFO, Batteries.class),
+    BATTERIES(ArcosCommand.BATTERYINFO, Batteries.class),
     /** All inputs and outputs. */
-    PORTS(Command.IOREQUEST, InputsOutputs.class),
+    PORTS(ArcosCommand.IOREQUEST, InputsOutputs.class),
     /** Which gripper there is. */
-    GRIPPER(Command.GRIPREQUEST, GripperReport.class),
+    GRIPPER(ArcosCommand.GRIPREQUEST, GripperReport.class),
     /** The gyro, where the client has to read it. */
-    GYRO(Command.GYRO, Gyro.class),
+    GYRO(ArcosCommand.GYRO, Gyro.class),
     /** The wheels' encoders. */
-    ENCODERS(Command.ENCODER, Encoders.class),
+    ENCODERS(ArcosCommand.ENCODER, Encoders.class),
     /** The joystick plugged into the robot. */
-    JOYSTICK(Command.JOYINFO, Joystick.class);
+    JOYSTICK(ArcosCommand.JOYINFO, Joystick.class);
 
-    private final Command request;
+    private final ArcosCommand request;
     private final Class<? extends Report> report;
 
-    Feed(Command request, Class<? extends Report> report) {
+    Feed(ArcosCommand request, Class<? extends Report> report) {
         this.request = request;
         this.report = report;
     }

@@ -1,6 +1,6 @@
 package majic.pioneer.state;
 
-import majic.pioneer.arcos.Command;
+import majic.pioneer.arcos.ArcosCommand;
 
 /**
  * How fast the robot may go and how sharply it speeds up and slows down, as it is told (ARCOS sheet 6.1: SETV, SETA,
@@ -83,12 +83,12 @@ public record Ramps(
     /** What tells the robot, a packet each. */
     public byte[][] packets() {
         return new byte[][] {
-            Command.SETV.packet(topSpeedMmPerSec),
-            Command.SETA.packet(acceleration),
-            Command.SETA.packet(-deceleration),
-            Command.SETRV.packet(topTurnDegPerSec),
-            Command.SETRA.packet(turnAcceleration),
-            Command.SETRA.packet(-turnDeceleration)
+            ArcosCommand.SETV.packet(topSpeedMmPerSec),
+            ArcosCommand.SETA.packet(acceleration),
+            ArcosCommand.SETA.packet(-deceleration),
+            ArcosCommand.SETRV.packet(topTurnDegPerSec),
+            ArcosCommand.SETRA.packet(turnAcceleration),
+            ArcosCommand.SETRA.packet(-turnDeceleration)
         };
     }
 }

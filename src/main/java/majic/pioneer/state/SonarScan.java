@@ -1,7 +1,7 @@
 package majic.pioneer.state;
 
 import java.util.Arrays;
-import majic.pioneer.arcos.Readings;
+import majic.pioneer.arcos.SonarReadings;
 
 /** The last range of every disc and when it came. Immutable. */
 public final class SonarScan {
@@ -22,7 +22,7 @@ public final class SonarScan {
     }
 
     /** This scan with the new readings in it; readings of discs beyond the last one are dropped. */
-    SonarScan with(Readings readings, double mmPerCount, long nanos) {
+    SonarScan with(SonarReadings readings, double mmPerCount, long nanos) {
         if (readings.count() == 0) {
             return this;
         }

@@ -42,7 +42,7 @@ class FrameDecoderTest {
 
     @Test
     void headersInsideDataAreData() {
-        String xIsMinus1030 = Bytes.hex(Frame.string(0x32, Bytes.of("FA FB 03 00 00 00")));
+        String xIsMinus1030 = Bytes.hex(FrameEncoder.string(0x32, Bytes.of("FA FB 03 00 00 00")));
         feed(4, Bytes.joined(xIsMinus1030));
 
         assertThat(found).hasSize(1);
@@ -96,7 +96,7 @@ class FrameDecoderTest {
     void receptionTellsWhatCameWholeAndWhatDidNot() {
         feed(10, Bytes.joined(Bytes.AT_REST, WRONG_CHECKSUM, "00 01", Bytes.STALLED));
 
-        assertThat(decoder.reception()).isEqualTo(new Reception(2, 1, 11));
+        assertThat(decoder.reception()).isEqualTo(new PacketCounts(2, 1, 11));
     }
 
     @Test

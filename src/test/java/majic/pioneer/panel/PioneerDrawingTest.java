@@ -10,13 +10,13 @@ import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.bot.Range;
 import majic.panel.map.MapView;
-import majic.pioneer.arcos.Reception;
+import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.SipBytes;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
-import majic.pioneer.state.Tracker;
+import majic.pioneer.state.StateTracker;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -27,7 +27,7 @@ class PioneerDrawingTest {
     private static final Model MODEL = Models.of("peoplebot-sh");
     private static final MapView VIEW = new MapView(0.08, 0, 0, MapView.Y_UP, SIZE, SIZE);
 
-    private final Tracker tracker = new Tracker(MODEL, Pose.START);
+    private final StateTracker tracker = new StateTracker(MODEL, Pose.START);
     private final PioneerDrawing drawing = new PioneerDrawing();
     private final PioneerLights lights = new PioneerLights();
 
@@ -127,7 +127,7 @@ class PioneerDrawingTest {
     private static PioneerScene scene(PioneerState state, Connection connection) {
         Bumpers bumpers = new Bumpers(MODEL.frontBumpers(), MODEL.rearBumpers());
         Range limits = new Range(-1000, 1000);
-        return new PioneerScene(MODEL, state, bumpers, connection, 50, Reception.NONE, limits, limits);
+        return new PioneerScene(MODEL, state, bumpers, connection, 50, PacketCounts.NONE, limits, limits);
     }
 
     private int[] painted() {

@@ -8,8 +8,8 @@ import java.util.concurrent.CountDownLatch;
 import majic.bot.LinkLost;
 import majic.bot.TimeSource;
 import majic.driver.ReplayLink;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Bytes;
-import majic.pioneer.arcos.Command;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Models;
@@ -25,7 +25,7 @@ class ArcosLineTest {
         ArcosLine line = new ArcosLine(link, TimeSource.system());
 
         line.send(Ramps.careful(Limits.of(Models.USUAL, null)).packets());
-        line.sendIfPossible(Command.VEL.packet(0), Command.RVEL.packet(0));
+        line.sendIfPossible(ArcosCommand.VEL.packet(0), ArcosCommand.RVEL.packet(0));
 
         assertThat(link.written).hasSize(8).allSatisfy(write -> {
             assertThat(write).startsWith(0xFA, 0xFB).hasSize((write[2] & 0xFF) + 3);

@@ -61,7 +61,7 @@ class PacketsInLabTest {
         return session().state();
     }
 
-    private Session session() {
+    private PioneerSession session() {
         return Objects.requireNonNull(bot.session());
     }
 }

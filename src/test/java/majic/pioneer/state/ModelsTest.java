@@ -56,7 +56,7 @@ class ModelsTest {
     @ParameterizedTest(name = "{0}")
     @CsvFileSource(resources = "/majic/pioneer/models.csv")
     void everyModelsCountsBecomeMillimetresByItsOwnFactors(ArgumentsAccessor row) {
-        Tracker tracker = new Tracker(Models.of(row.getString(0)), Pose.START);
+        StateTracker tracker = new StateTracker(Models.of(row.getString(0)), Pose.START);
         tracker.track(new SipBytes().pose(0, 0, 0).sip(), 1);
         PioneerState state = tracker.track(
                 new SipBytes().pose(1000, 0, 0).wheels(-100, 300).sonar(0, 1000).sip(), 2);

@@ -18,7 +18,7 @@ class PioneerStateTest {
     /** Gripper open and lift down, analog port 3 at half, DIGIN, DIGOUT, 12.8 V, bulk, −15 deg/s, a fault, 31 °C, 74 %. */
     private static final String TAIL = "21 03 80 F0 0F 80 00 01 6A FF 02 00 00 00 1F 4A";
 
-    private final Tracker tracker = new Tracker(Models.of("p3dx-sh"), Pose.START);
+    private final StateTracker tracker = new StateTracker(Models.of("p3dx-sh"), Pose.START);
 
     @Test
     void theTailOfASipTellsOfBatteryAndCharger() {

@@ -1,0 +1,48 @@
+package majic.pioneer.parameters;
+
+import java.util.List;
+import majic.bot.BotCommand;
+import majic.bot.Motion;
+import majic.pioneer.arcos.ArcosCommand;
+
+/** Puts the docking mechanism down onto the charger and takes it up again. It moves, so it belongs to whoever moves the robot. */
+final class DockCommands {
+    /** Time for the mechanism to find its contacts, seconds. */
+    private static final double CONTACT_S = 5;
+
+    private final PioneerAccess access;
+
+    DockCommands(PioneerAccess access) {
+        this.access = access;
+    }
+
+    BotCommand dock() {
+        return new BotCommand(
+                "dock",
+                List.of(),
+                true,
+                "lowers the contacts onto the charger it stands on",
+                (none, motion) -> dock(motion));
+    }
+
+    BotCommand undock() {
+        return new BotCommand(
+                "undock", List.of(), true, "lifts the contacts off the charger", (none, motion) -> undock(motion));
+    }
+
+    private String dock(Motion motion) {
+        motion.send(() -> access.send(ArcosCommand.CHARGE.packet(1)));
+        return motion.await(this::hasPower, CONTACT_S)
+                ? "docked, the charger has power"
+                : "contacts lowered; no power from a charger";
+    }
+
+    private String undock(Motion motion) {
+        motion.send(() -> access.send(ArcosCommand.CHARGE.packet(0)));
+        return motion.await(() -> !hasPower(), CONTACT_S) ? "undocked" : "told; the charger still has power";
+    }
+
+    private boolean hasPower() {
+        return access.open().state().power().chargerConnected();
+    }
+}

@@ -1,0 +1,100 @@
+package majic.pioneer.parameters;
+
+import java.util.List;
+import java.util.Optional;
+import majic.bot.BotCommand;
+import majic.bot.Motion;
+import majic.bot.MotionFailed;
+import majic.bot.Parameter;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.state.Gripper;
+
+/**
+ * Moves gripper and lift. They are parts of the robot that move and pinch, so they belong to whoever moves the robot, one
+ * at a time, and a stop stops them. Thread-safe.
+ */
+final class GripperCommands {
+    /** Longer than the lift takes all the way, seconds. */
+    private static final double LONGEST_S = 12;
+
+    /** Before this nobody need have noticed the order, seconds. */
+    private static final double NOTICE_S = 0.3;
+
+    private static final int CARRY = 17;
+    private static final int LONGEST_CARRY_MS = 5100;
+
+    private final PioneerAccess access;
+    private volatile boolean underWay;
+
+    GripperCommands(PioneerAccess access) {
+        this.access = access;
+    }
+
+    BotCommand gripper() {
+        return new BotCommand(
+                "gripper",
+                List.of(Parameter.choice("order", GripperAction.words(), "what to do")),
+                true,
+                "open, close, up, down (the lift), store (close and up), deploy (open and down) or stop",
+                (arguments, motion) -> run(GripperAction.of(arguments.get(0).toString()), motion));
+    }
+
+    BotCommand carry() {
+        Parameter time = Parameter.number("time", Unit.MS, "how long").within(-LONGEST_CARRY_MS, LONGEST_CARRY_MS);
+        return new BotCommand(
+                "carry",
+                List.of(time),
+                true,
+                "the lift goes up for a time (20ms … 5.1s), or down for a negative one",
+                (arguments, motion) -> carry(arguments.get(0).number(), motion));
+    }
+
+    private String run(GripperAction order, Motion motion) {
+        underWay = true;
+        motion.send(() -> access.send(ArcosCommand.GRIPPER.packet(order.argument())));
+        motion.pause(NOTICE_S);
+        boolean done = motion.await(() -> state().filter(order::isDone).isPresent(), LONGEST_S);
+        if (!done && state().filter(GripperCommands::isTelling).isPresent()) {
+            throw new MotionFailed("not done within " + Value.plain(LONGEST_S) + " s: " + words());
+        }
+        underWay = false;
+        return done ? words() : "told; this robot does not say how its gripper stands";
+    }
+
+    private String carry(double ms, Motion motion) {
+        underWay = true;
+        int steps = (int) Math.round(ms / GripperParameters.STEP_MS);
+        motion.send(() -> {
+            access.send(ArcosCommand.GRIPPER.packet(CARRY));
+            access.send(ArcosCommand.GRIPPERVAL.packet(steps));
+        });
+        motion.pause(Math.abs(ms) / 1000);
+        underWay = false;
+        return "lift " + state().map(GripperParameters::lift).orElse("told");
+    }
+
+    /** Stops gripper and lift where they may still move; waits for nothing. */
+    void halt() {
+        if (underWay) {
+            underWay = false;
+            access.send(ArcosCommand.GRIPPER.packet(GripperAction.STOP.argument()));
+        }
+    }
+
+    private Optional<Gripper> state() {
+        return access.open().state().gripper();
+    }
+
+    /** A gripper that says nothing at all of itself is taken for one that cannot (ARCOS sheet 17). */
+    private static boolean isTelling(Gripper gripper) {
+        return gripper.open() || gripper.closed() || gripper.moving() || gripper.liftUp() || gripper.liftDown();
+    }
+
+    private String words() {
+        return state().map(
+                        told -> "gripper " + GripperParameters.paddles(told) + ", lift " + GripperParameters.lift(told))
+                .orElse("told");
+    }
+}

@@ -1,0 +1,117 @@
+package majic.pioneer.parameters;
+
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.Patience;
+import majic.bot.Value;
+import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.ConfigField;
+import majic.pioneer.session.PioneerSession;
+import majic.pioneer.session.Subscriptions;
+import majic.pioneer.state.Feed;
+import majic.pioneer.state.PioneerState;
+import org.jspecify.annotations.Nullable;
+
+/** The way from a parameter to the robot: what it said last, and orders it confirms. Over all sessions. Thread-safe. */
+public final class PioneerAccess {
+    static final Value NOTHING_YET = Value.unknown("no reading yet");
+    static final Value NOTHING_OF_LATE = Value.unknown("no reading of late");
+    static final Value NOT_TOLD = Value.unknown("this robot does not tell");
+
+    /** Time enough for a command and the SIP that shows what became of it, seconds. */
+    private static final double CONFIRM_S = 1;
+
+    /** Time enough to ask for a packet and to hear it, seconds. */
+    private static final double ASKED_S = 2 * Subscriptions.PERIOD_S;
+
+    private final Supplier<@Nullable PioneerSession> session;
+
+    public PioneerAccess(Supplier<@Nullable PioneerSession> session) {
+        this.session = session;
+    }
+
+    /**
+     * The session there is.
+     *
+     * @throws BotException if there has been none yet
+     */
+    PioneerSession open() {
+        PioneerSession open = session.get();
+        if (open == null) {
+            throw new BotException("not connected");
+        }
+        return open;
+    }
+
+    /** Reads from the robot's last state. */
+    Supplier<Value> state(Function<PioneerState, Value> reader) {
+        return session(open -> open.hasSpoken() ? reader.apply(open.state()) : NOTHING_YET);
+    }
+
+    /**
+     * Reads from a packet that comes beside the SIPs. A reading when none has come of late asks for one and waits a moment,
+     * where the thread may wait.
+     */
+    Supplier<Value> report(Feed feed, Function<PioneerState, Optional<Value>> reader) {
+        return session(open -> {
+            if (!open.hasSpoken()) {
+                return NOTHING_YET;
+            }
+            if (hears(open, feed)) {
+                return reader.apply(open.state()).orElse(NOT_TOLD);
+            }
+            return open.subscriptions().isMute(feed) || Patience.isAllowed() ? NOT_TOLD : NOTHING_OF_LATE;
+        });
+    }
+
+    private static boolean hears(PioneerSession open, Feed feed) {
+        Subscriptions subscriptions = open.subscriptions();
+        subscriptions.want(feed);
+        return !subscriptions.isMute(feed) && open.awaitState(state -> subscriptions.isFresh(feed), ASKED_S);
+    }
+
+    /** Reads from what was learned at connecting. */
+    Supplier<Value> session(Function<PioneerSession, Value> reader) {
+        return () -> {
+            PioneerSession open = session.get();
+            return open == null ? Value.unknown("not connected") : reader.apply(open);
+        };
+    }
+
+    /** Reads from the robot's CONFIG packet. */
+    Supplier<Value> config(Function<Config, Value> reader) {
+        return session(open -> {
+            Config config = open.config();
+            return config == null ? NOT_TOLD : reader.apply(config);
+        });
+    }
+
+    /** Reads a text of the CONFIG packet. */
+    Supplier<Value> config(ConfigField text) {
+        return config(config -> config.text(text).isEmpty() ? NOT_TOLD : Value.text(config.text(text)));
+    }
+
+    /**
+     * Sends a command and waits for the SIP that shows it done, where the thread may wait.
+     *
+     * @param complaint what did not happen, as half a sentence: "the motors did not switch on"
+     * @throws BotException if no SIP shows it in time
+     * @throws LinkLost if the connection is gone
+     */
+    void order(byte[] packet, Predicate<PioneerState> done, String complaint) {
+        PioneerSession open = open();
+        open.send(packet);
+        if (Patience.isAllowed() && !open.awaitState(done, CONFIRM_S)) {
+            throw new BotException(complaint + " within " + Value.plain(CONFIRM_S) + " s");
+        }
+    }
+
+    /** Sends a command that nothing confirms. */
+    void send(byte[] packet) {
+        open().send(packet);
+    }
+}

@@ -1,0 +1,78 @@
+package majic.pioneer.parameters;
+
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.pioneer.session.ActiveRamps;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Ramps;
+
+/** How fast the robot may go and how sharply it speeds up and slows down: told to it and followed by all motions. */
+public final class RampParameters implements Theme {
+    private final ActiveRamps dynamics;
+    private final Consumer<UnaryOperator<Ramps>> change;
+
+    /**
+     * For one robot.
+     *
+     * @param dynamics what is in force
+     * @param change puts other ramps in force
+     */
+    public RampParameters(ActiveRamps dynamics, Consumer<UnaryOperator<Ramps>> change) {
+        this.dynamics = dynamics;
+        this.change = change;
+    }
+
+    /** One of the values of the ramps. */
+    private interface Part {
+        int of(Ramps ramps);
+    }
+
+    /** The ramps with one of their values changed. */
+    private interface Changed {
+        Ramps by(Ramps ramps, int value);
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        Limits limits = dynamics.limits();
+        add(
+                table,
+                Parameter.number("topSpeed", Unit.MM_PER_S, "nothing drives it faster; cruise and drive stay below")
+                        .within(1, limits.speedMmPerSec()),
+                Ramps::topSpeedMmPerSec,
+                Ramps::withTopSpeed);
+        add(
+                table,
+                Parameter.number("topTurn", Unit.DEG_PER_S, "nothing turns it faster; cruiseTurn and drive stay below")
+                        .within(1, limits.turnDegPerSec()),
+                Ramps::topTurnDegPerSec,
+                Ramps::withTopTurn);
+        addRamps(table, limits);
+    }
+
+    private void addRamps(ParameterTable table, Limits limits) {
+        Parameter straight = Parameter.number("acceleration", Unit.MM_PER_S2, "how sharply it speeds up")
+                .within(Ramps.GENTLEST, limits.accelerationMmPerSec2());
+        Parameter turning = Parameter.number("turnAcceleration", Unit.DEG_PER_S2, "how sharply its turns speed up")
+                .within(Ramps.GENTLEST, limits.turnAccelerationDegPerSec2());
+        Parameter braking = Parameter.number("deceleration", Unit.MM_PER_S2, "how sharply it brakes")
+                .within(Ramps.GENTLEST, limits.accelerationMmPerSec2());
+        Parameter ending = Parameter.number("turnDeceleration", Unit.DEG_PER_S2, "how sharply its turns end")
+                .within(Ramps.GENTLEST, limits.turnAccelerationDegPerSec2());
+        add(table, straight, Ramps::acceleration, Ramps::withAcceleration);
+        add(table, braking, Ramps::deceleration, Ramps::withDeceleration);
+        add(table, turning, Ramps::turnAcceleration, Ramps::withTurnAcceleration);
+        add(table, ending, Ramps::turnDeceleration, Ramps::withTurnDeceleration);
+    }
+
+    private void add(ParameterTable table, Parameter parameter, Part part, Changed changed) {
+        table.add(parameter, () -> Value.of(part.of(dynamics.ramps()), parameter.unit()))
+                .writes(values -> change.accept(ramps ->
+                        changed.by(ramps, (int) Math.round(values.get(0).number()))));
+    }
+}

@@ -1,0 +1,153 @@
+package majic.pioneer.session;
+
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.TimeSource;
+import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.arcos.FrameEncoder;
+import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.PioneerIdentity;
+import org.jspecify.annotations.Nullable;
+
+/** SYNC0, SYNC1, SYNC2 with the recoveries of ARCOS sheet 4. Runs on the thread that connects. */
+public final class ArcosHandshake {
+    /** Less than any SIP cycle fits in: an open session shows itself (seconds). */
+    private static final double LISTEN_S = 0.25;
+
+    private static final double ANSWER_S = 1;
+    private static final double DRAIN_S = 0.2;
+    private static final double LIMIT_S = 6;
+
+    /** On a serial port, twice for every speed. */
+    private static final double SERIAL_LIMIT_S = 13;
+
+    private static final int LOST_STEP = 0xFF;
+    private static final int LAST_SYNC = 2;
+
+    private final ArcosLine line;
+    private final PacketInbox inbox;
+    private final TimeSource time;
+    private final BaudRates rates;
+    private double limitS = LIMIT_S;
+    private boolean closedASession;
+
+    /** The robot hung up because it was told to close a session left open; connecting anew will do. */
+    public static final class SessionClosed extends BotException {
+        private static final long serialVersionUID = 1;
+
+        private SessionClosed(String message, Throwable cause) {
+            super(message, cause);
+        }
+    }
+
+    ArcosHandshake(ArcosLine line, PacketInbox inbox, BaudRates rates, TimeSource time) {
+        this.line = line;
+        this.inbox = inbox;
+        this.rates = rates;
+        this.time = time;
+    }
+
+    /**
+     * Goes through the handshake.
+     *
+     * @throws SessionClosed if the line ended because an old session was closed
+     * @throws BotException if there is no answer, or no sensible one, within {@value #LIMIT_S} s, on a
+     *     serial port {@value #SERIAL_LIMIT_S} s
+     */
+    PioneerIdentity run() {
+        try {
+            endOpenSession();
+            refuseTelnet();
+            return synchronise();
+        } catch (LinkLost e) {
+            throw hungUp(e);
+        }
+    }
+
+    private BotException hungUp(LinkLost cause) {
+        if (closedASession) {
+            return new SessionClosed(line.address() + " closed the connection with the session left open on it", cause);
+        }
+        return new BotException(ConnectErrors.hungUp(line.address(), line.firstWords()), cause);
+    }
+
+    /**
+     * A robot that talks before it is asked is still in a session, perhaps with a velocity in force that the first SYNC,
+     * being a packet, would bring back to life. So it is stopped for good before.
+     */
+    private void endOpenSession() {
+        long started = time.nanos();
+        double leftS = LISTEN_S;
+        while (leftS > 0) {
+            Packet packet = inbox.next(leftS);
+            if (packet != null && packet.isSip()) {
+                closeSession();
+                return;
+            }
+            leftS = LISTEN_S - time.secondsSince(started);
+        }
+    }
+
+    private void refuseTelnet() {
+        if (line.firstWords().isTelnet()) {
+            throw new BotException(ConnectErrors.telnet(line.address()));
+        }
+    }
+
+    private PioneerIdentity synchronise() {
+        long started = time.nanos();
+        int step = 0;
+        while (time.secondsSince(started) < limitS) {
+            line.send(FrameEncoder.bare(step));
+            Packet answer = inbox.next(ANSWER_S);
+            if (answer != null && answer.type() == LAST_SYNC && step == LAST_SYNC) {
+                return PioneerIdentity.decode(answer);
+            }
+            step = answer != null && answer.type() == step ? step + 1 : startOver(answer);
+        }
+        throw new BotException(ConnectErrors.nothingCameOfIt(line.address(), line.firstWords(), (int) limitS));
+    }
+
+    private int startOver(@Nullable Packet answer) {
+        if (answer == null) {
+            tryNextRate();
+        } else if (answer.isSip()) {
+            closeSession();
+        } else {
+            drain(answer.type() == LOST_STEP ? DRAIN_S : DRAIN_S / 2);
+        }
+        return 0;
+    }
+
+    /** Listens again: what was noise at one speed may be an open session at the next. */
+    private void tryNextRate() {
+        if (rates.next()) {
+            limitS = SERIAL_LIMIT_S;
+            endOpenSession();
+        }
+    }
+
+    private void closeSession() {
+        closedASession = true;
+        line.send(
+                ArcosCommand.ESTOP.packet(),
+                ArcosCommand.VEL.packet(0),
+                ArcosCommand.RVEL.packet(0),
+                ArcosCommand.ENABLE.packet(0),
+                ArcosCommand.CLOSE.packet(1));
+        drain(DRAIN_S);
+    }
+
+    /** Throws away what comes; whatever still comes from an open session is answered with CLOSE again. */
+    private void drain(double seconds) {
+        long started = time.nanos();
+        Packet packet;
+        do {
+            packet = inbox.next(Math.max(0, seconds - time.secondsSince(started)));
+            if (packet != null && packet.isSip()) {
+                closedASession = true;
+                line.send(ArcosCommand.CLOSE.packet(1));
+            }
+        } while (packet != null && time.secondsSince(started) < seconds);
+    }
+}

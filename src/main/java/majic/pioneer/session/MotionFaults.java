@@ -1,0 +1,85 @@
+package majic.pioneer.session;
+
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.PioneerState;
+import org.jspecify.annotations.Nullable;
+
+/** What ends a motion from the robot's side: stall, bumper, a step ahead, motors off, the STOP button. For one motion. */
+public final class MotionFaults {
+    /** Stall bits from before may stand until the wheels turn again (ARCOS sheet 7.5), seconds. */
+    private static final double OLD_STALL_S = 1;
+
+    /** Motors that a drive asked for come on in this time, seconds. */
+    private static final double SWITCH_ON_S = 1;
+
+    private final Bumpers bumpers;
+    private final Direction heading;
+    private final PioneerState start;
+    private boolean seenFree;
+    private boolean seenOn;
+
+    /** Which way the robot goes. */
+    enum Direction {
+        /** Ahead. */
+        AHEAD,
+        /** Backward. */
+        BACK,
+        /** On the spot. */
+        AROUND;
+
+        /** The way a speed leads, mm/s. */
+        static Direction of(double mmPerSec) {
+            return mmPerSec > 0 ? AHEAD : mmPerSec < 0 ? BACK : AROUND;
+        }
+    }
+
+    public MotionFaults(Bumpers bumpers, Direction heading, PioneerState start) {
+        this.bumpers = bumpers;
+        this.heading = heading;
+        this.start = start;
+    }
+
+    /**
+     * Looks at a state that came in the motion.
+     *
+     * @param seconds since the motion began
+     * @return the reason to end it, as half a sentence; null if there is none
+     */
+    @Nullable
+    String look(PioneerState now, double seconds) {
+        seenFree |= !now.stalled();
+        seenOn |= now.motorsOn();
+        if (now.stopButton()) {
+            return "STOP button pressed";
+        }
+        if (now.stopEngaged()) {
+            return "emergency stop engaged";
+        }
+        if (!now.motorsOn() && (seenOn || seconds > SWITCH_ON_S)) {
+            return seenOn ? "motors switched off" : "motors do not switch on";
+        }
+        if (now.stalled() && (seenFree || seconds > OLD_STALL_S)) {
+            return "stalled";
+        }
+        return bumped(now);
+    }
+
+    private @Nullable String bumped(PioneerState now) {
+        boolean front = bumpers.front(now) != 0;
+        boolean rear = bumpers.rear(now) != 0;
+        return switch (heading) {
+            case AHEAD -> front ? "front bumper touched" : stepAhead(now);
+            case BACK -> rear ? "rear bumper touched" : null;
+            case AROUND -> isNewlyTouched(now) ? "bumper touched" : null;
+        };
+    }
+
+    /** The flag of a robot without such sensors may stand for ever, so it counts only when it comes up. */
+    private @Nullable String stepAhead(PioneerState now) {
+        return now.ledge() && !start.ledge() ? "the robot looks down a step" : null;
+    }
+
+    private boolean isNewlyTouched(PioneerState now) {
+        return (bumpers.front(now) & ~bumpers.front(start)) != 0 || (bumpers.rear(now) & ~bumpers.rear(start)) != 0;
+    }
+}

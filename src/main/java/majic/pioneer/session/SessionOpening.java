@@ -1,0 +1,97 @@
+package majic.pioneer.session;
+
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+import majic.bot.BotException;
+import majic.bot.Pose;
+import majic.bot.TimeSource;
+import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Side;
+
+/**
+ * Makes a session from a closed line: handshake, OPEN, CONFIG, speed of the line, ramps, packets beside the SIPs, sonar
+ * (ARCOS sheet 13.1), without moving anything or switching motors on. Runs on the thread that connects, once for each
+ * session.
+ */
+final class SessionOpening {
+    private static final double FIRST_SIP_S = 2;
+    private static final double CONFIG_S = 0.2;
+    private static final int CONFIG_TRIES = 5;
+    private static final double SONAR_CYCLE_S = 1;
+
+    private final PioneerSession session;
+    private final ArcosLine line;
+    private final PacketInbox inbox;
+    private final ConnectWait wait;
+    private final TimeSource time;
+
+    SessionOpening(PioneerSession session, ArcosLine line, PacketInbox inbox, ConnectWait wait, TimeSource time) {
+        this.session = session;
+        this.line = line;
+        this.inbox = inbox;
+        this.wait = wait;
+        this.time = time;
+    }
+
+    /**
+     * Goes through all of it. Leaves nothing open when it throws.
+     *
+     * @param start where the robot is to be said to stand
+     * @param dynamics fitted to the robot and then told to it
+     * @throws ArcosHandshake.SessionClosed if a second try will do
+     * @throws BotException if there is no such robot, or it sends no SIP
+     */
+    void run(Pose start, ActiveRamps dynamics) {
+        line.open(session);
+        try {
+            BaudRates rates = new BaudRates(line);
+            session.begin(new ArcosHandshake(line, inbox, rates, time).run(), start);
+            startSips();
+            askConfig();
+            session.autobaud().run(session.config(), rates.now());
+            session.tell(dynamics.fit(Limits.of(session.model(), session.config())));
+            session.subscriptions().begin(session.config());
+            startSonar();
+        } catch (RuntimeException e) {
+            session.finish();
+            throw e;
+        }
+    }
+
+    /** The first CONFIG is asked for together with OPEN; its answer then comes while the first SIP is awaited. */
+    private void startSips() {
+        line.send(ArcosCommand.OPEN.packet(1), ArcosCommand.CONFIG.packet(1));
+        require(session::hasSpoken, FIRST_SIP_S, "answered the handshake, but sends no data within 2 s");
+    }
+
+    private void askConfig() {
+        for (int tries = 1; !await(() -> session.config() != null, CONFIG_S) && tries < CONFIG_TRIES; tries++) {
+            line.send(ArcosCommand.CONFIG.packet(1));
+        }
+    }
+
+    private void startSonar() {
+        line.send(ArcosCommand.SONAR.packet(1));
+        await(this::seesAllAround, SONAR_CYCLE_S);
+        require(() -> !line.hasEnded(), 0, "closed the connection right after the handshake");
+    }
+
+    private boolean seesAllAround() {
+        return session.hasSpoken()
+                && Arrays.stream(Side.values())
+                        .filter(side -> session.model().discs().stream().anyMatch(side::isWatchedBy))
+                        .allMatch(session.state().gaps()::containsKey);
+    }
+
+    private boolean await(BooleanSupplier condition, double seconds) {
+        wait.await(() -> condition.getAsBoolean() || line.hasEnded(), seconds);
+        return condition.getAsBoolean();
+    }
+
+    private void require(BooleanSupplier condition, double seconds, String complaint) {
+        if (!await(condition, seconds)) {
+            throw new BotException(line.address() + " " + complaint);
+        }
+    }
+}

@@ -1,0 +1,90 @@
+package majic.pioneer.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import majic.bot.Pose;
+import majic.pioneer.state.Limits;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Ramps;
+import majic.pioneer.state.StateTracker;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Steers models of robots, unlike in their ramps and in how late they obey, without link or clock. */
+class SpeedControllerTest {
+    private static final double TICK_S = 0.01;
+    private static final int TICKS_PER_SIP = 10;
+    private static final Ramps RAMPS = Ramps.careful(Limits.of(Models.USUAL, null));
+
+    @ParameterizedTest(name = "{0} mm with ramps of {1}, {2} mm/s², obeying {3} ms late")
+    @CsvSource({
+        "1000, 300, 300, 0",
+        "-1000, 300, 300, 20",
+        "5000, 300, 500, 50",
+        "300, 1000, 2000, 0",
+        "-700, 200, 200, 50",
+        "1000, 300, 150, 20",
+        "5, 300, 300, 20",
+        "-5, 300, 500, 50",
+        "37, 2000, 2000, 100"
+    })
+    void aMoveEndsStandingWithinTenMillimetres(double mm, double acceleration, double deceleration, int lateMs) {
+        RampModel robot = new RampModel(acceleration, deceleration, 100);
+
+        double seconds = steer(robot, SpeedProfile.straight(300, RAMPS), mm, lateMs, true);
+
+        assertThat(robot.x()).isCloseTo(mm, within(10.0));
+        assertThat(robot.stands()).isTrue();
+        assertThat(seconds).isLessThan(Math.abs(mm) / 300 * 2 + 5);
+    }
+
+    @ParameterizedTest(name = "{0} deg with ramps of {1} deg/s², obeying {2} ms late")
+    @CsvSource({"90, 100, 0", "-90, 100, 50", "540, 100, 20", "-720, 300, 20", "2, 100, 20", "-2, 60, 50", "180, 60, 20"
+    })
+    void aTurnEndsStandingWithinADegree(double degrees, double acceleration, int lateMs) {
+        RampModel robot = new RampModel(300, 300, acceleration);
+
+        double seconds = steer(robot, SpeedProfile.turning(50, RAMPS), degrees, lateMs, false);
+
+        assertThat(robot.heading()).isCloseTo(degrees, within(1.0));
+        assertThat(robot.stands()).isTrue();
+        assertThat(seconds).isLessThan(Math.abs(degrees) / 50 * 2 + 5);
+    }
+
+    /** Tells the robot a rate at each SIP, obeyed some ticks later, until it has stood there for a while. */
+    private static double steer(RampModel robot, SpeedProfile approach, double target, int lateMs, boolean straight) {
+        StateTracker tracker = new StateTracker(Models.of("p3dx-sh"), Pose.START);
+        MotionTarget way = null;
+        SpeedController steering = new SpeedController(approach, target);
+        int standing = 0;
+        int sips = 0;
+        while (standing < 3 && sips < 600) {
+            PioneerState now = tracker.track(robot.sip(), ++sips * 100_000_000L);
+            way = way == null
+                    ? straight
+                            ? new MotionTarget.Straight(now, target, approach)
+                            : new MotionTarget.Turning(now, target, approach)
+                    : way;
+            steering.heard(way.covered(now), way.rate(now), now.isMoving(), sips / 10.0);
+            double rate = steering.next(way.covered(now), way.rate(now), sips / 10.0, 0.1);
+            standing = rate == 0 && robot.stands() ? standing + 1 : 0;
+            for (int tick = 0; tick < TICKS_PER_SIP; tick++) {
+                if (tick * TICK_S * 1000 >= Math.min(lateMs, 90)) {
+                    tell(robot, (int) Math.round(rate), straight);
+                }
+                robot.step(TICK_S);
+            }
+        }
+        return sips / 10.0;
+    }
+
+    private static void tell(RampModel robot, int rate, boolean straight) {
+        if (straight) {
+            robot.speed(rate);
+        } else {
+            robot.rate(rate);
+        }
+    }
+}
