@@ -81,7 +81,7 @@ public final class ShutdownHook {
     private static void run() {
         List<MajicBot> robots = begin();
         robots.forEach(bot -> bot.revokeForGood(REASON));
-        robots.forEach(bot -> TimeSource.system().aside("closing " + bot.name(), () -> attempt(bot::close)));
+        robots.forEach(bot -> bot.time().aside("closing " + bot.name(), () -> attempt(bot::close)));
         awaitClosed();
         finish();
     }
