@@ -86,7 +86,7 @@ class OwnActsTest {
     void anActGoesBeforeTheScriptOfTheSameName() throws Exception {
         act("Patrol.act", "me move 70");
         script("patrol.majic", "me move 80");
-        desk.runPipe("2 act patrol", "2 act patrol.majic");
+        desk.runPipe("2 act patrol", "2 wait", "2 act patrol.majic");
         assertThat(desk.bot(2).sent()).containsSubsequence("move 70", "move 80");
     }
 
