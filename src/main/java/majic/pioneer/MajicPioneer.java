@@ -36,7 +36,6 @@ import majic.pioneer.session.MotionTarget;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.session.SpeedProfile;
 import majic.pioneer.session.Subscriptions;
-import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Model;
@@ -207,8 +206,12 @@ public final class MajicPioneer extends MajicBot {
         if (motion.guardReached()) {
             return way.value(open.state());
         }
-        Bumpers bumpers = Bumpers.of(open.model(), open.config());
-        return new Maneuver(open, way, new MotionFaults(bumpers, way.heading(), open.state())).run(motion);
+        return new Maneuver(
+                        open.velocity(),
+                        open.reported(),
+                        way,
+                        new MotionFaults(open.bumpers(), way.heading(), open.state()))
+                .run(motion);
     }
 
     @Override
@@ -227,9 +230,9 @@ public final class MajicPioneer extends MajicBot {
     protected void confirmHalt() {
         PioneerSession open = current();
         parameters.halt();
-        if (Patience.isAllowed() && !open.awaitStanding(HALT_S)) {
+        if (Patience.isAllowed() && !open.reported().awaitStationary(HALT_S)) {
             open.send(ArcosCommand.ESTOP.packet());
-            if (!open.awaitStanding(EMERGENCY_S)) {
+            if (!open.reported().awaitStationary(EMERGENCY_S)) {
                 throw new BotException(name() + " has not been seen to stand within " + (int) (HALT_S + EMERGENCY_S)
                         + " s of the stop");
             }
@@ -243,7 +246,7 @@ public final class MajicPioneer extends MajicBot {
 
     private Optional<PioneerScene> scene() {
         return Optional.ofNullable(session.get())
-                .filter(PioneerSession::hasSpoken)
+                .filter(PioneerSession::hasReported)
                 .map(this::scene);
     }
 
@@ -251,7 +254,7 @@ public final class MajicPioneer extends MajicBot {
         return new PioneerScene(
                 open.model(),
                 open.state(),
-                Bumpers.of(open.model(), open.config()),
+                open.bumpers(),
                 connection(),
                 get("age").number(),
                 open.reception(),
@@ -282,15 +285,16 @@ public final class MajicPioneer extends MajicBot {
         }
     }
 
-    /** What the panel draws; null before the first connect. */
-    public @Nullable PioneerSession session() {
+    /** The session there is; null before the first connect. */
+    @Nullable
+    PioneerSession session() {
         return session.get();
     }
 
     private void publish(PioneerSession from, PioneerState state) {
         if (from == session.get()) {
             lastPose = state.pose();
-            boolean moving = state.isMoving() || from.wheels().areDriven();
+            boolean moving = state.isMoving() || from.velocity().areDriven();
             publish(new BotState(
                     placement.of(state.pose()),
                     state.speedMmPerSec(),

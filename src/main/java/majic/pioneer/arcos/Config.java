@@ -61,16 +61,6 @@ public final class Config {
         return (int) number(field);
     }
 
-    /** The model. */
-    public String subclass() {
-        return text(ConfigField.SUBCLASS);
-    }
-
-    /** The firmware's. */
-    public String version() {
-        return text(ConfigField.FIRMWARE);
-    }
-
     /** What the robot can never exceed; 0 when it does not say. */
     public int turnTopDegPerSec() {
         return small(ConfigField.ROTVELTOP);

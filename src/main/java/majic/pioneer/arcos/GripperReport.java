@@ -16,9 +16,4 @@ public record GripperReport(int kind, int switches, int graspTime) implements Re
     static @Nullable GripperReport read(FieldReader fields) {
         return fields.remaining() < BYTES ? null : new GripperReport(fields.ubyte(), fields.ubyte(), fields.ubyte());
     }
-
-    /** Whether there is one at all. */
-    public boolean isFitted() {
-        return kind == 1 || kind == 2;
-    }
 }

@@ -5,6 +5,8 @@ import java.util.HexFormat;
 
 /** One packet whose checksum was right: its type and its data. Immutable. */
 public final class Packet {
+    private static final int RESET_FROM = 0xFE;
+
     private final int type;
     private final byte[] data;
 
@@ -34,6 +36,11 @@ public final class Packet {
     /** A fresh cursor at the first data byte. */
     FieldReader fields() {
         return new FieldReader(data);
+    }
+
+    /** Whether the controller was reset in the middle of a session; its settings are lost (ARCOS sheet 11.6). */
+    public boolean isReset() {
+        return type >= RESET_FROM;
     }
 
     /** Whether it is a standard SIP; ARIA takes all of 0x30 to 0x3F for one (ARCOS sheet 8). */

@@ -8,9 +8,6 @@ package majic.pioneer.arcos;
  * @param subclass the model
  */
 public record PioneerIdentity(String name, String robotClass, String subclass) {
-    /** The step of the handshake it answers, and the packet's type. */
-    public static final int SYNC2 = 2;
-
     /** Decodes a packet; names that did not come are empty. */
     public static PioneerIdentity decode(Packet packet) {
         FieldReader fields = packet.fields();

@@ -49,7 +49,7 @@ public final class PioneerAccess {
 
     /** Reads from the robot's last state. */
     Supplier<Value> state(Function<PioneerState, Value> reader) {
-        return session(open -> open.hasSpoken() ? reader.apply(open.state()) : NOTHING_YET);
+        return session(open -> open.hasReported() ? reader.apply(open.state()) : NOTHING_YET);
     }
 
     /**
@@ -58,7 +58,7 @@ public final class PioneerAccess {
      */
     Supplier<Value> report(Feed feed, Function<PioneerState, Optional<Value>> reader) {
         return session(open -> {
-            if (!open.hasSpoken()) {
+            if (!open.hasReported()) {
                 return NOTHING_YET;
             }
             if (hears(open, feed)) {
@@ -71,7 +71,7 @@ public final class PioneerAccess {
     private static boolean hears(PioneerSession open, Feed feed) {
         Subscriptions subscriptions = open.subscriptions();
         subscriptions.want(feed);
-        return !subscriptions.isMute(feed) && open.awaitState(state -> subscriptions.isFresh(feed), ASKED_S);
+        return !subscriptions.isMute(feed) && open.reported().await(state -> subscriptions.isFresh(feed), ASKED_S);
     }
 
     /** Reads from what was learned at connecting. */
@@ -105,7 +105,7 @@ public final class PioneerAccess {
     void order(byte[] packet, Predicate<PioneerState> done, String complaint) {
         PioneerSession open = open();
         open.send(packet);
-        if (Patience.isAllowed() && !open.awaitState(done, CONFIRM_S)) {
+        if (Patience.isAllowed() && !open.reported().await(done, CONFIRM_S)) {
             throw new BotException(complaint + " within " + Value.plain(CONFIRM_S) + " s");
         }
     }

@@ -72,6 +72,6 @@ final class PoseParameters implements Theme {
         PioneerSession open = access.open();
         PioneerState now = open.state();
         placement.put(now.pose(), change.apply(pose(now)));
-        open.awaitState(next -> next.sip() != now.sip(), 1);
+        open.reported().await(next -> next.sip() != now.sip(), 1);
     }
 }

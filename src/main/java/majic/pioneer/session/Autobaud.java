@@ -29,13 +29,13 @@ final class Autobaud {
     /** The robot's own 500 ms, and then a SIP (ARCOS sheet 6.1, HOSTBAUD). */
     private static final double FALL_BACK_S = 1;
 
-    private final PioneerSession session;
     private final ArcosLine line;
+    private final ReportedState state;
     private volatile boolean raised;
 
-    Autobaud(PioneerSession session, ArcosLine line) {
-        this.session = session;
+    Autobaud(ArcosLine line, ReportedState state) {
         this.line = line;
+        this.state = state;
     }
 
     /**
@@ -86,16 +86,16 @@ final class Autobaud {
     }
 
     private void settle() {
-        session.awaitState(state -> false, SETTLE_S);
+        state.await(any -> false, SETTLE_S);
     }
 
     /** Any valid packet of ours tells the robot that the change has worked. */
     private boolean isHeard() {
         int proofs = 0;
         for (int pulse = 0; pulse < PULSES && proofs < PROOFS; pulse++) {
-            long seen = session.state().atNanos();
+            long seen = state.get().atNanos();
             line.send(ArcosCommand.PULSE.packet());
-            if (session.awaitState(state -> state.atNanos() != seen, PULSE_S)) {
+            if (state.await(now -> now.atNanos() != seen, PULSE_S)) {
                 proofs++;
             }
         }
@@ -105,8 +105,8 @@ final class Autobaud {
     private void fallBack() {
         LOG.log(Level.DEBUG, () -> line.address() + " does not follow to " + BaudRates.FAST + " baud");
         line.setBaud(BaudRates.POWER_UP);
-        long seen = session.state().atNanos();
-        if (!session.awaitState(state -> state.atNanos() != seen, FALL_BACK_S)) {
+        long seen = state.get().atNanos();
+        if (!state.await(now -> now.atNanos() != seen, FALL_BACK_S)) {
             throw new BotException(line.address() + " is not heard any more since its speed was to change from "
                     + BaudRates.POWER_UP + " to " + BaudRates.FAST + " baud; try again");
         }

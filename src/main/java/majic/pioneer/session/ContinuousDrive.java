@@ -1,6 +1,7 @@
 package majic.pioneer.session;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import majic.bot.MotionFailed;
 import majic.bot.TimeSource;
 import majic.pioneer.state.Bumpers;
@@ -12,7 +13,9 @@ import org.jspecify.annotations.Nullable;
  * hears the reason at the next call, or else as a notice when the drive is over. For one session; thread-safe.
  */
 public final class ContinuousDrive {
-    private final PioneerSession session;
+    private final VelocitySetpoint velocity;
+    private final ReportedState state;
+    private final Supplier<Bumpers> bumpers;
     private final MotorPower motors;
     private final TimeSource time;
     private final Consumer<String> notice;
@@ -21,8 +24,16 @@ public final class ContinuousDrive {
     private @Nullable String untold;
     private long beganNanos;
 
-    ContinuousDrive(PioneerSession session, MotorPower motors, TimeSource time, Consumer<String> notice) {
-        this.session = session;
+    ContinuousDrive(
+            VelocitySetpoint velocity,
+            ReportedState state,
+            Supplier<Bumpers> bumpers,
+            MotorPower motors,
+            TimeSource time,
+            Consumer<String> notice) {
+        this.velocity = velocity;
+        this.state = state;
+        this.bumpers = bumpers;
         this.motors = motors;
         this.time = time;
         this.notice = notice;
@@ -43,7 +54,7 @@ public final class ContinuousDrive {
     private synchronized void go(double mmPerSec, double degPerSec) {
         failIfEnded();
         begin(MotionFaults.Direction.of(mmPerSec));
-        session.wheels().drive(mmPerSec, degPerSec);
+        velocity.drive(mmPerSec, degPerSec);
     }
 
     private synchronized void failIfEnded() {
@@ -57,7 +68,7 @@ public final class ContinuousDrive {
     private void begin(MotionFaults.Direction now) {
         if (now != heading) {
             heading = now;
-            troubles = new MotionFaults(Bumpers.of(session.model(), session.config()), now, session.state());
+            troubles = new MotionFaults(bumpers.get(), now, state.get());
             beganNanos = time.nanos();
         }
     }
@@ -69,7 +80,7 @@ public final class ContinuousDrive {
         if (reason != null) {
             end();
             untold = reason;
-            session.wheels().stop();
+            velocity.stop();
         }
     }
 
@@ -84,7 +95,7 @@ public final class ContinuousDrive {
     private synchronized @Nullable String endAndStand() {
         String reason = untold;
         end();
-        session.wheels().stop();
+        velocity.stop();
         return reason;
     }
 

@@ -21,7 +21,8 @@ public final class Maneuver {
     /** Before the robot's own rhythm is known, seconds. */
     private static final double USUAL_CYCLE_S = 0.1;
 
-    private final PioneerSession session;
+    private final VelocitySetpoint velocity;
+    private final ReportedState state;
     private final MotionTarget way;
     private final MotionFaults troubles;
     private final double limitS;
@@ -29,13 +30,14 @@ public final class Maneuver {
     private final SpeedController steering;
     private double movedS;
 
-    public Maneuver(PioneerSession session, MotionTarget way, MotionFaults troubles) {
-        this.session = session;
+    public Maneuver(VelocitySetpoint velocity, ReportedState state, MotionTarget way, MotionFaults troubles) {
+        this.velocity = velocity;
+        this.state = state;
         this.way = way;
         this.troubles = troubles;
         this.limitS = way.approach().limitS(Math.abs(way.target()));
         this.steering = new SpeedController(way.approach(), way.target());
-        this.holdsBefore = session.wheels().holds();
+        this.holdsBefore = velocity.holds();
     }
 
     /**
@@ -47,21 +49,21 @@ public final class Maneuver {
     public Value run(Motion motion) {
         double startedS = motion.seconds();
         while (!steering.isThere(motion.seconds() - startedS)) {
-            PioneerState now = session.state();
+            PioneerState now = state.get();
             double rate = steering.next(way.covered(now), way.rate(now), motion.seconds() - startedS, cycleS(now));
-            motion.send(() -> way.go(session.wheels(), rate, now));
+            motion.send(() -> way.go(velocity, rate, now));
             if (!hearsNext(now, motion)) {
                 return endEarly(motion);
             }
-            look(session.state(), motion.seconds() - startedS);
+            look(state.get(), motion.seconds() - startedS);
         }
-        motion.send(session.wheels()::stand);
-        return way.value(session.state());
+        motion.send(velocity::stand);
+        return way.value(state.get());
     }
 
     /** Waits for the next SIP, and looks at the guard at whatever else comes. */
     private boolean hearsNext(PioneerState last, Motion motion) {
-        return motion.await(() -> session.state().sip() != last.sip(), SIP_S) && motion.pause(0);
+        return motion.await(() -> state.get().sip() != last.sip(), SIP_S) && motion.pause(0);
     }
 
     private static double cycleS(PioneerState now) {
@@ -75,7 +77,7 @@ public final class Maneuver {
         if (trouble != null) {
             throw failed(trouble, now);
         }
-        if (session.wheels().holds() != holdsBefore) {
+        if (velocity.holds() != holdsBefore) {
             throw failed("the robot fell silent", now);
         }
         if (seconds - movedS > HELD_S && !steering.isThere(seconds)) {
@@ -92,11 +94,11 @@ public final class Maneuver {
 
     private Value endEarly(Motion motion) {
         if (!motion.guardReached()) {
-            throw failed("no word from the robot", session.state());
+            throw failed("no word from the robot", state.get());
         }
-        motion.send(session.wheels()::stop);
-        session.awaitStanding(STAND_S);
+        motion.send(velocity::stop);
+        state.awaitStationary(STAND_S);
         motion.check();
-        return way.value(session.state());
+        return way.value(state.get());
     }
 }

@@ -11,13 +11,15 @@ import majic.pioneer.arcos.ArcosCommand;
 public final class MotorPower {
     private static final double ON_S = 1;
 
-    private final PioneerSession session;
+    private final ArcosLine line;
+    private final ReportedState state;
     private final TimeSource time;
     private final Consumer<String> notice;
     private volatile long askedNanos;
 
-    MotorPower(PioneerSession session, TimeSource time, Consumer<String> notice) {
-        this.session = session;
+    MotorPower(ArcosLine line, ReportedState state, TimeSource time, Consumer<String> notice) {
+        this.line = line;
+        this.state = state;
         this.time = time;
         this.notice = notice;
     }
@@ -28,11 +30,11 @@ public final class MotorPower {
      * @throws MotionFailed if they do not come on
      */
     public void switchOn(Motion motion) {
-        if (session.state().motorsOn()) {
+        if (state.get().motorsOn()) {
             return;
         }
         motion.send(this::ask);
-        if (!motion.await(() -> session.state().motorsOn(), ON_S) && !motion.guardReached()) {
+        if (!motion.await(() -> state.get().motorsOn(), ON_S) && !motion.guardReached()) {
             throw new MotionFailed("the motors do not switch on; is the STOP button on the robot pressed?");
         }
     }
@@ -40,17 +42,17 @@ public final class MotorPower {
     /** Asks for them before a command that waits for nothing, once a second at most. */
     void switchOnSoon() {
         boolean asked = askedNanos != 0 && time.secondsSince(askedNanos) < ON_S;
-        if (!session.state().motorsOn() && !asked) {
+        if (!state.get().motorsOn() && !asked) {
             ask();
         }
     }
 
     private void ask() {
-        if (session.state().stopButton()) {
+        if (state.get().stopButton()) {
             throw new BotException("the STOP button on the robot is pressed");
         }
         askedNanos = time.nanos();
-        session.send(ArcosCommand.ENABLE.packet(1));
+        line.send(ArcosCommand.ENABLE.packet(1));
         notice.accept("motors on");
     }
 }

@@ -1,11 +1,7 @@
 package majic.pioneer.session;
 
-import java.util.function.BooleanSupplier;
-import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.MotionStopped;
-import majic.bot.Patience;
 import majic.bot.Pose;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
@@ -14,7 +10,9 @@ import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.arcos.Report;
+import majic.pioneer.arcos.ReportDecoder;
 import majic.pioneer.arcos.Sip;
+import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
@@ -29,7 +27,8 @@ import org.jspecify.annotations.Nullable;
  */
 public final class PioneerSession implements ArcosLine.Listener {
     private final ArcosLine line;
-    private final VelocitySetpoint wheels;
+    private final VelocitySetpoint velocity;
+    private final ReportedState reported;
     private final LinkWatch watch;
     private final MotorPower motors;
     private final ContinuousDrive driving;
@@ -43,7 +42,6 @@ public final class PioneerSession implements ArcosLine.Listener {
     private volatile Model model = Models.USUAL;
     private volatile @Nullable PioneerIdentity identity;
     private volatile @Nullable Config config;
-    private volatile @Nullable PioneerState state;
     private volatile @Nullable StateTracker tracker;
 
     /** Whose session it is. */
@@ -66,17 +64,18 @@ public final class PioneerSession implements ArcosLine.Listener {
 
     public PioneerSession(ArcosLine line, TimeSource time, Signal changes, Owner owner) {
         this.line = line;
-        this.wheels = new VelocitySetpoint(line, time);
+        this.velocity = new VelocitySetpoint(line, time);
+        this.reported = new ReportedState(line, changes);
         this.time = time;
         this.changes = changes;
         this.owner = owner;
-        this.watch = new LinkWatch(line, wheels, time, changes);
-        this.motors = new MotorPower(this, time, owner::say);
-        this.driving = new ContinuousDrive(this, motors, time, owner::say);
+        this.watch = new LinkWatch(line, velocity, time, changes);
+        this.motors = new MotorPower(line, reported, time, owner::say);
+        this.driving = new ContinuousDrive(velocity, reported, this::bumpers, motors, time, owner::say);
         this.subscriptions = new Subscriptions(line, time);
         this.connecting = new ConnectWait(changes, owner::hasGivenUp);
         this.inbox = new PacketInbox(connecting);
-        this.autobaud = new Autobaud(this, line);
+        this.autobaud = new Autobaud(line, reported);
     }
 
     /**
@@ -111,10 +110,10 @@ public final class PioneerSession implements ArcosLine.Listener {
         } else if (packet.type() == Config.TYPE) {
             config = Config.decode(packet);
             owner.heardMore();
-        } else if (packet.type() >= Report.RESET_FROM) {
+        } else if (packet.isReset()) {
             end(new LinkLost("connection lost: the robot's controller was reset"));
         } else {
-            heard(Report.decode(packet));
+            heard(ReportDecoder.decode(packet));
         }
     }
 
@@ -122,8 +121,10 @@ public final class PioneerSession implements ArcosLine.Listener {
         StateTracker tracking = tracker;
         if (report != null && tracking != null) {
             Reports reports = tracking.keep(report);
-            PioneerState now = state;
-            state = now == null ? null : now.with(reports);
+            PioneerState now = reported.last();
+            if (now != null) {
+                reported.set(now.with(reports));
+            }
             // Last: who waits for a fresh report looks into the state next.
             subscriptions.heard(report);
             owner.heardMore();
@@ -134,9 +135,9 @@ public final class PioneerSession implements ArcosLine.Listener {
         StateTracker tracking = tracker;
         if (sip != null && tracking != null) {
             PioneerState now = tracking.track(sip, time.nanos());
-            state = now;
+            reported.set(now);
             if (!now.isMoving()) {
-                wheels.release();
+                velocity.release();
             }
             driving.look(now);
             owner.heard(this, now);
@@ -153,7 +154,7 @@ public final class PioneerSession implements ArcosLine.Listener {
 
     /** Does what the silence on either end asks for; to be called every {@link LinkWatch#PERIOD_S}. */
     public void watch() {
-        PioneerState now = state;
+        PioneerState now = reported.last();
         if (now != null && !line.hasEnded()) {
             LinkLost cause = watch.look(now);
             if (cause != null) {
@@ -164,8 +165,8 @@ public final class PioneerSession implements ArcosLine.Listener {
 
     /** Asks for packets that somebody lacks, if the robot speaks: a request would bring a silent one's motion back to life. */
     public void request() {
-        PioneerState now = state;
-        if (now != null && !wheels.areHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
+        PioneerState now = reported.last();
+        if (now != null && !velocity.areHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
             subscriptions.request();
         }
     }
@@ -183,46 +184,8 @@ public final class PioneerSession implements ArcosLine.Listener {
         line.close();
     }
 
-    /**
-     * Waits for the robot to stand, as a SIP tells that is yet to come.
-     *
-     * @return whether it was seen to stand in time
-     * @throws LinkLost if the line ended meanwhile: nobody saw whether it stands
-     * @throws BotException if the thread is interrupted meanwhile
-     */
-    public boolean awaitStanding(double seconds) {
-        PioneerState before = state;
-        Sip old = before == null ? null : before.sip();
-        boolean stands = awaitState(now -> now.sip() != old && !now.isMoving(), seconds);
-        LinkLost end = line.end();
-        if (!stands && end != null) {
-            throw new LinkLost(end.getMessage(), end);
-        }
-        return stands;
-    }
-
-    /**
-     * Waits until the robot says something; a thread that may not wait only looks whether it has.
-     *
-     * @return whether it said so in time
-     * @throws BotException if the thread is interrupted meanwhile
-     */
-    public boolean awaitState(Predicate<PioneerState> what, double seconds) {
-        BooleanSupplier said = () -> {
-            PioneerState now = state;
-            return now != null && what.test(now);
-        };
-        try {
-            changes.await(() -> line.hasEnded() || said.getAsBoolean(), Patience.isAllowed() ? seconds : 0);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new MotionStopped("interrupted");
-        }
-        return said.getAsBoolean();
-    }
-
-    public boolean hasSpoken() {
-        return state != null;
+    public boolean hasReported() {
+        return reported.isKnown();
     }
 
     /**
@@ -247,8 +210,8 @@ public final class PioneerSession implements ArcosLine.Listener {
         return subscriptions;
     }
 
-    public VelocitySetpoint wheels() {
-        return wheels;
+    public VelocitySetpoint velocity() {
+        return velocity;
     }
 
     public MotorPower motors() {
@@ -278,12 +241,18 @@ public final class PioneerSession implements ArcosLine.Listener {
         return config;
     }
 
-    /** What the robot last said; there is something once the session has begun. */
+    /** The bumper segments that the robot has. */
+    public Bumpers bumpers() {
+        return Bumpers.of(model, config);
+    }
+
+    /** The last state that the robot reported. */
     public PioneerState state() {
-        PioneerState now = state;
-        if (now == null) {
-            throw new BotException("no reading yet");
-        }
-        return now;
+        return reported.get();
+    }
+
+    /** Waits for states. */
+    public ReportedState reported() {
+        return reported;
     }
 }

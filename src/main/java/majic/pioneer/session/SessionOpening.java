@@ -62,7 +62,7 @@ final class SessionOpening {
     /** The first CONFIG is asked for together with OPEN; its answer then comes while the first SIP is awaited. */
     private void startSips() {
         line.send(ArcosCommand.OPEN.packet(1), ArcosCommand.CONFIG.packet(1));
-        require(session::hasSpoken, FIRST_SIP_S, "answered the handshake, but sends no data within 2 s");
+        require(session::hasReported, FIRST_SIP_S, "answered the handshake, but sends no data within 2 s");
     }
 
     private void askConfig() {
@@ -78,7 +78,7 @@ final class SessionOpening {
     }
 
     private boolean seesAllAround() {
-        return session.hasSpoken()
+        return session.hasReported()
                 && Arrays.stream(Side.values())
                         .filter(side -> session.model().discs().stream().anyMatch(side::isWatchedBy))
                         .allMatch(session.state().gaps()::containsKey);

@@ -47,7 +47,6 @@ public record PioneerState(
     private static final int STOP_ENGAGED = 1 << 6;
     private static final int FAR_LEDGE = 1 << 7;
     private static final int NEAR_LEDGE = 1 << 8;
-    private static final int JOYSTICK_BUTTON = 1 << 9;
     private static final int DEG_PER_COMPASS_STEP = 2;
 
     /** At or below this the byte means that there is no thermometer (ARCOS sheet 17). */
@@ -106,11 +105,6 @@ public record PioneerState(
     /** FLAGS bits 7 and 8: an infra-red sensor looks down a step, farther ahead or right in front. */
     public boolean ledge() {
         return hasFlag(FAR_LEDGE | NEAR_LEDGE);
-    }
-
-    /** FLAGS bit 9. */
-    boolean joystickButton() {
-        return hasFlag(JOYSTICK_BUTTON);
     }
 
     private boolean hasFlag(int bits) {

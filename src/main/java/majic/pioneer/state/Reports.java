@@ -3,8 +3,6 @@ package majic.pioneer.state;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
-import majic.pioneer.arcos.AuxBytes;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Report;
 
@@ -23,15 +21,9 @@ public final class Reports {
     /** These with a newer one in place of the last of its kind. */
     Reports with(Report report) {
         List<Report> now = new ArrayList<>(latest);
-        now.removeIf(older -> areOfOneKind(older, report));
+        now.removeIf(older -> older.getClass() == report.getClass());
         now.add(report);
         return new Reports(List.copyOf(now), report instanceof Encoders encoders ? counted(encoders) : ticks);
-    }
-
-    private static boolean areOfOneKind(Report one, Report other) {
-        boolean samePort =
-                !(one instanceof AuxBytes some && other instanceof AuxBytes more && some.port() != more.port());
-        return one.getClass() == other.getClass() && samePort;
     }
 
     private EncoderTicks counted(Encoders now) {
@@ -40,18 +32,9 @@ public final class Reports {
                 .orElse(new EncoderTicks(now.leftTicks(), now.rightTicks()));
     }
 
-    /** The last one of a kind. */
+    /** The last one of a kind; empty before the first. */
     public <R extends Report> Optional<R> latest(Class<R> kind) {
-        return all(kind).findFirst();
-    }
-
-    /** The last bytes of one of the controller's serial ports, 1 to 3. */
-    Optional<AuxBytes> aux(int port) {
-        return all(AuxBytes.class).filter(bytes -> bytes.port() == port).findFirst();
-    }
-
-    private <R extends Report> Stream<R> all(Class<R> kind) {
-        return latest.stream().filter(kind::isInstance).map(kind::cast);
+        return latest.stream().filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
     /** What the wheels' encoders have counted, without the roll-over. */

@@ -14,7 +14,7 @@ class ConfigTest {
     void theVendorsSimulatorDescribesItself() {
         Config config = Config.decode(Bytes.packet(Bytes.CONFIG));
 
-        assertThat(config.subclass()).isEqualTo("p3dx");
+        assertThat(config.text(ConfigField.SUBCLASS)).isEqualTo("p3dx");
         assertThat(config.text(ConfigField.SERNUM)).isEqualTo("SIM");
         assertThat(config.text(ConfigField.NAME)).isEqualTo("AMRISim");
         assertThat(config.speedTopMmPerSec()).isEqualTo(9999);
@@ -35,7 +35,7 @@ class ConfigTest {
         assertThat(config.number(ConfigField.TRANSDECEL)).isEqualTo(300);
         assertThat(config.frontBumpers()).isZero();
         assertThat(config.autobaud()).isEqualTo(2);
-        assertThat(config.version()).isEqualTo("S.0");
+        assertThat(config.text(ConfigField.FIRMWARE)).isEqualTo("S.0");
         assertThat(config.number(ConfigField.LATVELTOP)).isEqualTo(9999);
         assertThat(config.number(ConfigField.LATACCTOP)).isEqualTo(9999);
         assertThat(config.number(ConfigField.CHARGETHRESHOLD)).isZero();
@@ -65,7 +65,7 @@ class ConfigTest {
             Config config = decode(Arrays.copyOf(whole, length));
             assertThat(config.number(ConfigField.WATCHDOG)).isIn(0L, 2000L);
             assertThat(config.speedMaxMmPerSec()).isIn(0, 3000);
-            assertThat("S.0").startsWith(config.version());
+            assertThat("S.0").startsWith(config.text(ConfigField.FIRMWARE));
         }
     }
 
@@ -75,7 +75,7 @@ class ConfigTest {
 
         assertThat(config.number(ConfigField.TRANSDECEL)).isEqualTo(300);
         assertThat(config.frontBumpers()).isZero();
-        assertThat(config.version()).isEmpty();
+        assertThat(config.text(ConfigField.FIRMWARE)).isEmpty();
     }
 
     @Test

@@ -8,7 +8,7 @@ import majic.bot.Pose;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Joystick;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.arcos.Report;
+import majic.pioneer.arcos.ReportDecoder;
 import majic.pioneer.arcos.SipBytes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -82,7 +82,6 @@ class PioneerStateTest {
         assertThat(state.stopButton()).isTrue();
         assertThat(state.stopEngaged()).isTrue();
         assertThat(state.ledge()).isTrue();
-        assertThat(state.joystickButton()).isTrue();
         assertThat(state.motorsOn()).isFalse();
         assertThat(state.power().chargerConnected()).isFalse();
     }
@@ -98,14 +97,11 @@ class PioneerStateTest {
     @Test
     void packetsBesideTheSipsStayUntilTheNextOfTheirKind() {
         hear("F8", "01 00 00 02 00 02 00 00");
-        hear("B0", "68");
-        hear("B8", "69");
+        hear("90", "01 00 00 00 02 00 00 00");
         PioneerState state = hear("F8", "00 00 00 02 00 02 00 00");
 
         assertThat(state.joystick()).hasValue(new Joystick(false, false, 512, 512, 0));
-        assertThat(state.reports().aux(1).orElseThrow().bytes()).containsExactly('h');
-        assertThat(state.reports().aux(2).orElseThrow().bytes()).containsExactly('i');
-        assertThat(state.reports().aux(3)).isEmpty();
+        assertThat(state.encoders()).hasValue(new EncoderTicks(1, 2));
     }
 
     @Test
@@ -142,7 +138,7 @@ class PioneerStateTest {
     private PioneerState hear(String type, String data) {
         byte[] bytes = Bytes.of(data);
         Packet packet = new Packet(Integer.parseInt(type, 16), bytes, 0, bytes.length);
-        tracker.keep(Objects.requireNonNull(Report.decode(packet)));
+        tracker.keep(Objects.requireNonNull(ReportDecoder.decode(packet)));
         return tracker.track(new SipBytes().sip(), 1);
     }
 }

@@ -1,11 +1,11 @@
-package majic.pioneer.session;
+package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Objects;
 import majic.LabRig;
-import majic.pioneer.MajicPioneer;
 import majic.pioneer.arcos.Batteries;
+import majic.pioneer.session.PioneerSession;
 import majic.pioneer.state.EncoderTicks;
 import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
@@ -52,7 +52,7 @@ class PacketsInLabTest {
 
     private EncoderTicks encoders() {
         session().subscriptions().want(Feed.ENCODERS);
-        assertThat(session().awaitState(state -> state.encoders().isPresent(), 2))
+        assertThat(session().reported().await(state -> state.encoders().isPresent(), 2))
                 .isTrue();
         return state().encoders().orElseThrow();
     }

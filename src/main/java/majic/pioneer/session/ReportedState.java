@@ -1,0 +1,101 @@
+package majic.pioneer.session;
+
+import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.MotionStopped;
+import majic.bot.Patience;
+import majic.bot.Signal;
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.state.PioneerState;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The last state that the robot reported in one session, and waiting for later ones. Set by the line's reader thread;
+ * read and awaited from any thread.
+ */
+public final class ReportedState {
+    private final ArcosLine line;
+    private final Signal changes;
+    private volatile @Nullable PioneerState last;
+
+    /**
+     * Creates one without a state.
+     *
+     * @param changes raised after each report, and when the line ends
+     */
+    ReportedState(ArcosLine line, Signal changes) {
+        this.line = line;
+        this.changes = changes;
+    }
+
+    void set(PioneerState state) {
+        last = state;
+    }
+
+    /** The last state; null before the first. */
+    @Nullable
+    PioneerState last() {
+        return last;
+    }
+
+    /** Whether the robot has reported a state in this session. */
+    public boolean isKnown() {
+        return last != null;
+    }
+
+    /**
+     * The last state.
+     *
+     * @throws BotException before the first one; a session that has been opened has one
+     */
+    public PioneerState get() {
+        PioneerState now = last;
+        if (now == null) {
+            throw new BotException("no reading yet");
+        }
+        return now;
+    }
+
+    /**
+     * Waits until the reported state meets a condition, or the line ends. A thread that must not wait only tests the last
+     * state.
+     *
+     * @param seconds the longest wait
+     * @return whether the last state meets it
+     * @throws MotionStopped if the thread is interrupted meanwhile
+     */
+    public boolean await(Predicate<PioneerState> condition, double seconds) {
+        BooleanSupplier met = () -> {
+            PioneerState now = last;
+            return now != null && condition.test(now);
+        };
+        try {
+            changes.await(() -> line.hasEnded() || met.getAsBoolean(), Patience.isAllowed() ? seconds : 0);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new MotionStopped("interrupted");
+        }
+        return met.getAsBoolean();
+    }
+
+    /**
+     * Waits for a SIP, newer than the last, that shows the robot stationary.
+     *
+     * @param seconds the longest wait
+     * @return whether one came in time
+     * @throws LinkLost if the line ended before: whether the robot is stationary is not known
+     * @throws MotionStopped if the thread is interrupted meanwhile
+     */
+    public boolean awaitStationary(double seconds) {
+        PioneerState before = last;
+        Sip old = before == null ? null : before.sip();
+        boolean stationary = await(now -> now.sip() != old && !now.isMoving(), seconds);
+        LinkLost end = line.end();
+        if (!stationary && end != null) {
+            throw new LinkLost(end.getMessage(), end);
+        }
+        return stationary;
+    }
+}
