@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import majic.bot.Patience;
+import majic.bot.TimeSource;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
@@ -19,20 +20,25 @@ final class Access {
 
     private static final long STALE_NANOS = 1_500_000_000;
 
-    private final MajicHemisson bot;
+    private final Senses senses;
+    private final Answers answers;
+    private final TimeSource time;
 
-    Access(MajicHemisson bot) {
-        this.bot = bot;
+    Access(Senses senses, Answers answers, TimeSource time) {
+        this.senses = senses;
+        this.answers = answers;
+        this.time = time;
     }
 
-    MajicHemisson bot() {
-        return bot;
+    /** The robot's clock, ns. */
+    long nanos() {
+        return time.nanos();
     }
 
     /** Reads what the proximity sensors saw last. */
     Supplier<Value> seen(Function<Proximity, Value> reading) {
         return () -> {
-            Proximity seen = bot.overseer().seen();
+            Proximity seen = senses.seen();
             return seen == null ? Value.unknown("no reading yet") : reading.apply(seen);
         };
     }
@@ -57,12 +63,12 @@ final class Access {
 
     /** Has something looked at for the next seconds. */
     void want(Look look) {
-        bot.overseer().senses().want(look, bot.nanos());
+        senses.want(look, time.nanos());
     }
 
     /** Lets a module do its work. */
     void pause(double seconds) {
-        bot.answers().pause(seconds);
+        answers.pause(seconds);
     }
 
     /** The answer to a question, fresh if there is time to wait for it; null if there is not and it was not heard. */
@@ -76,17 +82,17 @@ final class Access {
     /** What was heard of late. */
     @Nullable
     Reply last(Question question, long ageNanos) {
-        return bot.overseer().senses().last(question, bot.nanos(), ageNanos);
+        return senses.last(question, time.nanos(), ageNanos);
     }
 
     /** Asks something now and waits for the answer. */
     Reply ask(Question question) {
-        return bot.answers().ask(question);
+        return answers.ask(question);
     }
 
     /** Tells the robot something, and waits until it has confirmed it where the thread may wait. */
     void tell(Question order) {
-        bot.answers().tell(order);
+        answers.tell(order);
     }
 
     static Value count(int number) {

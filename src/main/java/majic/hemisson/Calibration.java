@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.bot.Range;
 import majic.bot.Settings;
@@ -15,10 +16,17 @@ final class Calibration {
 
     private final Settings settings;
     private final String prefix;
+    private final Consumer<SpeedTable> changed;
     private volatile SpeedTable table;
 
-    Calibration(Settings settings, String address) {
+    /**
+     * Reads what was kept.
+     *
+     * @param changed takes each new table, also one that could not be kept; on the thread that changes it
+     */
+    Calibration(Settings settings, String address, Consumer<SpeedTable> changed) {
         this.settings = settings;
+        this.changed = changed;
         this.prefix = "hemisson." + address.replaceFirst("^(tcp:)?//", "") + ".";
         this.table = new SpeedTable(
                 keptSpeeds(),
@@ -33,6 +41,14 @@ final class Calibration {
     /** Takes another table, for the motions from the next one on, and keeps it; it holds also where that fails. */
     void learn(SpeedTable better) {
         table = better;
+        try {
+            keep(better);
+        } finally {
+            changed.accept(better);
+        }
+    }
+
+    private void keep(SpeedTable better) {
         settings.put(
                 prefix + "speedTable",
                 better.speedsMmPerSec().stream().map(Calibration::text).collect(Collectors.joining(" ")));

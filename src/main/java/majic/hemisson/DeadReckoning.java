@@ -1,16 +1,29 @@
 package majic.hemisson;
 
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import majic.bot.BotState;
 import majic.bot.Pose;
+import majic.bot.TimeSource;
 
 /** Where the robot should be by what its wheels were told, and what it publishes of that. Thread-safe. */
 final class DeadReckoning {
-    private final MajicHemisson bot;
+    private final TimeSource time;
+    private final Consumer<BotState> states;
+    private final BooleanSupplier mayMoveUntold;
     private volatile Track track;
 
-    /** Standing at its start. */
-    DeadReckoning(MajicHemisson bot, SpeedTable table) {
-        this.bot = bot;
-        this.track = Track.standing(Pose.START, bot.nanos(), table);
+    /**
+     * Stationary at its start.
+     *
+     * @param states takes each new estimate; called by any thread, must not wait
+     * @param mayMoveUntold whether the robot may move by itself without a way to ask for its speeds
+     */
+    DeadReckoning(TimeSource time, SpeedTable table, Consumer<BotState> states, BooleanSupplier mayMoveUntold) {
+        this.time = time;
+        this.states = states;
+        this.mayMoveUntold = mayMoveUntold;
+        this.track = Track.standing(Pose.START, time.nanos(), table);
     }
 
     Track track() {
@@ -19,12 +32,12 @@ final class DeadReckoning {
 
     /** Begins anew at the start, for a new connection. */
     void begin() {
-        track = Track.standing(Pose.START, bot.nanos(), track.table());
+        track = Track.standing(Pose.START, time.nanos(), track.table());
     }
 
     /** Goes on with another calibration. */
     void use(SpeedTable table) {
-        long now = bot.nanos();
+        long now = time.nanos();
         track = new Track(track.at(now), now, track.wheels(), table);
     }
 
@@ -36,7 +49,7 @@ final class DeadReckoning {
 
     /** Tells everybody where it should be now. */
     void publish() {
-        boolean moving = !track.wheels().isStill() || bot.identity().mayMoveUntold();
-        bot.tell(track.state(bot.nanos(), moving));
+        boolean moving = !track.wheels().isStill() || mayMoveUntold.getAsBoolean();
+        states.accept(track.state(time.nanos(), moving));
     }
 }

@@ -56,10 +56,10 @@ final class Handshake {
         }
     }
 
-    /** What is plugged in, of a robot that {@link #run} has let stand. Firmware before 1.41 cannot tell. */
-    Modules scan() {
-        Reply modules = ask(Question.MODULES);
-        return modules == null ? Modules.NONE : Modules.of(modules);
+    /** The answer about what is plugged in, of a robot that {@link #run} has stopped; null from firmware before 1.41. */
+    @Nullable
+    Reply scan() {
+        return ask(Question.MODULES);
     }
 
     /**

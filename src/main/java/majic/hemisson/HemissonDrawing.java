@@ -47,11 +47,11 @@ final class HemissonDrawing extends JPanel {
     }
 
     /** Shows another moment; on the event dispatch thread. */
-    void show(HemissonView newView, Lamps lamps) {
+    void show(HemissonView newView) {
         view = newView;
         for (LampButton button : buttons) {
             Lamp lamp = button.lamp();
-            button.show(lamp.isOn(lamps), lampSwitch.isWaiting(lamp), view.isConnected());
+            button.show(lamp.isOn(newView), lampSwitch.isWaiting(lamp), view.isConnected());
         }
         repaint();
     }

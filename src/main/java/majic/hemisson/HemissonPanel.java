@@ -1,9 +1,12 @@
 package majic.hemisson;
 
 import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import majic.bot.BotState;
+import majic.bot.MajicBot;
 import majic.panel.Aside;
 import majic.panel.Banner;
 import majic.panel.Dashboard;
@@ -17,7 +20,7 @@ import majic.panel.map.ZoomableMap;
 final class HemissonPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
-    private final transient MajicHemisson bot;
+    private final transient Supplier<HemissonView> views;
     private final HemissonDrawing drawing;
     private final transient FloorDrawing floor = new FloorDrawing();
     private final ZoomableMap map = new ZoomableMap(floor);
@@ -26,10 +29,11 @@ final class HemissonPanel extends NewsPanel {
     private final transient HemissonAdvice advice = new HemissonAdvice();
     private final Banner banner = new Banner();
 
-    private HemissonPanel(MajicHemisson bot) {
+    private HemissonPanel(MajicBot bot, Supplier<HemissonView> views, Executor background) {
         super(bot);
-        this.bot = bot;
-        this.drawing = new HemissonDrawing(HemissonView.of(bot), new LampSwitch(bot, this::refused));
+        this.views = views;
+        this.drawing = new HemissonDrawing(
+                views.get(), new LampSwitch(bot, background, lamp -> lamp.isOn(views.get()), this::refused));
         map.getAccessibleContext().setAccessibleName("Map of the way the Hemisson should have come, an estimate");
         add(drawing);
         add(lights.panel());
@@ -40,9 +44,14 @@ final class HemissonPanel extends NewsPanel {
         setLayout(new Dashboard(drawing, 1, asides, numbers).under(banner));
     }
 
-    /** Makes the panel; on the event dispatch thread. */
-    static JComponent create(MajicHemisson bot) {
-        HemissonPanel panel = new HemissonPanel(bot);
+    /**
+     * Makes the panel; on the event dispatch thread.
+     *
+     * @param views takes what is to be shown; called by any thread
+     * @param background runs a task on a thread of its own, for commands that wait for the robot
+     */
+    static JComponent create(MajicBot bot, Supplier<HemissonView> views, Executor background) {
+        HemissonPanel panel = new HemissonPanel(bot, views, background);
         panel.refreshOnNews();
         return panel;
     }
@@ -54,14 +63,14 @@ final class HemissonPanel extends NewsPanel {
 
     @Override
     protected void refresh() {
-        HemissonView view = HemissonView.of(bot);
+        HemissonView view = views.get();
         numbers.show(view);
         lights.show(view);
         HemissonAdvice.Words words = advice.on(view, System.nanoTime());
         banner.show(words.text(), words.urgent());
         floor.show(view);
         map.repaint();
-        drawing.show(view, bot.lamps());
+        drawing.show(view);
     }
 
     /** Called on the thread that waited for the robot. */

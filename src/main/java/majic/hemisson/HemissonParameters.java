@@ -2,15 +2,23 @@ package majic.hemisson;
 
 import majic.bot.ParameterTable;
 
-/** What can be read from and set on every Hemisson; {@link Modules} adds what is plugged in. */
-final class HemissonParameters {
-    private HemissonParameters() {}
-
-    static void describe(ParameterTable table, Access access) {
+/**
+ * What can be read from and set on every Hemisson; {@link Modules} adds what is plugged in.
+ *
+ * @param access reads from the robot and sends to it
+ * @param lamps the LEDs and the buzzer
+ * @param pins the pins of the extension connector
+ * @param calibration what the motor values mean
+ * @param robot what else is known of it
+ */
+record HemissonParameters(
+        Access access, Lamps lamps, Pins pins, Calibration calibration, RobotParameters.Source robot) {
+    /** Adds all of them. */
+    void describe(ParameterTable table) {
         new InfraredParameters(table, access).describe();
-        new LampParameters(table, access.bot().lamps()).describe();
-        new WheelParameters(table, access).describe();
-        new RobotParameters(table, access).describe();
-        new PinParameters(table, access).describe();
+        new LampParameters(table, lamps).describe();
+        new WheelParameters(table, access, calibration).describe();
+        new RobotParameters(table, access, robot).describe();
+        new PinParameters(table, access, pins).describe();
     }
 }

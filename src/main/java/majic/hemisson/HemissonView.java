@@ -29,12 +29,6 @@ record HemissonView(
         Identity identity,
         List<Integer> switches) {
 
-    /** Light read longer ago than this may be another. */
-    private static final double FRESH_S = 3;
-
-    /** How long a missed answer is worth a look. */
-    private static final double LATELY_S = 5;
-
     /**
      * How well the robot is reached.
      *
@@ -45,42 +39,7 @@ record HemissonView(
      * @param outOfControl whether it may move though nobody can tell it anything
      */
     record Line(
-            Connection connection, LinkQuality quality, boolean missesAnswers, double silentS, boolean outOfControl) {
-        static Line of(MajicHemisson bot) {
-            LinkQuality quality = bot.sessions().quality();
-            return new Line(
-                    bot.connection(),
-                    quality,
-                    quality.hasMissedSince(bot.nanos() - (long) (LATELY_S * 1e9)),
-                    bot.isConnected() ? bot.sessions().silentSeconds() : 0,
-                    isOutOfControl(bot));
-        }
-    }
-
-    private static boolean isOutOfControl(MajicHemisson bot) {
-        Session open = bot.sessions().current();
-        return open != null
-                && (open.conversation().isUnreached()
-                        || (bot.isLost() && open.conversation().mayMove()));
-    }
-
-    static HemissonView of(MajicHemisson bot) {
-        return new HemissonView(
-                Line.of(bot),
-                bot.overseer().seen(),
-                freshLight(bot),
-                bot.overseer().reckoning().track().wheels(),
-                bot.state(),
-                bot.lamps().leds(),
-                bot.lamps().isBuzzing(),
-                bot.identity(),
-                bot.spectator().switches());
-    }
-
-    private static @Nullable List<Integer> freshLight(MajicHemisson bot) {
-        Spectator.Light light = bot.spectator().light();
-        return light != null && bot.nanos() - light.atNanos() < FRESH_S * 1e9 ? light.raw() : null;
-    }
+            Connection connection, LinkQuality quality, boolean missesAnswers, double silentS, boolean outOfControl) {}
 
     boolean isConnected() {
         return line.connection() == Connection.CONNECTED;

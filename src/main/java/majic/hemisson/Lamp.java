@@ -4,24 +4,24 @@ import java.util.function.Predicate;
 
 /** What can be clicked on the drawing: the four lamps and the buzzer, where they sit on the robot, mm. */
 enum Lamp {
-    LEFT("ledLeft", "front left lamp", 34, 25, lamps -> lamps.leds().left()),
-    RIGHT("ledRight", "front right lamp", 34, -25, lamps -> lamps.leds().right()),
+    LEFT("ledLeft", "front left lamp", 34, 25, view -> view.leds().left()),
+    RIGHT("ledRight", "front right lamp", 34, -25, view -> view.leds().right()),
     ON_OFF(
             "ledOnOff",
             "On/Off lamp; the robot takes it back within half a second",
             -14,
             24,
-            lamps -> lamps.leds().onOff()),
-    PGM("ledPgm", "Pgm/Exec lamp", -14, -24, lamps -> lamps.leds().pgm()),
-    BUZZER("beep", "buzzer", -14, 0, Lamps::isBuzzing);
+            view -> view.leds().onOff()),
+    PGM("ledPgm", "Pgm/Exec lamp", -14, -24, view -> view.leds().pgm()),
+    BUZZER("beep", "buzzer", -14, 0, HemissonView::buzzing);
 
     private final String parameter;
     private final String words;
     private final double xMm;
     private final double yMm;
-    private final Predicate<Lamps> reader;
+    private final Predicate<HemissonView> reader;
 
-    Lamp(String parameter, String words, double xMm, double yMm, Predicate<Lamps> reader) {
+    Lamp(String parameter, String words, double xMm, double yMm, Predicate<HemissonView> reader) {
         this.parameter = parameter;
         this.words = words;
         this.xMm = xMm;
@@ -48,8 +48,8 @@ enum Lamp {
         return yMm;
     }
 
-    /** What the driver believes of it. */
-    boolean isOn(Lamps lamps) {
-        return reader.test(lamps);
+    /** Whether it is on, as far as the driver can tell. */
+    boolean isOn(HemissonView view) {
+        return reader.test(view);
     }
 }

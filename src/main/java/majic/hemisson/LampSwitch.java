@@ -3,7 +3,10 @@ package majic.hemisson;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
+import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.Value;
 import majic.bot.Value.Flag.Words;
@@ -14,7 +17,9 @@ import org.jspecify.annotations.Nullable;
  * end in the last one's wish. Thread-safe; whoever clicks never waits.
  */
 final class LampSwitch {
-    private final MajicHemisson bot;
+    private final BotControl bot;
+    private final Executor background;
+    private final Predicate<Lamp> isOn;
     private final Consumer<String> refused;
     private final Map<Lamp, Boolean> wanted = new EnumMap<>(Lamp.class);
     private boolean working;
@@ -22,23 +27,27 @@ final class LampSwitch {
     /**
      * Nothing clicked yet.
      *
-     * @param refused takes why a lamp was not switched, on the thread beside
+     * @param background runs a task on a thread of its own
+     * @param isOn whether one is on now, as far as the driver can tell
+     * @param refused takes why one was not switched, on the background thread
      */
-    LampSwitch(MajicHemisson bot, Consumer<String> refused) {
+    LampSwitch(BotControl bot, Executor background, Predicate<Lamp> isOn, Consumer<String> refused) {
         this.bot = bot;
+        this.background = background;
+        this.isOn = isOn;
         this.refused = refused;
     }
 
     /** Switches a lamp over, from what was wanted of it last. */
     void toggle(Lamp lamp) {
         synchronized (wanted) {
-            wanted.put(lamp, !wanted.getOrDefault(lamp, lamp.isOn(bot.lamps())));
+            wanted.put(lamp, !wanted.getOrDefault(lamp, isOn.test(lamp)));
             if (working) {
                 return;
             }
             working = true;
         }
-        bot.aside("lamps", this::work);
+        background.execute(this::work);
     }
 
     /** Whether the robot has not yet confirmed what was clicked. */

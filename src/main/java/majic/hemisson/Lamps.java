@@ -4,12 +4,12 @@ import java.util.function.UnaryOperator;
 
 /** The lamps and the buzzer: switched together, and never told by the robot, so their state is kept here. Thread-safe. */
 final class Lamps {
-    private final MajicHemisson bot;
+    private final Answers answers;
     private volatile Leds leds = Leds.OFF;
     private volatile boolean buzzing;
 
-    Lamps(MajicHemisson bot) {
-        this.bot = bot;
+    Lamps(Answers answers) {
+        this.answers = answers;
     }
 
     Leds leds() {
@@ -23,13 +23,13 @@ final class Lamps {
     /** Changes the lamps and waits for the robot to confirm. */
     void light(UnaryOperator<Leds> change) {
         Leds wanted = change.apply(leds);
-        bot.answers().tell(Question.leds(wanted));
+        answers.tell(Question.leds(wanted));
         leds = wanted;
     }
 
     /** Switches the buzzer and waits for the robot to confirm. */
     void buzz(boolean on) {
-        bot.answers().tell(Question.buzzer(on));
+        answers.tell(Question.buzzer(on));
         buzzing = on;
     }
 

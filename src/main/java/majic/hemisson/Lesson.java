@@ -19,10 +19,23 @@ final class Lesson implements CalibrateCommand.Pupil {
     /** What is to be believed of its speed, as a multiple of what the manual says. */
     private static final Range SENSIBLE = new Range(0.2, 2.7);
 
-    private final MajicHemisson bot;
+    private final Calibration calibration;
+    private final OpenLoop motions;
+    private final Pace pace;
 
-    Lesson(MajicHemisson bot) {
-        this.bot = bot;
+    /** How fast the robot usually goes. */
+    interface Pace {
+        /** Straight, mm/s. */
+        double mmPerSec();
+
+        /** On the spot, deg/s. */
+        double degPerSec();
+    }
+
+    Lesson(Calibration calibration, OpenLoop motions, Pace pace) {
+        this.calibration = calibration;
+        this.motions = motions;
+        this.pace = pace;
     }
 
     @Override
@@ -32,12 +45,12 @@ final class Lesson implements CalibrateCommand.Pupil {
 
     @Override
     public Trial go(String direction, Motion motion) {
-        SpeedTable table = bot.speeds();
+        SpeedTable table = calibration.table();
         return direction.equals(FORWARD) ? drive(table, motion) : spin(table, motion);
     }
 
     private Trial drive(SpeedTable table, Motion motion) {
-        double mmPerSec = table.mmPerSec(Math.max(SpeedTable.SLOWEST, table.nearest(bot.cruise())));
+        double mmPerSec = table.mmPerSec(Math.max(SpeedTable.SLOWEST, table.nearest(pace.mmPerSec())));
         Leg leg = Leg.straight(mmPerSec * LESSON_S, mmPerSec, table);
         CalibrateCommand.letMark(
                 motion,
@@ -51,7 +64,7 @@ final class Lesson implements CalibrateCommand.Pupil {
     }
 
     private Trial spin(SpeedTable table, Motion motion) {
-        double rate = bot.cruiseTurn();
+        double rate = pace.degPerSec();
         Leg leg = Leg.spin(rate * LESSON_S, rate, table);
         CalibrateCommand.letMark(
                 motion, "which way it looks", "spins to the left for about " + LESSON_S + " s: count the turns");
@@ -63,11 +76,11 @@ final class Lesson implements CalibrateCommand.Pupil {
     }
 
     private double go(Leg leg, Motion motion) {
-        return new OpenLoop(bot, motion).run(leg).number();
+        return motions.run(leg, motion).number();
     }
 
     private String learnSpeed(SpeedTable table, SpeedTable better) {
-        bot.learn(better);
+        calibration.learn(better);
         return String.format(
                 Locale.ROOT,
                 "drove %.1f mm/s at motor value 3 before, drives %.1f mm/s now; kept for this robot",
@@ -76,7 +89,7 @@ final class Lesson implements CalibrateCommand.Pupil {
     }
 
     private String learnWheelDistance(SpeedTable table, double mm) {
-        bot.learn(table.withWheelDistance(mm));
+        calibration.learn(table.withWheelDistance(mm));
         return String.format(
                 Locale.ROOT,
                 "wheels were %.1f mm apart before, are %.1f mm now; kept for this robot",

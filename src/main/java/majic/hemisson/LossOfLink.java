@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import java.io.IOException;
+import java.util.function.Consumer;
 import majic.bot.LinkLost;
 
 /**
@@ -10,10 +11,12 @@ import majic.bot.LinkLost;
 final class LossOfLink {
     private static final double SILENCE_S = 2;
 
-    private final MajicHemisson bot;
+    private final Consumer<LinkLost> lost;
+    private final Consumer<String> notices;
 
-    LossOfLink(MajicHemisson bot) {
-        this.bot = bot;
+    LossOfLink(Consumer<LinkLost> lost, Consumer<String> notices) {
+        this.lost = lost;
+        this.notices = notices;
     }
 
     /** Gives a connection up over which nothing was answered for too long. */
@@ -41,7 +44,7 @@ final class LossOfLink {
     /** Tells a robot to stand that was lost in motion; the connection is closed as soon as it does. */
     void standAfter(Session open) {
         if (open.conversation().isStanding()) {
-            bot.say("it answers again and stands; connect again to go on");
+            notices.accept("it answers again and stands; connect again to go on");
             open.close();
         } else {
             open.conversation().stop();
@@ -50,7 +53,7 @@ final class LossOfLink {
 
     private boolean lose(Session open, String how, String moved) {
         boolean moving = open.conversation().mayMove();
-        bot.lose(new LinkLost(moving ? how + "; " + moved + MajicHemisson.HELP : how));
+        lost.accept(new LinkLost(moving ? how + "; " + moved + Standstill.HELP : how));
         return moving;
     }
 }

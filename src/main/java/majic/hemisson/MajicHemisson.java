@@ -9,9 +9,7 @@ import majic.bot.CalibrateCommand;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
-import majic.bot.MotionFailed;
 import majic.bot.Value;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A K-Team Hemisson. It has neither encoders nor a watchdog: motions are timed, positions are estimates, and a robot
@@ -21,24 +19,19 @@ import org.jspecify.annotations.Nullable;
  * <p>Conventions as in {@link MajicBot}; safe from any thread.
  */
 public final class MajicHemisson extends MajicBot {
-    /** What a person can do about a robot that moves and does not hear. */
-    static final String HELP = "if it still moves, lift it, or press 5 on a TV remote control";
-
     /** How often overdue answers are looked for, and how often a moving robot is asked what it sees, seconds. */
     private static final double TICK_S = 0.05;
 
-    private final Calibration calibration;
-    private final Sessions sessions;
-    private final Answers answers;
-    private final Standstill standstill;
-    private final Overseer overseer;
-    private final Lamps lamps = new Lamps(this);
     private final Pins pins = new Pins();
-    private final Spectator spectator = new Spectator(this);
-    private final Access access = new Access(this);
-    private volatile Identity identity = Identity.NOBODY;
+    private final Sessions sessions;
+    private final Overseer overseer;
+    private final Calibration calibration;
+    private final Standstill standstill;
+    private final Access access;
+    private final OpenLoop motions;
+    private final Lamps lamps;
+    private final HemissonViews views;
     private volatile Modules modules = Modules.NONE;
-    private volatile Wheels driven = Wheels.STILL;
 
     /**
      * Makes a driver that lives by the system's clock and remembers nothing.
@@ -60,14 +53,23 @@ public final class MajicHemisson extends MajicBot {
     public MajicHemisson(String address, BotEnvironment environment) {
         super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
         this.sessions = new Sessions(address, time());
-        this.answers = new Answers(sessions, changes(), this::isConnected);
-        this.standstill = new Standstill(sessions, changes(), this::isLost, this::contrary);
-        this.calibration = new Calibration(settings(), address);
-        this.overseer = new Overseer(this, calibration.table());
+        this.calibration = new Calibration(settings(), address, this::use);
+        this.overseer = new Overseer(new Owner(), time(), changes(), calibration.table());
+        Answers answers = new Answers(sessions, changes(), this::isConnected);
+        this.standstill = new Standstill(sessions, changes(), this::isLost, overseer.wheels()::found);
+        this.motions = new OpenLoop(sessions, answers, standstill, overseer, time());
+        this.access = new Access(overseer.senses(), answers, time());
+        this.lamps = new Lamps(answers);
+        this.views = new HemissonViews(this, sessions, overseer, lamps);
         profile(HemissonProfile.of(calibration.table()));
-        HemissonParameters.describe(table(), access);
-        add(CalibrateCommand.of(new Lesson(this)));
+        new HemissonParameters(access, lamps, pins, calibration, new Known()).describe(table());
+        add(CalibrateCommand.of(new Lesson(calibration, motions, new Cruise())));
         new I2cCommands(access).all().forEach(this::add);
+    }
+
+    private void use(SpeedTable better) {
+        overseer.reckoning().use(better);
+        profile(HemissonProfile.of(better));
     }
 
     @Override
@@ -78,14 +80,14 @@ public final class MajicHemisson extends MajicBot {
         every("hemisson line", TICK_S, overseer::tick);
         try {
             Handshake handshake = new Handshake(opened, changes());
-            identity = handshake.run();
-            equip(handshake.scan());
+            overseer.identified(handshake.run());
+            Reply scan = handshake.scan();
+            equip(scan == null ? Modules.NONE : Modules.of(scan));
         } catch (BotException e) {
             sessions.end();
             throw e;
         }
         overseer.watch();
-        recognise(identity);
     }
 
     /** Takes over what is plugged in. */
@@ -96,48 +98,33 @@ public final class MajicHemisson extends MajicBot {
         found.commands(access).forEach(this::add);
     }
 
-    /** Takes over who answers, and warns if it runs in a mode of its own. */
-    void recognise(Identity found) {
-        identity = found;
-        String warning = found.warning();
-        if (warning != null) {
-            notice(warning);
-        }
-    }
-
     @Override
     protected void shut() {
         String unsettled = standstill.end();
         if (unsettled != null) {
-            say(unsettled);
+            notice(unsettled);
         }
     }
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
-        return new OpenLoop(this, motion).run(Leg.straight(mm, cruiseMmPerSec(), calibration.table()));
+        return motions.run(Leg.straight(mm, cruiseMmPerSec(), calibration.table()), motion);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
-        return new OpenLoop(this, motion).run(Leg.spin(degrees, cruiseTurnDegPerSec(), calibration.table()));
+        return motions.run(Leg.spin(degrees, cruiseTurnDegPerSec(), calibration.table()), motion);
     }
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
-        refuseContrary();
-        overseer.motion().drives(nanos());
-        driven = calibration.table().curve(mmPerSec, degPerSec);
-        String failure = conversation().ask(Question.wheels(driven)).failure();
-        if (failure != null) {
-            throw new MotionFailed(failure);
-        }
+        motions.drive(calibration.table().curve(mmPerSec, degPerSec));
     }
 
     /** Motors take whole values, so it is seldom quite what was wanted. */
     @Override
     protected Value driven() {
-        return Value.text(calibration.table().words(driven));
+        return Value.text(calibration.table().words(motions.driven()));
     }
 
     @Override
@@ -152,107 +139,78 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     public JComponent display() {
-        return HemissonPanel.create(this);
+        return HemissonPanel.create(
+                this,
+                views::now,
+                task -> time().thread(name() + ": lamps", task).start());
     }
 
-    /** The conversation with the robot, if there is one. */
-    Conversation conversation() {
-        return sessions.conversation();
-    }
-
-    /** Who waits for its answers. */
-    Answers answers() {
-        return answers;
-    }
-
-    Sessions sessions() {
-        return sessions;
-    }
-
-    long nanos() {
-        return time().nanos();
-    }
-
-    boolean isLost() {
+    private boolean isLost() {
         return connection() == Connection.LOST;
     }
 
-    void raise() {
-        changes().raise();
-    }
+    /** What the monitor needs of this driver. */
+    private final class Owner implements Overseer.Owner {
+        @Override
+        public boolean isConnected() {
+            return MajicHemisson.this.isConnected();
+        }
 
-    void say(String message) {
-        notice(message);
-    }
+        @Override
+        public boolean isLost() {
+            return MajicHemisson.this.isLost();
+        }
 
-    void lose(LinkLost cause) {
-        lost(cause);
-    }
+        @Override
+        public void publish(BotState state) {
+            MajicHemisson.this.publish(state);
+        }
 
-    void tell(BotState state) {
-        publish(state);
-    }
+        @Override
+        public void wasReset() {
+            lamps.forget();
+            pins.forget();
+        }
 
-    /** Begins no motion of a robot that has set its own speeds in place of a stop. */
-    void refuseContrary() {
-        String found = contrary();
-        if (found != null && conversation().isContrary()) {
-            throw new MotionFailed(found);
+        @Override
+        public void say(String message) {
+            notice(message);
+        }
+
+        @Override
+        public void lose(LinkLost cause) {
+            lost(cause);
         }
     }
 
-    private @Nullable String contrary() {
-        return overseer.wheels().found();
-    }
+    /** What the parameters show of the robot beside its answers. */
+    private final class Known implements RobotParameters.Source {
+        @Override
+        public Identity identity() {
+            return overseer.identity();
+        }
 
-    Overseer overseer() {
-        return overseer;
-    }
+        @Override
+        public Modules modules() {
+            return modules;
+        }
 
-    Pins pins() {
-        return pins;
-    }
-
-    Lamps lamps() {
-        return lamps;
-    }
-
-    Spectator spectator() {
-        return spectator;
-    }
-
-    Identity identity() {
-        return identity;
-    }
-
-    SpeedTable speeds() {
-        return calibration.table();
-    }
-
-    /** Takes over and keeps another calibration, for all motions from the next one on; holds even where it could not be kept. */
-    void learn(SpeedTable better) {
-        try {
-            calibration.learn(better);
-        } finally {
-            overseer.reckoning().use(better);
-            profile(HemissonProfile.of(better));
+        @Override
+        public LinkQuality quality() {
+            return sessions.quality();
         }
     }
 
-    Modules modules() {
-        return modules;
-    }
+    /** How fast it goes while it is calibrated. */
+    private final class Cruise implements Lesson.Pace {
+        @Override
+        public double mmPerSec() {
+            return cruiseMmPerSec();
+        }
 
-    double cruise() {
-        return cruiseMmPerSec();
-    }
-
-    double cruiseTurn() {
-        return cruiseTurnDegPerSec();
-    }
-
-    /** Begins something that waits for the robot, on a thread of its own. */
-    void aside(String what, Runnable task) {
-        time().thread(name() + ": " + what, task).start();
+        @Override
+        public double degPerSec() {
+            return cruiseTurnDegPerSec();
+        }
     }
 }

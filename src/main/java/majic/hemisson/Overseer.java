@@ -2,6 +2,10 @@ package majic.hemisson;
 
 import java.io.IOException;
 import java.util.List;
+import majic.bot.BotState;
+import majic.bot.LinkLost;
+import majic.bot.Signal;
+import majic.bot.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,13 +15,16 @@ import org.jspecify.annotations.Nullable;
 final class Overseer implements ConversationListener {
     private static final int IDLE_TICKS_PER_LOOK = 2;
 
-    private final MajicHemisson bot;
+    private final Owner owner;
+    private final TimeSource time;
+    private final Signal changes;
     private final MotionWatch motion;
     private final Senses senses = new Senses();
     private final Lookout lookout = new Lookout(senses);
     private final DeadReckoning reckoning;
     private final LossOfLink loss;
     private final WheelCheck wheels = new WheelCheck();
+    private volatile Identity identity = Identity.NOBODY;
     private volatile @Nullable Session session;
     private volatile @Nullable Exchange look;
     private volatile boolean watching;
@@ -25,11 +32,40 @@ final class Overseer implements ConversationListener {
     private volatile boolean restarted;
     private long ticks;
 
-    Overseer(MajicHemisson bot, SpeedTable table) {
-        this.bot = bot;
-        this.reckoning = new DeadReckoning(bot, table);
-        this.loss = new LossOfLink(bot);
-        this.motion = new MotionWatch(bot.nanos());
+    /** The driver. Called by its timer thread and the reader; must not wait. */
+    interface Owner {
+        /** Whether the robot is connected, so that it is polled. */
+        boolean isConnected();
+
+        /** Whether its connection was lost, so that it is stopped until it confirms. */
+        boolean isLost();
+
+        /** Takes where the robot should be now. */
+        void publish(BotState state);
+
+        /** The robot was switched on or reset: its LEDs are off and its pins are inputs. */
+        void wasReset();
+
+        /** Shows a message to the user. */
+        void say(String message);
+
+        /** Gives the connection up. */
+        void lose(LinkLost cause);
+    }
+
+    /**
+     * Monitors nothing yet.
+     *
+     * @param changes raised after each answer, for all threads that wait for one
+     * @param table what the motor values mean
+     */
+    Overseer(Owner owner, TimeSource time, Signal changes, SpeedTable table) {
+        this.owner = owner;
+        this.time = time;
+        this.changes = changes;
+        this.reckoning = new DeadReckoning(time, table, owner::publish, () -> identity.mayMoveUntold());
+        this.loss = new LossOfLink(owner::lose, owner::say);
+        this.motion = new MotionWatch(time.nanos());
     }
 
     /** Takes over a new connection. */
@@ -44,9 +80,27 @@ final class Overseer implements ConversationListener {
         reckoning.begin();
     }
 
-    /** Begins to ask the robot what it sees. */
+    /** Takes the robot that answered at connecting. */
+    void identified(Identity found) {
+        identity = found;
+    }
+
+    /** The robot that answered last; {@link Identity#NOBODY} before the first. */
+    Identity identity() {
+        return identity;
+    }
+
+    /** Begins to poll the robot, and warns if it runs in a mode of its own. */
     void watch() {
         watching = true;
+        warnOfMode();
+    }
+
+    private void warnOfMode() {
+        String warning = identity.warning();
+        if (warning != null) {
+            owner.say(warning);
+        }
     }
 
     /** What it saw last; null before the first reading. */
@@ -83,10 +137,10 @@ final class Overseer implements ConversationListener {
             return;
         }
         endOverdueMotion(open.conversation());
-        if (bot.isConnected()) {
+        if (owner.isConnected()) {
             lookAround(open);
             loss.noticeSilence(open);
-        } else if (bot.isLost()) {
+        } else if (owner.isLost()) {
             loss.standAfter(open);
         }
     }
@@ -99,7 +153,7 @@ final class Overseer implements ConversationListener {
                 take(exchange, reply);
             }
         } finally {
-            bot.raise();
+            changes.raise();
         }
     }
 
@@ -114,7 +168,6 @@ final class Overseer implements ConversationListener {
     /** A running mode of the robot's own sets the wheels whatever they are told; where they go then is asked for. */
     private void wasTold(Exchange exchange) {
         wheels.told(exchange.question().told());
-        Identity identity = bot.identity();
         if (identity.isRemoteControlled() || !identity.tellsSpeeds()) {
             reckoning.follow(exchange.question().told(), exchange.middleNanos());
         }
@@ -123,7 +176,7 @@ final class Overseer implements ConversationListener {
     private void learn(Exchange exchange, Reply reply) {
         Question question = exchange.question();
         if (!question.isLong() && reply.kind() == Reply.Kind.ANSWER) {
-            senses.take(question, reply, bot.nanos());
+            senses.take(question, reply, time.nanos());
             reckoning.publish();
         }
         if (question == Question.SWITCHES && modeUnknown) {
@@ -137,7 +190,7 @@ final class Overseer implements ConversationListener {
 
     private void checkSpeeds(Exchange exchange, Reply reply) {
         Session open = session;
-        String difference = wheels.compare(reply, bot.identity());
+        String difference = wheels.compare(reply, identity);
         if (open != null
                 && watching
                 && difference != null
@@ -153,9 +206,9 @@ final class Overseer implements ConversationListener {
             restarted = false;
             boolean moves =
                     reply.kind() == Reply.Kind.ANSWER && !Wheels.of(reply).isStill();
-            bot.say("it was switched on or reset; its lamps are off, its motors " + (moves ? "run" : "stand"));
+            owner.say("it was switched on or reset; its lamps are off, its motors " + (moves ? "run" : "stand"));
         }
-        String difference = wheels.compare(reply, bot.identity());
+        String difference = wheels.compare(reply, identity);
         if (difference != null) {
             motion.meets(difference);
         }
@@ -177,10 +230,10 @@ final class Overseer implements ConversationListener {
         if (inMotion) {
             String failure = exchange.failure();
             if (motion.meets(failure == null ? "it missed an answer" : "it missed an answer: " + failure)) {
-                bot.say("it did not answer while moving; it is told to stand again and again; " + MajicHemisson.HELP);
+                owner.say("it did not answer while moving; it is told to stand again and again; " + Standstill.HELP);
             }
         }
-        bot.raise();
+        changes.raise();
     }
 
     /**
@@ -193,9 +246,8 @@ final class Overseer implements ConversationListener {
         modeUnknown = watching;
         restarted = watching;
         wheels.told(Wheels.STILL);
-        reckoning.follow(Wheels.STILL, bot.nanos());
-        bot.lamps().forget();
-        bot.pins().forget();
+        reckoning.follow(Wheels.STILL, time.nanos());
+        owner.wasReset();
         Session open = session;
         if (open != null && watching) {
             open.conversation().ask(Question.SWITCHES);
@@ -203,13 +255,13 @@ final class Overseer implements ConversationListener {
     }
 
     private void learnMode(List<Integer> switches) {
-        Identity identity = bot.identity().restarted(switches);
+        identity = identity.restarted(switches);
         Session open = session;
         if (open != null) {
             open.conversation().brief(!identity.listens());
             open.conversation().setsItsOwnSpeeds(identity.setsItsOwnSpeeds());
         }
-        bot.recognise(identity);
+        warnOfMode();
     }
 
     @Override
@@ -221,7 +273,7 @@ final class Overseer implements ConversationListener {
     }
 
     private void endOverdueMotion(Conversation conversation) {
-        if (conversation.mayMove() && motion.isOverdue(bot.nanos())) {
+        if (conversation.mayMove() && motion.isOverdue(time.nanos())) {
             conversation.stop();
         }
     }
@@ -231,9 +283,9 @@ final class Overseer implements ConversationListener {
         boolean moving = open.conversation().mayMove();
         boolean turn = moving || ticks % IDLE_TICKS_PER_LOOK == 0;
         boolean stopIsNear =
-                moving && motion.isEndNear(bot.nanos(), open.conversation().quality());
+                moving && motion.isEndNear(time.nanos(), open.conversation().quality());
         if (turn && (last == null || last.isDone()) && !stopIsNear) {
-            look = open.conversation().ask(lookout.next(bot.nanos(), moving, bot.identity()));
+            look = open.conversation().ask(lookout.next(time.nanos(), moving, identity));
         }
     }
 }

@@ -13,10 +13,10 @@ final class PinParameters {
     private final Access access;
     private final Pins pins;
 
-    PinParameters(ParameterTable table, Access access) {
+    PinParameters(ParameterTable table, Access access, Pins pins) {
         this.table = table;
         this.access = access;
-        this.pins = access.bot().pins();
+        this.pins = pins;
     }
 
     void describe() {

@@ -10,10 +10,24 @@ import majic.bot.Value;
 final class RobotParameters {
     private final ParameterTable table;
     private final Access access;
+    private final Source source;
 
-    RobotParameters(ParameterTable table, Access access) {
+    /** What is known of the robot beside its answers. Read by any thread. */
+    interface Source {
+        /** The robot that answered at connecting. */
+        Identity identity();
+
+        /** What is plugged into it. */
+        Modules modules();
+
+        /** How well the line works. */
+        LinkQuality quality();
+    }
+
+    RobotParameters(ParameterTable table, Access access, Source source) {
         this.table = table;
         this.access = access;
+        this.source = source;
     }
 
     void describe() {
@@ -35,21 +49,21 @@ final class RobotParameters {
         table.add(Parameter.text("version", "the firmware"), () -> identified(Identity::version));
         table.add(
                 Parameter.text("modules", "what was found on its I2C bus at connecting"),
-                () -> identified(identity -> access.bot().modules().names()));
+                () -> identified(identity -> source.modules().names()));
     }
 
     private Value identified(Function<Identity, String> text) {
-        Identity identity = access.bot().identity();
+        Identity identity = source.identity();
         return identity == Identity.NOBODY ? Value.unknown("not connected yet") : Value.text(text.apply(identity));
     }
 
     private void describeLink() {
         table.add(
                 Parameter.number("roundTrip", Unit.MS, "from a question to its answer, a mean of the last ones"),
-                () -> Value.of(access.bot().sessions().quality().roundTripMs(), Unit.MS));
+                () -> Value.of(source.quality().roundTripMs(), Unit.MS));
         table.add(
                 Parameter.number("missedAnswers", Unit.NONE, "that did not come in time, since it was connected"),
-                () -> Value.of(access.bot().sessions().quality().misses(), Unit.NONE));
+                () -> Value.of(source.quality().misses(), Unit.NONE));
     }
 
     private void describeWhatItLacks() {

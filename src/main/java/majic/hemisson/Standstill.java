@@ -10,6 +10,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Makes the robot stand and waits until it has confirmed that it does. Thread-safe. */
 final class Standstill {
+    /** What a person can do about a robot that moves and cannot be reached. */
+    static final String HELP = "if it still moves, lift it, or press 5 on a TV remote control";
+
     private static final double BESIDE_ANSWERS_S = 0.9;
 
     /** A robot that may set its own speeds is looked at for a while longer, seconds. */
@@ -74,10 +77,9 @@ final class Standstill {
     private BotException unconfirmed(Session open, double patience) {
         String why = open.conversation().isContrary() ? contrary.get() : null;
         if (isOver(open)) {
-            return new LinkLost("the connection was lost before the stop was confirmed; " + MajicHemisson.HELP);
+            return new LinkLost("the connection was lost before the stop was confirmed; " + HELP);
         }
-        return new BotException(
-                why == null ? "the stop was not confirmed within " + patience + " s; " + MajicHemisson.HELP : why);
+        return new BotException(why == null ? "the stop was not confirmed within " + patience + " s; " + HELP : why);
     }
 
     /**
@@ -90,6 +92,6 @@ final class Standstill {
         Session open = sessions.current();
         boolean stands = open == null || Farewell.say(open, changes);
         sessions.end();
-        return stands ? null : "it has not confirmed that it stands; " + MajicHemisson.HELP;
+        return stands ? null : "it has not confirmed that it stands; " + HELP;
     }
 }

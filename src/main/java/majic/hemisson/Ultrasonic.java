@@ -111,7 +111,7 @@ final class Ultrasonic implements ExtensionModule {
     }
 
     private Reply ping(Access access, Question read) {
-        if (pingAndListen.begins(access.bot().nanos())) {
+        if (pingAndListen.begins(access.nanos())) {
             access.tell(PING);
         }
         access.pause(LISTENING_S);

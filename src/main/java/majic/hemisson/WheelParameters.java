@@ -14,10 +14,12 @@ final class WheelParameters {
 
     private final ParameterTable table;
     private final Access access;
+    private final Calibration calibration;
 
-    WheelParameters(ParameterTable table, Access access) {
+    WheelParameters(ParameterTable table, Access access, Calibration calibration) {
         this.table = table;
         this.access = access;
+        this.calibration = calibration;
     }
 
     void describe() {
@@ -31,8 +33,8 @@ final class WheelParameters {
                                         "from wheel to wheel; calibrate spin measures it; kept for this robot")
                                 .within(Calibration.WHEEL_DISTANCE_MM.min(), Calibration.WHEEL_DISTANCE_MM.max()),
                         () -> Value.of(speeds().wheelDistanceMm(), Unit.MM))
-                .writes(values -> access.bot()
-                        .learn(speeds().withWheelDistance(values.get(0).number())));
+                .writes(values -> calibration.learn(
+                        speeds().withWheelDistance(values.get(0).number())));
         table.add(
                         Parameter.number(
                                         "trim",
@@ -41,7 +43,7 @@ final class WheelParameters {
                                 .within(Calibration.TRIM_PERCENT.min(), Calibration.TRIM_PERCENT.max()),
                         () -> Value.of(speeds().trimPercent(), Unit.PERCENT))
                 .writes(values ->
-                        access.bot().learn(speeds().withTrim(values.get(0).number())));
+                        calibration.learn(speeds().withTrim(values.get(0).number())));
     }
 
     private void wheel(String name, String help, int index) {
@@ -81,10 +83,10 @@ final class WheelParameters {
             throw new ParameterException(
                     TABLE, TABLE + ": a higher motor value is a higher speed, so nine rising speeds belong here");
         }
-        access.bot().learn(speeds().withSpeeds(speeds));
+        calibration.learn(speeds().withSpeeds(speeds));
     }
 
     private SpeedTable speeds() {
-        return access.bot().speeds();
+        return calibration.table();
     }
 }

@@ -92,7 +92,8 @@ class HemissonDrawingTest {
     }
 
     private int[] painted(HemissonView view) {
-        HemissonDrawing drawing = new HemissonDrawing(view, new LampSwitch(bot, why -> {}));
+        HemissonDrawing drawing =
+                new HemissonDrawing(view, new LampSwitch(bot, Runnable::run, lamp -> false, why -> {}));
         drawing.setSize(SIZE, SIZE);
         drawing.doLayout();
         BufferedImage image = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_RGB);

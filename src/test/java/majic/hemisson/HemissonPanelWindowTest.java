@@ -34,7 +34,7 @@ class HemissonPanelWindowTest {
         bot.connect();
         frame = GuiActionRunner.execute(() -> {
             JFrame made = new JFrame("Hemisson");
-            JComponent panel = HemissonPanel.create(bot);
+            JComponent panel = bot.display();
             panel.setPreferredSize(new java.awt.Dimension(700, 400));
             made.setContentPane(panel);
             return made;

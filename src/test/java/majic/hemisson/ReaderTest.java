@@ -29,11 +29,11 @@ class ReaderTest {
                 @Override
                 public void stateChanged(MajicBot who, BotState state) {
                     if (waits.size() < ROUNDS) {
-                        long before = bot.nanos();
+                        long before = bot.time().nanos();
                         bot.get("tvRemote");
                         bot.set("ledLeft", "on");
                         bot.stop();
-                        waits.add(bot.nanos() - before);
+                        waits.add(bot.time().nanos() - before);
                     }
                 }
             });

@@ -1,0 +1,73 @@
+package majic.hemisson;
+
+import java.util.List;
+import majic.bot.MajicBot;
+import majic.bot.MajicBot.Connection;
+import org.jspecify.annotations.Nullable;
+
+/** Collects what the panel shows, from what is known of the robot now; asks it nothing. Thread-safe. */
+final class HemissonViews {
+    /** A light reading older than this is not shown. */
+    private static final double FRESH_S = 3;
+
+    /** How long a missed answer is shown. */
+    private static final double LATELY_S = 5;
+
+    private final MajicBot bot;
+    private final Sessions sessions;
+    private final Overseer overseer;
+    private final Lamps lamps;
+
+    HemissonViews(MajicBot bot, Sessions sessions, Overseer overseer, Lamps lamps) {
+        this.bot = bot;
+        this.sessions = sessions;
+        this.overseer = overseer;
+        this.lamps = lamps;
+    }
+
+    /** What is known now. */
+    HemissonView now() {
+        return new HemissonView(
+                line(),
+                overseer.seen(),
+                freshLight(),
+                overseer.reckoning().track().wheels(),
+                bot.state(),
+                lamps.leds(),
+                lamps.isBuzzing(),
+                overseer.identity(),
+                switches());
+    }
+
+    private HemissonView.Line line() {
+        LinkQuality quality = sessions.quality();
+        return new HemissonView.Line(
+                bot.connection(),
+                quality,
+                quality.hasMissedSince(bot.time().nanos() - (long) (LATELY_S * 1e9)),
+                bot.isConnected() ? sessions.silentSeconds() : 0,
+                isOutOfControl());
+    }
+
+    private boolean isOutOfControl() {
+        Session open = sessions.current();
+        return open != null
+                && (open.conversation().isUnreached()
+                        || (bot.connection() == Connection.LOST
+                                && open.conversation().mayMove()));
+    }
+
+    /** The light on the eight sensors, 0 bright to 255 dark; null before the first reading and when it is old. */
+    private @Nullable List<Integer> freshLight() {
+        Senses.Heard heard = overseer.senses().heard(Question.LIGHT);
+        return heard != null && bot.time().nanos() - heard.nanos() < FRESH_S * 1e9
+                ? heard.reply().numbers()
+                : null;
+    }
+
+    /** The switches as they are now; those of the time of connecting before the first reading. */
+    private List<Integer> switches() {
+        Senses.Heard heard = overseer.senses().heard(Question.SWITCHES);
+        return heard == null ? overseer.identity().switches() : heard.reply().numbers();
+    }
+}
