@@ -45,7 +45,8 @@ class ArchitectureTest {
             majic.hemisson            : majic.bot majic.driver majic.link majic.panel majic.panel.map
             majic.act                 : majic.bot
             majic.log                 : majic.bot
-            majic.script              : majic.bot majic.act majic.log
+            majic.script              : majic.bot majic.act majic.log majic.script.syntax
+            majic.script.syntax       : majic.bot
             majic.gui                 : majic.bot majic.act majic.log majic.script majic.panel majic.panel.map
             majicsim.world            :
             majicsim.net              : majicsim.world

@@ -10,6 +10,15 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import majic.bot.BotAddress;
+import majic.script.syntax.Command;
+import majic.script.syntax.Condition;
+import majic.script.syntax.EachComparison;
+import majic.script.syntax.Literal;
+import majic.script.syntax.Robots;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.SessionCommand;
+import majic.script.syntax.Statement;
+import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,6 +4,11 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import majic.bot.Member;
+import majic.script.syntax.Command;
+import majic.script.syntax.Condition;
+import majic.script.syntax.Mistake;
+import majic.script.syntax.SessionCommand;
+import majic.script.syntax.Statement;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,6 +1,6 @@
 package majic.script;
 
-import static majic.script.ScriptException.placed;
+import static majic.script.syntax.ScriptException.placed;
 
 import java.util.List;
 import java.util.Locale;
@@ -8,6 +8,12 @@ import majic.bot.Checks;
 import majic.bot.MajicBot;
 import majic.bot.Member;
 import majic.bot.Parameter;
+import majic.script.syntax.Command;
+import majic.script.syntax.CommandParser;
+import majic.script.syntax.Condition;
+import majic.script.syntax.Literal;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
 /** Looks whether a robot could do what it is told, without telling it. Throws a {@link ScriptException} if not. */

@@ -8,6 +8,12 @@ import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.script.syntax.Condition;
+import majic.script.syntax.EachComparison;
+import majic.script.syntax.Literal;
+import majic.script.syntax.Operator;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
 /** Holds a parameter of one robot against the right-hand side of a comparison. */

@@ -10,6 +10,14 @@ import majic.bot.BotAddress;
 import majic.bot.BotCommand;
 import majic.bot.Member;
 import majic.bot.Parameter;
+import majic.script.syntax.CommandParser;
+import majic.script.syntax.Cursor;
+import majic.script.syntax.Parser;
+import majic.script.syntax.RobotsParser;
+import majic.script.syntax.Scanner;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.SessionParser;
+import majic.script.syntax.Token;
 
 /** Finds what could stand at the end of a line that is being typed. */
 final class Completion {

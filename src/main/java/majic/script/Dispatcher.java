@@ -10,6 +10,9 @@ import majic.bot.Member;
 import majic.bot.Signal;
 import majic.bot.StopCount;
 import majic.bot.Team;
+import majic.script.syntax.Mistake;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Statement;
 
 /**
  * Gets checked lines carried out: at once on the caller's thread, beside it, or in their turn behind others. Thread-safe.

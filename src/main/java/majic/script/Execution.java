@@ -12,6 +12,7 @@ import majic.bot.Order;
 import majic.bot.Owner;
 import majic.bot.Pending;
 import majic.bot.Team;
+import majic.script.syntax.ScriptException;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,6 +1,10 @@
 package majic.script;
 
 import java.util.List;
+import majic.script.syntax.Command;
+import majic.script.syntax.SessionCommand;
+import majic.script.syntax.Statement;
+import majic.script.syntax.Walk;
 import org.jspecify.annotations.Nullable;
 
 /** Finds out whether checking a script reads files, which may block, and so has to wait for the source's own worker. */

@@ -5,6 +5,9 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.bot.Member;
+import majic.script.syntax.Command;
+import majic.script.syntax.SessionCommand;
+import majic.script.syntax.Statement;
 
 /**
  * A line or block as it was given to a parser. Immutable.

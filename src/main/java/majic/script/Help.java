@@ -17,6 +17,8 @@ import majic.bot.ParameterGroup;
 import majic.bot.Range;
 import majic.bot.Suggestion;
 import majic.bot.Unit;
+import majic.script.syntax.CommandParser;
+import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
 /** The answers to {@code help}, for a robot and for the language. */

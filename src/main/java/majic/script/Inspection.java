@@ -3,6 +3,11 @@ package majic.script;
 import java.util.ArrayList;
 import java.util.List;
 import majic.bot.BotException;
+import majic.script.syntax.Condition;
+import majic.script.syntax.Mistake;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Statement;
+import majic.script.syntax.Walk;
 
 /** Goes through a script and collects all that is wrong in it, instead of ending with the first mistake. */
 abstract class Inspection extends Walk {
@@ -21,7 +26,7 @@ abstract class Inspection extends Walk {
     abstract void inspect(Condition condition);
 
     @Override
-    final void visit(Statement statement) {
+    public final void visit(Statement statement) {
         try {
             super.visit(statement);
         } catch (ScriptException e) {
@@ -32,7 +37,7 @@ abstract class Inspection extends Walk {
     }
 
     @Override
-    final void head(Condition condition) {
+    public final void head(Condition condition) {
         try {
             inspect(condition);
         } catch (ScriptException e) {

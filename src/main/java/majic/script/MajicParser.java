@@ -8,6 +8,14 @@ import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.log.VisibleText;
+import majic.script.syntax.Mistake;
+import majic.script.syntax.Parser;
+import majic.script.syntax.Piece;
+import majic.script.syntax.Scanner;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.SessionCommand;
+import majic.script.syntax.Statement;
+import majic.script.syntax.TypedBlock;
 
 /**
  * Takes lines of MAJIC Script, checks them and hands them to the robots they are for. Each place where lines come from

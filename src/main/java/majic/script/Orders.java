@@ -9,6 +9,11 @@ import majic.bot.Member;
 import majic.bot.Order;
 import majic.bot.Parameter;
 import majic.bot.Value;
+import majic.script.syntax.Command;
+import majic.script.syntax.Literal;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
+import majic.script.syntax.Wording;
 
 /** Makes the orders that stand behind a command, one for each robot. */
 final class Orders {

@@ -6,6 +6,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import majic.bot.Member;
+import majic.script.syntax.Command;
+import majic.script.syntax.Statement;
 import org.jspecify.annotations.Nullable;
 
 /**

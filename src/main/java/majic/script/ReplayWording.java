@@ -3,6 +3,9 @@ package majic.script;
 import java.nio.file.Path;
 import java.util.Set;
 import majic.act.Acts;
+import majic.script.syntax.Command;
+import majic.script.syntax.Literal;
+import majic.script.syntax.Wording;
 
 /** How a saved session repeats what was typed: with the robots' numbers, and files that are found from everywhere. */
 final class ReplayWording {

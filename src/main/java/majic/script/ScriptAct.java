@@ -15,6 +15,8 @@ import majic.bot.BotException;
 import majic.bot.Member;
 import majic.bot.MotionStopped;
 import majic.bot.Owner;
+import majic.script.syntax.Mistake;
+import majic.script.syntax.ScriptException;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -9,6 +9,7 @@ import java.util.List;
 import majic.act.RegularFile;
 import majic.bot.BotException;
 import majic.bot.IoReason;
+import majic.script.syntax.Statement;
 
 /** A script in a file: read whole and checked before anything of it runs. */
 final class ScriptFile {

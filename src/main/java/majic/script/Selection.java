@@ -12,6 +12,9 @@ import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.Member;
 import majic.bot.Team;
+import majic.script.syntax.Robots;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
 /** Finds the robots that a script names. */

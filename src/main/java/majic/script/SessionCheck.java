@@ -1,6 +1,6 @@
 package majic.script;
 
-import static majic.script.ScriptException.placed;
+import static majic.script.syntax.ScriptException.placed;
 
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -9,6 +9,10 @@ import java.util.Locale;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.Suggestion;
+import majic.script.syntax.Literal;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.SessionCommand;
+import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
 /** Looks whether the session could do what it is told, without doing it. Throws a {@link ScriptException} if not. */

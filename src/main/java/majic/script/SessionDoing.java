@@ -10,6 +10,8 @@ import majic.bot.IoReason;
 import majic.bot.LabAccess;
 import majic.bot.Member;
 import majic.bot.Pose;
+import majic.script.syntax.Literal;
+import majic.script.syntax.SessionCommand;
 import org.jspecify.annotations.Nullable;
 
 /** Does what the session as a whole is told. */

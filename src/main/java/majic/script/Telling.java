@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.function.Function;
 import majic.bot.Member;
 import majic.bot.Order;
+import majic.script.syntax.Command;
+import majic.script.syntax.Robots;
 import org.jspecify.annotations.Nullable;
 
 /** Tells robots one command: most become orders in their queues. */

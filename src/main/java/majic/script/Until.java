@@ -5,6 +5,8 @@ import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.Member;
+import majic.script.syntax.Condition;
+import majic.script.syntax.ScriptException;
 import org.jspecify.annotations.Nullable;
 
 /** The condition behind {@code until}, as a driver asks it. */

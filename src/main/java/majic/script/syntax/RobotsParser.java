@@ -1,22 +1,22 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.ArrayList;
 import java.util.List;
-import majic.script.Robots.Item;
-import majic.script.Token.Kind;
+import majic.script.syntax.Robots.Item;
+import majic.script.syntax.Token.Kind;
 
 /** The rule for naming robots. */
-final class RobotsParser {
+public final class RobotsParser {
     private static final String ROBOT = "a robot (a number, a range, a type, all)";
 
     private final Cursor at;
 
-    RobotsParser(Cursor at) {
+    public RobotsParser(Cursor at) {
         this.at = at;
     }
 
     /** {@code robots = robot { "," robot } ;} */
-    Robots robots() {
+    public Robots robots() {
         Token first = at.peek();
         List<Item> items = new ArrayList<>();
         do {

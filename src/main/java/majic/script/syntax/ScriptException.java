@@ -1,15 +1,15 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.function.Supplier;
 import majic.bot.BotException;
 
 /** A mistake in a script, with its place. The message is one sentence: what is wrong and what would be right. */
-final class ScriptException extends RuntimeException {
+public final class ScriptException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
     private final transient Token at;
 
-    ScriptException(Token at, String message) {
+    public ScriptException(Token at, String message) {
         super(message);
         this.at = at;
     }
@@ -19,7 +19,7 @@ final class ScriptException extends RuntimeException {
      *
      * @throws ScriptException if it does, with the same sentence
      */
-    static void placed(Token at, Runnable check) {
+    public static void placed(Token at, Runnable check) {
         placed(at, () -> {
             check.run();
             return true;
@@ -27,7 +27,7 @@ final class ScriptException extends RuntimeException {
     }
 
     /** As {@link #placed(Token, Runnable)}, for something that has a result. */
-    static <T> T placed(Token at, Supplier<T> found) {
+    public static <T> T placed(Token at, Supplier<T> found) {
         try {
             return found.get();
         } catch (BotException e) {
@@ -35,11 +35,11 @@ final class ScriptException extends RuntimeException {
         }
     }
 
-    Token at() {
+    public Token at() {
         return at;
     }
 
-    Mistake mistake() {
+    public Mistake mistake() {
         return new Mistake(at.line(), at.column(), String.valueOf(getMessage()));
     }
 }

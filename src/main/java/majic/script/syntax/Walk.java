@@ -1,22 +1,22 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** Goes through all commands of a script, one behind the other, into every block. Runs none of them. */
-abstract class Walk implements Statement.Visitor<@Nullable Void> {
+public abstract class Walk implements Statement.Visitor<@Nullable Void> {
     /** Goes through some statements. */
-    final void walk(List<Statement> statements) {
+    public final void walk(List<Statement> statements) {
         statements.forEach(this::visit);
     }
 
     /** Looks at one statement, and at those in it; who overrides it has to let it do so. */
-    void visit(Statement statement) {
+    public void visit(Statement statement) {
         statement.accept(this);
     }
 
     /** Looks at what a block begins with; nothing unless overridden. */
-    void head(Condition condition) {}
+    public void head(Condition condition) {}
 
     @Override
     public final @Nullable Void repeat(Statement.Repeat repeat) {

@@ -1,16 +1,16 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.List;
 import majic.bot.Value;
-import majic.script.Token.Kind;
+import majic.script.syntax.Token.Kind;
 
 /** A place in a list of tokens that moves forward: the four helpers that every grammar rule is written with. */
-final class Cursor {
+public final class Cursor {
     private final List<Token> tokens;
     private int next;
 
     /** The last token is an END. */
-    Cursor(List<Token> tokens) {
+    public Cursor(List<Token> tokens) {
         this.tokens = tokens;
     }
 

@@ -1,10 +1,10 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.Arrays;
 import java.util.Optional;
 
 /** How a condition compares. */
-enum Operator {
+public enum Operator {
     LESS("<"),
     AT_MOST("<="),
     GREATER(">"),
@@ -24,11 +24,11 @@ enum Operator {
                 .findFirst();
     }
 
-    boolean isEquality() {
+    public boolean isEquality() {
         return this == EQUAL || this == DIFFERENT;
     }
 
-    boolean holds(double left, double right) {
+    public boolean holds(double left, double right) {
         return switch (this) {
             case LESS -> left < right;
             case AT_MOST -> left <= right;

@@ -1,7 +1,7 @@
-package majic.script;
+package majic.script.syntax;
 
 /** What one line is to the block it is typed into. */
-sealed interface Piece {
+public sealed interface Piece {
     /** Where the line begins. */
     Token at();
 

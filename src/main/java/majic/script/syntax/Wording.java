@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.math.BigDecimal;
 import java.util.List;
@@ -7,12 +7,12 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /** How answers repeat a command: without its robots, in lower-case words, numbers as they were written. */
-final class Wording implements Command.Visitor<String> {
+public final class Wording implements Command.Visitor<String> {
     private static final Wording INSTANCE = new Wording();
 
     private Wording() {}
 
-    static String of(Command command) {
+    public static String of(Command command) {
         return command.accept(INSTANCE);
     }
 

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -9,15 +9,15 @@ import java.util.OptionalInt;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 import majic.bot.Suggestion;
-import majic.script.Token.Kind;
+import majic.script.syntax.Token.Kind;
 
 /**
  * Makes a tree out of tokens: scripts, blocks and lines. After a mistake it goes on with the next line, so that all are
  * found together.
  */
-final class Parser {
+public final class Parser {
     /** Words that begin blocks or end them. */
-    static final List<String> BLOCK_WORDS = List.of("else", "end", "if", "repeat", "while");
+    public static final List<String> BLOCK_WORDS = List.of("else", "end", "if", "repeat", "while");
 
     private static final int DEEPEST = 50;
 
@@ -36,7 +36,7 @@ final class Parser {
      * @param tokens all of it
      * @param types the words for types of robots
      */
-    Parser(List<Token> tokens, Collection<String> types) {
+    public Parser(List<Token> tokens, Collection<String> types) {
         this.at = new Cursor(tokens);
         this.types = types;
         this.conditions = new ConditionParser(at);
@@ -46,12 +46,12 @@ final class Parser {
     }
 
     /** What was found wrong so far, in the order of the text. */
-    List<Mistake> mistakes() {
+    public List<Mistake> mistakes() {
         return mistakes;
     }
 
     /** {@code script = lines ;} */
-    List<Statement> script() {
+    public List<Statement> script() {
         List<Statement> statements = new ArrayList<>(lines());
         while (!at.check(Kind.END)) {
             Token stray = at.peek();
@@ -245,7 +245,7 @@ final class Parser {
     }
 
     /** One line of a block that is still being typed. */
-    Piece piece() {
+    public Piece piece() {
         Token first = at.peek();
         try {
             return switch (first.kind() == Kind.WORD ? first.text().toLowerCase(Locale.ROOT) : "") {

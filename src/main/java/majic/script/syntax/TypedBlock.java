@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -6,16 +6,16 @@ import java.util.Deque;
 import java.util.List;
 
 /** A block that is being typed line by line. Used by one thread at a time. */
-final class TypedBlock {
+public final class TypedBlock {
     private final List<String> lines = new ArrayList<>();
     private final Deque<Boolean> mayHaveElse = new ArrayDeque<>();
 
-    boolean isOpen() {
+    public boolean isOpen() {
         return !mayHaveElse.isEmpty();
     }
 
     /** Takes a line in; throws a {@link ScriptException} if it does not belong there. */
-    void add(Piece piece, String text) {
+    public void add(Piece piece, String text) {
         if (piece instanceof Piece.Open open) {
             mayHaveElse.push(open.head() instanceof Statement.If);
         } else if (piece instanceof Piece.Otherwise) {
@@ -42,7 +42,7 @@ final class TypedBlock {
     }
 
     /** All lines of the block; it is empty afterwards. */
-    String take() {
+    public String take() {
         String text = String.join("\n", lines);
         lines.clear();
         mayHaveElse.clear();

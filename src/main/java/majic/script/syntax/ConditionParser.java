@@ -1,8 +1,8 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.List;
 import majic.bot.Value;
-import majic.script.Token.Kind;
+import majic.script.syntax.Token.Kind;
 import org.jspecify.annotations.Nullable;
 
 /** The rules for conditions. */

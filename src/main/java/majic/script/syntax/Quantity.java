@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.Locale;
 import java.util.Map;

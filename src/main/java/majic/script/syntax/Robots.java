@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.List;
 
@@ -8,20 +8,20 @@ import java.util.List;
  * @param at where they are named
  * @param items one or more
  */
-record Robots(Token at, List<Item> items) {
+public record Robots(Token at, List<Item> items) {
     /** One way to name robots. */
-    sealed interface Item {
+    public sealed interface Item {
         Token at();
     }
 
     /** By number. */
-    record One(Token at, int number) implements Item {}
+    public record One(Token at, int number) implements Item {}
 
     /** Those there are between two numbers, both included. */
-    record Span(Token at, int first, int last) implements Item {}
+    public record Span(Token at, int first, int last) implements Item {}
 
     /** All of a type. */
-    record OfType(Token at) implements Item {}
+    public record OfType(Token at) implements Item {}
 
     /** Every robot. */
     record All(Token at) implements Item {}
@@ -30,9 +30,9 @@ record Robots(Token at, List<Item> items) {
     record Any(Token at) implements Item {}
 
     /** The robot a behaviour was given. */
-    record Me(Token at) implements Item {}
+    public record Me(Token at) implements Item {}
 
-    boolean isAny() {
+    public boolean isAny() {
         return items.get(0) instanceof Any;
     }
 

@@ -1,14 +1,14 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
-import majic.script.Token.Kind;
+import majic.script.syntax.Token.Kind;
 
 /** The rules for commands that are for the session and not for a robot. */
-final class SessionParser {
+public final class SessionParser {
     /** The words these commands begin with. */
-    static final List<String> WORDS = List.of(
+    public static final List<String> WORDS = List.of(
             "acts", "add", "bots", "help", "lab", "probe", "quit", "release", "remove", "run", "save", "stop", "trust",
             "wait");
 

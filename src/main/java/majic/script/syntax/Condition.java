@@ -1,9 +1,9 @@
-package majic.script;
+package majic.script.syntax;
 
 import org.jspecify.annotations.Nullable;
 
 /** What {@code until}, {@code while} and {@code if} ask. {@code toString()} is how answers repeat it. */
-sealed interface Condition {
+public sealed interface Condition {
     <R> R accept(Visitor<R> visitor);
 
     /** One method for each kind of condition. */

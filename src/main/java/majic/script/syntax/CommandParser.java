@@ -1,16 +1,16 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import majic.script.Token.Kind;
+import majic.script.syntax.Token.Kind;
 import org.jspecify.annotations.Nullable;
 
 /** The rules for what comes behind a robot, in both forms: {@code move 500} and {@code .move(500)}. */
-final class CommandParser {
+public final class CommandParser {
     /** The words of the commands that every robot knows. */
-    static final List<String> WORDS =
+    public static final List<String> WORDS =
             List.of("act", "drive", "get", "help", "log", "move", "set", "stop", "turn", "wait");
 
     private final Cursor at;

@@ -1,10 +1,10 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.List;
 import java.util.OptionalInt;
 
 /** One command, or a block of them. */
-sealed interface Statement {
+public sealed interface Statement {
     /** Where it begins. */
     Token at();
 

@@ -1,14 +1,14 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import majic.script.Token.Kind;
+import majic.script.syntax.Token.Kind;
 import org.jspecify.annotations.Nullable;
 
 /** Makes tokens out of characters. Every text has tokens; what they are worth is the parser's business. */
-final class Scanner {
+public final class Scanner {
     private static final Pattern BLANK = Pattern.compile("[\\s\\x{FEFF}\\x{A0}]+");
     private static final Pattern SPAN = Pattern.compile("\\d+-\\d+(?![\\p{L}\\d]|\\.\\d)");
     private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?([\\p{L}%°][\\p{L}\\d%/²]*)?");
@@ -28,7 +28,7 @@ final class Scanner {
     }
 
     /** All tokens of a text, with a NEWLINE behind each line and an END at last. */
-    static List<Token> scan(String text) {
+    public static List<Token> scan(String text) {
         List<Token> tokens = new ArrayList<>();
         String[] lines = text.split("\\R", -1);
         for (int index = 0; index < lines.length; index++) {

@@ -1,11 +1,11 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.List;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 
 /** What a robot can be told. {@link Wording} puts it into the words that answers repeat. */
-sealed interface Command {
+public sealed interface Command {
     /** Where the command's own word stands. */
     Token at();
 

@@ -1,10 +1,10 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 
 /** What the session as a whole can be told. */
-sealed interface SessionCommand {
+public sealed interface SessionCommand {
     <R> R accept(Visitor<R> visitor);
 
     /** One method for each command. */

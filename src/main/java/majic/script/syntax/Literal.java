@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 import majic.bot.Value;
 
@@ -9,4 +9,4 @@ import majic.bot.Value;
  * @param value a number in the unit that answers use, without unit if none was written; or a text
  * @param text as it was written
  */
-record Literal(Token at, Value value, String text) {}
+public record Literal(Token at, Value value, String text) {}

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -11,15 +11,15 @@ import java.util.List;
  * @param column where, counted from 1
  * @param message what is wrong and what would be right
  */
-record Mistake(int line, int column, String message) {
+public record Mistake(int line, int column, String message) {
     private static final int MOST_TOLD = 20;
 
-    String in(String file) {
+    public String in(String file) {
         return file + ":" + line + ":" + column + ": " + message;
     }
 
     /** A line for each of the first mistakes in a file, in their order, and one for all others. */
-    static List<String> inOrder(List<Mistake> mistakes, String file) {
+    public static List<String> inOrder(List<Mistake> mistakes, String file) {
         List<String> told = new ArrayList<>(mistakes.stream()
                 .sorted(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column))
                 .limit(MOST_TOLD)
@@ -33,7 +33,7 @@ record Mistake(int line, int column, String message) {
     }
 
     /** As in "1 mistake", "3 mistakes". */
-    static String counted(int mistakes) {
+    public static String counted(int mistakes) {
         return mistakes == 1 ? "1 mistake" : mistakes + " mistakes";
     }
 }

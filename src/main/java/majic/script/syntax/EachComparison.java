@@ -1,10 +1,10 @@
-package majic.script;
+package majic.script.syntax;
 
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** Goes through all comparisons of a condition. */
-record EachComparison(Consumer<Condition.Comparison> task) implements Condition.Visitor<@Nullable Void> {
+public record EachComparison(Consumer<Condition.Comparison> task) implements Condition.Visitor<@Nullable Void> {
     @Override
     public @Nullable Void or(Condition.Or or) {
         or.left().accept(this);

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 /**
  * The smallest piece of a script, with its place. Immutable.
@@ -9,8 +9,8 @@ package majic.script;
  * @param column of its first character, counted from 1
  * @param end the column behind its last character
  */
-record Token(Kind kind, String text, int line, int column, int end) {
-    enum Kind {
+public record Token(Kind kind, String text, int line, int column, int end) {
+    public enum Kind {
         /** A number with or without a unit: {@code -3}, {@code 2.5m}. */
         NUMBER,
         /** Two whole numbers with a dash between them: {@code 1-4}. */
@@ -35,11 +35,11 @@ record Token(Kind kind, String text, int line, int column, int end) {
         END
     }
 
-    boolean is(String word) {
+    public boolean is(String word) {
         return kind == Kind.WORD && text.equalsIgnoreCase(word);
     }
 
-    boolean isEnd() {
+    public boolean isEnd() {
         return kind == Kind.NEWLINE || kind == Kind.END;
     }
 
@@ -49,7 +49,7 @@ record Token(Kind kind, String text, int line, int column, int end) {
     }
 
     /** As it was written, quotes included. */
-    String written() {
+    public String written() {
         return kind == Kind.QUOTED ? '"' + text + '"' : text;
     }
 }

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.syntax;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
