@@ -3,7 +3,10 @@ package majic.hemisson;
 import com.fazecast.jSerialComm.SerialPort;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
+import majic.bot.Unit;
+import majic.bot.Value;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -32,7 +35,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(2)
 public class QuestionBenchmark {
     private static final int BAUD = 115_200;
-    private static final byte[] QUESTION = "I\r".getBytes(StandardCharsets.ISO_8859_1);
+    private static final byte[] QUESTION = "R,C0,10,01\r".getBytes(StandardCharsets.ISO_8859_1);
 
     private final byte[] buffer = new byte[64];
     private PortHemisson robot;
@@ -57,10 +60,10 @@ public class QuestionBenchmark {
         }
     }
 
-    /** What a parameter that nobody asks all the while costs. */
+    /** What one question costs that is not polled. */
     @Benchmark
-    public Reply ask() {
-        return driver.answers().ask(Question.SWITCHES);
+    public String ask() {
+        return driver.run("i2cRead", List.of(Value.text("C0"), Value.text("10"), Value.of(1, Unit.NONE)));
     }
 
     /** The least it can take. */

@@ -7,6 +7,8 @@ import org.junit.jupiter.api.Test;
 
 /** One question at a time, on a clock that the test moves. */
 class ConversationTest {
+    private static final Question CAMERA = Question.ask("R,C0,10,66", "r(,\\d{3}){102}", Question.msFor(409));
+    private static final Question ULTRASONIC = Question.ask("R,E0,01,03", "r(,\\d{3}){3}", Question.msFor(13));
     private static final Wheels AHEAD = new Wheels(3, 3);
 
     private final HandClock clock = new HandClock();
@@ -227,8 +229,8 @@ class ConversationTest {
         hear("d");
 
         assertThat(conversation.ask(Question.MODULES).failure()).contains("while the robot moves");
-        assertThat(conversation.ask(Bus.read(0xC0, 0x10, 102)).failure()).contains("while the robot moves");
-        assertThat(conversation.ask(Bus.read(0xE0, 1, 3)).failure()).isNull();
+        assertThat(conversation.ask(CAMERA).failure()).contains("while the robot moves");
+        assertThat(conversation.ask(ULTRASONIC).failure()).isNull();
         assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
     }
 
@@ -236,7 +238,7 @@ class ConversationTest {
     void whatTakesTheLineForLongIsGivenUpWhenAMotionHasOvertakenIt() {
         conversation.ask(Question.PROXIMITY);
         conversation.ask(Question.wheels(AHEAD));
-        Exchange camera = conversation.ask(Bus.read(0xC0, 0x10, 102));
+        Exchange camera = conversation.ask(CAMERA);
         hear("n,004,004,004,004,004,004,060,060");
         hear("d");
 
@@ -366,7 +368,7 @@ class ConversationTest {
     @Test
     void aStopWaitsBehindWhatCannotCarryOneUntilTheLineCountsAsEmpty() {
         moveOnABufferedLine();
-        conversation.ask(Bus.read(0xE0, 1, 3));
+        conversation.ask(ULTRASONIC);
         conversation.stop();
         pass(1.9);
         assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
@@ -378,7 +380,7 @@ class ConversationTest {
     @Test
     void aLateAnswerSaysThatTheLineIsFree() {
         moveOnABufferedLine();
-        conversation.ask(Bus.read(0xE0, 1, 3));
+        conversation.ask(ULTRASONIC);
         pass(1);
         assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
 

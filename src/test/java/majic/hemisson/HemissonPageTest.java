@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import majic.bot.BotEnvironment;
@@ -48,11 +47,8 @@ class HemissonPageTest {
 
     static MajicHemisson wellEquipped(boolean roadNarrows) {
         MajicHemisson bot = new MajicHemisson("//127.0.0.1:1", BotEnvironment.plain());
-        bot.equip(new Modules(
-                Arrays.stream(ModuleKind.values())
-                        .map(kind -> new Modules.Found("00", kind))
-                        .toList(),
-                roadNarrows));
+        bot.equip(Modules.of(
+                Reply.of(roadNarrows ? "j,L,C0,01,U,E0,06,T,C4,01,D,A0,01,G,D0,01,2,00,01" : "j,C0,E0,C4,A0,D0")));
         return bot;
     }
 

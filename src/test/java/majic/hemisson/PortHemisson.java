@@ -115,6 +115,7 @@ final class PortHemisson implements AutoCloseable {
             case "O" -> "o,220,220,220,220,220,220,220,220";
             case "T" -> "t,000";
             case "J" -> "j";
+            case "R,C0,10,01" -> "r,255";
             default -> command.startsWith("D") ? "d" : "Unknown Command ?!";
         };
     }

@@ -23,7 +23,7 @@ class ReceivingFuzzTest {
             Question.REMOTE,
             Question.MODULES,
             Question.wheels(new Wheels(3, 3)),
-            Bus.read(0xC0, 0x10, 3));
+            Question.ask("R,C0,10,03", "r(,\\d{3}){3}", 1.2));
 
     @FuzzTest
     void theSameLinesComeHoweverTheBytesAreCut(byte[] wire) {

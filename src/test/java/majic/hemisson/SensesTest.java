@@ -12,7 +12,7 @@ class SensesTest {
     @Test
     void whatIsAnsweredAgainAndAgainIsNeverEvictedByRawAnswers() {
         for (int register = 0; register < MANY; register++) {
-            senses.take(Question.PROXIMITY, Reply.of(DrivenHemisson.FAR), register);
+            senses.take(Question.PROXIMITY, Reply.of("n,004,004,004,004,004,004,060,080"), register);
             senses.take(raw(register), Reply.of("r,255"), register);
 
             assertThat(senses.knows(Question.PROXIMITY)).isTrue();
@@ -22,6 +22,6 @@ class SensesTest {
     }
 
     private static Question raw(int register) {
-        return Bus.read(0xC0, register, 1);
+        return Question.ask("R,C0," + register + ",01", "r,\\d{3}", 1);
     }
 }
