@@ -6,6 +6,9 @@ import majic.bot.Patience;
 import majic.bot.TimeSource;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.line.Answers;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Reply;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import majic.hemisson.line.Question;
 
 /** The stock commands for the registers of what is plugged into the I2C bus (Hemisson sheet 4.3). */
 final class Bus {

@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
  * grazing angle and the corner of a box beside the middle sensor are near in time. The strip is a little wider than the
  * disc, since the wheels never pull alike.
  */
-final class Clearance {
+public final class Clearance {
     /** The radius of the hull, mm. */
     static final double HULL_MM = 60;
 
@@ -25,7 +25,7 @@ final class Clearance {
     private Clearance() {}
 
     /** How far it may go ahead, mm; empty when nothing is in the way within range. */
-    static OptionalDouble front(Proximity seen) {
+    public static OptionalDouble front(Proximity seen) {
         OptionalDouble nearest = OptionalDouble.empty();
         for (int sensor = Proximity.FRONT; sensor <= Proximity.LEFT; sensor++) {
             nearest = smaller(nearest, ahead(seen, sensor));

@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import majic.bot.BotState;
 import majic.bot.Pose;
 import majic.bot.TimeSource;
+import majic.hemisson.line.Wheels;
 
 /** Where the robot should be by what its wheels were told, and what it publishes of that. Thread-safe. */
 final class DeadReckoning {

@@ -6,6 +6,8 @@ import java.util.function.IntFunction;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Reply;
 
 /**
  * One number of a module that can be read and set. Immutable.

@@ -6,6 +6,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import javax.swing.JLabel;
 import majic.bot.Pose;
+import majic.hemisson.line.LinkQuality;
 import majic.panel.NumbersPanel;
 
 /**

@@ -2,6 +2,7 @@ package majic.hemisson;
 
 import majic.bot.BotProfile;
 import majic.bot.Range;
+import majic.hemisson.line.Wheels;
 
 /** Size and pace of a Hemisson. */
 final class HemissonProfile {

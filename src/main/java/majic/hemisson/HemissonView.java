@@ -3,6 +3,11 @@ package majic.hemisson;
 import java.util.List;
 import majic.bot.BotState;
 import majic.bot.MajicBot.Connection;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.Leds;
+import majic.hemisson.line.LinkQuality;
+import majic.hemisson.line.RunningMode;
+import majic.hemisson.line.Wheels;
 import org.jspecify.annotations.Nullable;
 
 /**

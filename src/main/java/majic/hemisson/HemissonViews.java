@@ -3,6 +3,10 @@ package majic.hemisson;
 import java.util.List;
 import majic.bot.MajicBot;
 import majic.bot.MajicBot.Connection;
+import majic.hemisson.line.LinkQuality;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Session;
+import majic.hemisson.line.Sessions;
 import org.jspecify.annotations.Nullable;
 
 /** Collects what the panel shows, from what is known of the robot now; asks it nothing. Thread-safe. */

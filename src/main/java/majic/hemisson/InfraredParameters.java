@@ -7,6 +7,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.line.Question;
 
 /** The eight infra-red sensors: how far, how near, how bright. */
 final class InfraredParameters {

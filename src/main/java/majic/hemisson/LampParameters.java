@@ -5,6 +5,7 @@ import java.util.function.Function;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.hemisson.line.Leds;
 
 /** The four lamps and the buzzer. */
 final class LampParameters {

@@ -1,6 +1,9 @@
 package majic.hemisson;
 
 import java.util.function.UnaryOperator;
+import majic.hemisson.line.Answers;
+import majic.hemisson.line.Leds;
+import majic.hemisson.line.Question;
 
 /** The lamps and the buzzer: switched together, and never told by the robot, so their state is kept here. Thread-safe. */
 final class Lamps {

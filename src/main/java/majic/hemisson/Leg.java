@@ -2,6 +2,7 @@ package majic.hemisson;
 
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.line.Wheels;
 
 /**
  * One motion of the open-loop robot: these wheel values for so long (Hemisson sheet 13). Motor values are whole numbers,

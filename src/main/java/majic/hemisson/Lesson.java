@@ -7,6 +7,7 @@ import majic.bot.CalibrateCommand.Trial;
 import majic.bot.Motion;
 import majic.bot.Range;
 import majic.bot.Unit;
+import majic.hemisson.line.Wheels;
 
 /** How the robot is taught its pace: it drives or spins for a known time, and somebody measures how far it came. */
 final class Lesson implements CalibrateCommand.Pupil {

@@ -1,5 +1,6 @@
 package majic.hemisson;
 
+import majic.hemisson.line.Question;
 import org.jspecify.annotations.Nullable;
 
 /** Something that is looked at again and again, in turn with others. */

@@ -1,6 +1,8 @@
 package majic.hemisson;
 
 import java.util.List;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.Question;
 import org.jspecify.annotations.Nullable;
 
 /**

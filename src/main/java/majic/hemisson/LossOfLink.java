@@ -3,6 +3,8 @@ package majic.hemisson;
 import java.io.IOException;
 import java.util.function.Consumer;
 import majic.bot.LinkLost;
+import majic.hemisson.line.Session;
+import majic.hemisson.line.Standstill;
 
 /**
  * What is done and said when nobody answers any more. A robot lost in motion is told to stand until it hears, for it has

@@ -10,6 +10,14 @@ import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.Value;
+import majic.hemisson.line.Answers;
+import majic.hemisson.line.Handshake;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.LinkQuality;
+import majic.hemisson.line.Reply;
+import majic.hemisson.line.Session;
+import majic.hemisson.line.Sessions;
+import majic.hemisson.line.Standstill;
 
 /**
  * A K-Team Hemisson. It has neither encoders nor a watchdog: motions are timed, positions are estimates, and a robot

@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.stream.Collectors;
 import majic.bot.BotCommand;
 import majic.bot.ParameterTable;
+import majic.hemisson.line.Reply;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param found the modules in the order of their addresses
  * @param roadNarrows whether the firmware has commands of its own for them
  */
-record Modules(List<Found> found, boolean roadNarrows) {
+public record Modules(List<Found> found, boolean roadNarrows) {
     static final Modules NONE = new Modules(List.of(), false);
 
     /** The names of all commands that modules bring. */
@@ -33,12 +34,12 @@ record Modules(List<Found> found, boolean roadNarrows) {
         }
     }
 
-    Modules {
+    public Modules {
         found = List.copyOf(found);
     }
 
     /** Reads the answer to a scan: addresses, or with a letter before and a version behind each. */
-    static Modules of(Reply scan) {
+    public static Modules of(Reply scan) {
         String[] words = scan.rest().isEmpty() ? new String[0] : scan.rest().split(",");
         List<Found> found = new ArrayList<>();
         boolean letters = words.length > 0 && words[0].length() == 1;
@@ -54,7 +55,7 @@ record Modules(List<Found> found, boolean roadNarrows) {
     }
 
     /** As people read it. */
-    String names() {
+    public String names() {
         return found.isEmpty() ? "none" : found.stream().map(Found::name).collect(Collectors.joining(", "));
     }
 

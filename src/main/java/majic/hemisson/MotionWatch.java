@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import majic.bot.MotionFailed;
+import majic.hemisson.line.LinkQuality;
 import org.jspecify.annotations.Nullable;
 
 /** When the motion under way must be over, and what went wrong in it. Thread-safe. */

@@ -4,6 +4,13 @@ import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.TimeSource;
 import majic.bot.Value;
+import majic.hemisson.line.Answers;
+import majic.hemisson.line.Conversation;
+import majic.hemisson.line.Exchange;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Sessions;
+import majic.hemisson.line.Standstill;
+import majic.hemisson.line.Wheels;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -6,6 +6,15 @@ import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.Signal;
 import majic.bot.TimeSource;
+import majic.hemisson.line.Conversation;
+import majic.hemisson.line.ConversationListener;
+import majic.hemisson.line.Exchange;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Reply;
+import majic.hemisson.line.Session;
+import majic.hemisson.line.Standstill;
+import majic.hemisson.line.Wheels;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,6 +4,7 @@ import majic.bot.BotException;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.hemisson.line.Question;
 
 /** Three pins of the extension connector; HemiOS 1.43 and later have commands for them (Hemisson sheet 4.3). */
 final class PinParameters {

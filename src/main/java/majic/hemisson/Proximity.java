@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  *
  * @param raw as they came, but single spikes of noise taken out
  */
-record Proximity(List<Integer> raw) {
+public record Proximity(List<Integer> raw) {
     static final int FRONT = 0;
     static final int FRONT_RIGHT = 1;
     static final int FRONT_LEFT = 2;
@@ -32,12 +32,12 @@ record Proximity(List<Integer> raw) {
     private static final int[] VALUES = {250, 150, 48, 20, 13, 8, 5};
     private static final double MM_PER_STEP = 10;
 
-    Proximity {
+    public Proximity {
         raw = List.copyOf(raw);
     }
 
     /** The next readings, in which a sensor that jumps to the top from far away is taken to see nothing. */
-    Proximity next(List<Integer> readings) {
+    public Proximity next(List<Integer> readings) {
         Integer[] clean = new Integer[SENSORS];
         for (int sensor = 0; sensor < SENSORS; sensor++) {
             int value = readings.get(sensor);

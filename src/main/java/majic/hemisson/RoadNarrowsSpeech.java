@@ -7,6 +7,7 @@ import majic.bot.BotException;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.hemisson.line.Question;
 
 /** The speech module behind the RoadNarrows firmware, which takes any text and stored phrases (Hemisson sheet 10). */
 final class RoadNarrowsSpeech implements ExtensionModule {

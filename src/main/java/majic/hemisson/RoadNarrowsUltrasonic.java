@@ -9,6 +9,7 @@ import majic.bot.ParameterTable;
 import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.line.Question;
 
 /**
  * The ultrasonic module behind the RoadNarrows firmware, which answers when the echoes are in (Hemisson sheet 10). That

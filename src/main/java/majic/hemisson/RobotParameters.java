@@ -5,6 +5,9 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.LinkQuality;
+import majic.hemisson.line.Question;
 
 /** What the robot tells of itself, how well it is heard, and what it has not. */
 final class RobotParameters {

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Reply;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import majic.hemisson.line.Wheels;
 
 /**
  * How fast the wheels run for each motor value, and how far apart they are, for one robot. Nothing on the robot measures

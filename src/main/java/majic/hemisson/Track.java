@@ -2,6 +2,7 @@ package majic.hemisson;
 
 import majic.bot.BotState;
 import majic.bot.Pose;
+import majic.hemisson.line.Wheels;
 
 /**
  * Where the robot should be by what its wheels were told: dead reckoning without any measurement. Immutable.

@@ -8,6 +8,8 @@ import majic.bot.ParameterTable;
 import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Reply;
 import org.jspecify.annotations.Nullable;
 
 /**

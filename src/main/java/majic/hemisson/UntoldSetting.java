@@ -4,6 +4,7 @@ import java.util.function.Function;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.hemisson.line.Question;
 
 /** A setting of a module that the robot takes and does not tell; what it took last is kept here. Thread-safe. */
 final class UntoldSetting {

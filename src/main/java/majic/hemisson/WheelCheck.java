@@ -1,6 +1,10 @@
 package majic.hemisson;
 
 import java.util.stream.Collectors;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.Reply;
+import majic.hemisson.line.RunningMode;
+import majic.hemisson.line.Wheels;
 import org.jspecify.annotations.Nullable;
 
 /** Compares the speeds that the wheels are set to with those that the robot was told last. Thread-safe. */

@@ -7,6 +7,8 @@ import majic.bot.ParameterException;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Wheels;
 
 /** What the motors are set to, and what that means on this robot. */
 final class WheelParameters {

@@ -2,6 +2,8 @@ package majic.hemisson;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Reply;
 import org.junit.jupiter.api.Test;
 
 class SensesTest {

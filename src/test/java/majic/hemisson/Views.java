@@ -5,6 +5,10 @@ import majic.bot.BotState;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.hemisson.HemissonView.Line;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.Leds;
+import majic.hemisson.line.LinkQuality;
+import majic.hemisson.line.Wheels;
 import org.jspecify.annotations.Nullable;
 
 /** Moments of a Hemisson for tests of what is shown of them. */

@@ -1,0 +1,96 @@
+package majic.hemisson.line;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Iterator;
+
+/**
+ * The commands that were sent and not answered, and what may be sent behind them without deafening the robot, should the
+ * line deliver all of them at once. The receiver holds two characters while the robot answers; a third one deafens it
+ * (Hemisson sheet 4.4). K-Team's firmware answers D, H and L so briefly that any command survives behind them (sheet
+ * 15). Guarded by its owner.
+ */
+final class UnansweredCommands {
+    private static final int RECEIVER_HOLDS = 2;
+
+    private final Deque<Sent> commands = new ArrayDeque<>();
+    private final long stallNanos;
+    private boolean kTeams;
+    private long lastSentNanos;
+
+    private record Sent(Question question, String text, boolean brief) {
+        /** The CR included. */
+        int characters() {
+            return text.length() + 1;
+        }
+    }
+
+    UnansweredCommands(double stallSeconds) {
+        stallNanos = (long) (stallSeconds * 1e9);
+    }
+
+    /** Takes note that the robot has the receiver that K-Team's firmware was measured with; no other one is known. */
+    void isKTeams(boolean now) {
+        kTeams = now;
+    }
+
+    boolean isKTeams() {
+        return kTeams;
+    }
+
+    /** Whether a command may be sent now. What the line has held longer than it stalls counts as lost. */
+    boolean admits(String text, long nowNanos) {
+        return nowNanos - lastSentNanos >= stallNanos || waitingBehindAnAnswer(text.length() + 1) <= RECEIVER_HOLDS;
+    }
+
+    private int waitingBehindAnAnswer(int added) {
+        int characters = 0;
+        boolean answering = false;
+        for (Sent sent : commands) {
+            characters += answering ? sent.characters() : 0;
+            answering |= !sent.brief();
+        }
+        return answering ? characters + added : 0;
+    }
+
+    /** Whether the last one carries the arguments of a stop, so that a D without any is one (sheet 4.2). */
+    boolean carryAStop() {
+        Sent last = commands.peekLast();
+        return last != null && last.text().equals(last.question().carryingAStop());
+    }
+
+    void sent(Question question, String text, long nowNanos) {
+        if (!admits(text, nowNanos)) {
+            throw new IllegalStateException(text + " could deafen the robot");
+        }
+        if (nowNanos - lastSentNanos >= stallNanos) {
+            commands.clear();
+        }
+        commands.addLast(new Sent(question, text, kTeams && question.isAnsweredBriefly()));
+        lastSentNanos = nowNanos;
+    }
+
+    /** Takes note of an answer: what was sent before its command has been read as well. */
+    void answered(Reply reply) {
+        if (commands.stream().noneMatch(sent -> sent.question().isAnsweredBy(reply))) {
+            damagedAnswer();
+            return;
+        }
+        Iterator<Sent> oldest = commands.iterator();
+        boolean found = false;
+        while (!found) {
+            found = oldest.next().question().isAnsweredBy(reply);
+            oldest.remove();
+        }
+    }
+
+    /** Takes note of a line that answers nothing as it stands: a refusal, or a damaged answer, to the oldest command. */
+    void damagedAnswer() {
+        commands.pollFirst();
+    }
+
+    /** The robot was reset: nothing that was sent before is left. */
+    void clear() {
+        commands.clear();
+    }
+}

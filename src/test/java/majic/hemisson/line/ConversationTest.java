@@ -1,0 +1,422 @@
+package majic.hemisson.line;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** One question at a time, on a clock that the test moves. */
+class ConversationTest {
+    private static final Question CAMERA = Question.ask("R,C0,10,66", "r(,\\d{3}){102}", Question.msFor(409));
+    private static final Question ULTRASONIC = Question.ask("R,E0,01,03", "r(,\\d{3}){3}", Question.msFor(13));
+    private static final Wheels AHEAD = new Wheels(3, 3);
+
+    private final HandClock clock = new HandClock();
+    private final RecordingLink link = new RecordingLink();
+    private final Told told = new Told();
+    private Conversation conversation;
+
+    @BeforeEach
+    void begin() {
+        conversation = new Conversation(link, clock, LineTimes.CABLE, told);
+        conversation.brief(false);
+    }
+
+    @Test
+    void theNextQuestionWaitsForTheAnswer() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.SWITCHES);
+
+        assertThat(link.commands()).containsExactly("N");
+        hear("n,004,004,004,004,004,004,060,060");
+        assertThat(link.commands()).containsExactly("N", "I");
+    }
+
+    @Test
+    void aStopOvertakesWhatWaitsButNotTheAnswerUnderWay() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.SWITCHES);
+        conversation.stop();
+
+        assertThat(link.commands()).containsExactly("N");
+        hear("n,004,004,004,004,004,004,060,060");
+        assertThat(link.commands()).containsExactly("N", "D,0,0");
+    }
+
+    @Test
+    void aStopGoesBeforeTheRepetitionOfAMissedQuestion() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.stop();
+        pass(0.3);
+
+        assertThat(link.commands()).containsExactly("N", "D,0,0");
+    }
+
+    @Test
+    void aStopThrowsAwayMotionsThatWait() {
+        conversation.ask(Question.PROXIMITY);
+        Exchange motion = conversation.ask(Question.wheels(AHEAD));
+        conversation.stop();
+        hear("n,004,004,004,004,004,004,060,060");
+        hear("d");
+
+        assertThat(motion.failure()).isEqualTo("stopped");
+        assertThat(link.commands()).containsExactly("N", "D,0,0", "E");
+    }
+
+    @Test
+    void aStopIsRepeatedUntilItIsAnsweredAndThenVerified() {
+        conversation.stop();
+        pass(0.3);
+        pass(0.3);
+        assertThat(link.commands()).containsExactly("D,0,0", "D,0,0", "D,0,0");
+
+        hear("d");
+        assertThat(conversation.isStanding()).isFalse();
+        hear("e,00,00");
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aRobotThatStillMovesAfterADoubtfulStopIsStoppedAgain() {
+        conversation.stop();
+        pass(0.3);
+        hear("d");
+        hear("e,03,03");
+
+        assertThat(link.commands()).endsWith("E", "D,0,0");
+    }
+
+    @Test
+    void aRobotThatMovedStandsWhenItsSpeedsSaySo() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        assertThat(conversation.mayMove()).isTrue();
+
+        conversation.stop();
+        hear("d");
+        assertThat(conversation.isStanding()).isFalse();
+        hear("e,00,00");
+
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aMissedAnswerWhileMovingStopsIt() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.wheels(AHEAD));
+        pass(0.3);
+
+        assertThat(link.commands()).containsExactly("D,3,3", "N", "D,0,0");
+        assertThat(told.all()).contains("missed N in motion");
+    }
+
+    @Test
+    void aMissInMotionIsToldAsOneThoughTheRobotStandsByThen() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.ask(Question.PROXIMITY);
+        link.answeredBy(command -> hear(command.equals("E") ? "e,00,00" : "d"));
+        pass(0.3);
+
+        assertThat(conversation.isStanding()).isTrue();
+        assertThat(told.all()).contains("missed N in motion");
+    }
+
+    @Test
+    void aMissedAnswerWhileStandingIsAskedForOnceMore() {
+        Exchange look = conversation.ask(Question.PROXIMITY);
+        pass(0.3);
+        assertThat(look.isDone()).isFalse();
+        pass(0.3);
+
+        assertThat(link.commands()).containsExactly("N", "N");
+        assertThat(look.failure()).isEqualTo("no answer within 300 ms");
+    }
+
+    @Test
+    void afterAMissedAnswerTheLineMustBeQuietBeforeItIsUsed() {
+        conversation.ask(Question.PROXIMITY);
+        clock.pass(0.29);
+        conversation.heard();
+        pass(0.02);
+        assertThat(link.commands()).containsExactly("N");
+
+        pass(0.08);
+        assertThat(link.commands()).containsExactly("N", "N");
+    }
+
+    @Test
+    void whatAnswersNothingIsDropped() {
+        Exchange look = conversation.ask(Question.PROXIMITY);
+        hear("d");
+        hear("n,004,garbage");
+
+        assertThat(look.isDone()).isFalse();
+    }
+
+    @Test
+    void aMotionIsRefusedWhileADoubtfulStopIsNotConfirmed() {
+        conversation.stop();
+        pass(0.3);
+
+        assertThat(conversation.ask(Question.wheels(AHEAD)).failure()).contains("not yet confirmed");
+    }
+
+    @Test
+    void noMotionSurvivesAMissedAnswer() {
+        conversation.stop();
+        Exchange motion = conversation.ask(Question.wheels(AHEAD));
+        pass(0.3);
+
+        assertThat(motion.failure()).isNotNull();
+    }
+
+    @Test
+    void aGreetingForgetsWhatWasAskedAndTellsItToStand() {
+        Exchange look = conversation.ask(Question.PROXIMITY);
+        hear("HemiOS V1.50 , K-Team");
+        pass(0.1);
+
+        assertThat(look.failure()).isEqualTo("the robot was reset");
+        assertThat(told.all()).contains("reset");
+    }
+
+    @Test
+    void aRobotThatWasResetIsAskedForItsSpeedsBeforeItIsSentAnythingLong() {
+        hear("HemiOS V1.50 , K-Team");
+        Exchange motion = conversation.ask(Question.wheels(AHEAD));
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("E");
+        assertThat(motion.failure()).isNotNull();
+
+        hear("e,03,03");
+        assertThat(link.commands()).containsExactly("E", "D,0,0");
+    }
+
+    @Test
+    void whatSetsItsOwnSpeedsIsStoppedAgainButNotWithoutPause() {
+        conversation.stop();
+        hear("d");
+        hear("e,10,05");
+        hear("d");
+        hear("e,-5,-10");
+        assertThat(link.commands()).containsExactly("D,0,0", "E", "D,0,0", "E");
+
+        pass(0.1);
+        assertThat(link.commands()).endsWith("E", "D,0,0");
+    }
+
+    @Test
+    void noiseWithoutEndDoesNotHoldUpAStop() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.ask(Question.PROXIMITY);
+        pass(0.3);
+        for (int noise = 0; noise < 30; noise++) {
+            hear("x");
+            pass(0.05);
+        }
+
+        assertThat(link.commands()).contains("D,0,0");
+    }
+
+    @Test
+    void whatTakesTheLineForLongIsNotBegunWhileItMoves() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+
+        assertThat(conversation.ask(Question.MODULES).failure()).contains("while the robot moves");
+        assertThat(conversation.ask(CAMERA).failure()).contains("while the robot moves");
+        assertThat(conversation.ask(ULTRASONIC).failure()).isNull();
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
+    }
+
+    @Test
+    void whatTakesTheLineForLongIsGivenUpWhenAMotionHasOvertakenIt() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.wheels(AHEAD));
+        Exchange camera = conversation.ask(CAMERA);
+        hear("n,004,004,004,004,004,004,060,060");
+        hear("d");
+
+        assertThat(camera.failure()).contains("while the robot moves");
+        assertThat(link.commands()).containsExactly("N", "D,3,3");
+    }
+
+    @Test
+    void anUnansweredVerificationBeginsTheStopAnew() {
+        conversation.stop();
+        hear("d");
+        pass(0.3);
+
+        assertThat(conversation.isStanding()).isFalse();
+        assertThat(link.commands()).containsExactly("D,0,0", "E", "D,0,0");
+    }
+
+    @Test
+    void aNewerMotionReplacesOneThatWaits() {
+        conversation.ask(Question.PROXIMITY);
+        conversation.ask(Question.wheels(AHEAD));
+        conversation.ask(Question.wheels(new Wheels(4, 4)));
+        hear("n,004,004,004,004,004,004,060,060");
+        hear("d");
+
+        assertThat(link.commands()).containsExactly("N", "D,4,4");
+    }
+
+    @Test
+    void aFirmwareThatCannotTellItsSpeedsIsBelieved() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.stop();
+        hear("d");
+        hear("Unknown Command ?!");
+
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aStopThatIsOrderedBehindTheEndOfTheConnectionDoesNotUndoThatItStands() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.stop();
+        hear("d");
+        hear("e,00,00");
+        conversation.end("closed");
+
+        conversation.stop();
+
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aRobotThatSetsItsOwnSpeedsIsLookedAtForASecondBeforeItCountsAsStanding() {
+        conversation.setsItsOwnSpeeds(true);
+        conversation.stop();
+        hear("d");
+        pass(0.1);
+        hear("e,00,00");
+        assertThat(conversation.isStanding()).isFalse();
+
+        for (int look = 0; look < 8; look++) {
+            pass(0.1);
+            hear("e,00,00");
+        }
+        assertThat(conversation.isStanding()).isFalse();
+        pass(0.1);
+        hear("e,00,00");
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aQuestionInMotionCarriesAStopSoThatTwoCharactersBehindItAreOne() {
+        moveOnABufferedLine();
+        conversation.ask(Question.PROXIMITY);
+        conversation.stop();
+        assertThat(link.commands()).containsExactly("D,3,3", "N,0,0");
+
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("D,3,3", "N,0,0", "D");
+    }
+
+    @Test
+    void nothingFollowsAStopThatWaitsBehindAQuestionUntilTheLineCountsAsEmpty() {
+        moveOnABufferedLine();
+        conversation.ask(Question.PROXIMITY);
+        pass(1);
+        assertThat(link.commands()).containsExactly("D,3,3", "N,0,0", "D");
+        assertThat(told.all()).contains("missed N in motion");
+
+        for (int tick = 0; tick < 39; tick++) {
+            pass(0.05);
+        }
+        assertThat(link.commands()).hasSize(3);
+        pass(0.05);
+        pass(0.3);
+        assertThat(link.commands()).containsExactly("D,3,3", "N,0,0", "D", "D,0,0", "D,0,0");
+    }
+
+    @Test
+    void theAnswersOfAQuestionAndOfTheStopBehindItAreTold() {
+        moveOnABufferedLine();
+        Exchange look = conversation.ask(Question.PROXIMITY);
+        conversation.stop();
+        pass(0.1);
+
+        hear("n,004,004,004,004,004,004,060,060");
+        assertThat(look.reply()).isNotNull();
+        assertThat(link.commands()).hasSize(3);
+        hear("d");
+        hear("e,00,00");
+        assertThat(conversation.isStanding()).isTrue();
+    }
+
+    @Test
+    void aStopGoesOutAtOnceBehindWhatIsAnsweredBriefly() {
+        conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
+        conversation.brief(false);
+        conversation.hasKTeamsReceiver(true);
+        conversation.ask(Question.wheels(AHEAD));
+        conversation.stop();
+
+        assertThat(link.commands()).containsExactly("D,3,3", "D,0,0");
+    }
+
+    @Test
+    void aStopWaitsBehindWhatCannotCarryOneUntilTheLineCountsAsEmpty() {
+        moveOnABufferedLine();
+        conversation.ask(ULTRASONIC);
+        conversation.stop();
+        pass(1.9);
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
+
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03", "D,0,0");
+    }
+
+    @Test
+    void aLateAnswerSaysThatTheLineIsFree() {
+        moveOnABufferedLine();
+        conversation.ask(ULTRASONIC);
+        pass(1);
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03");
+
+        hear("r,001,002,003");
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("D,3,3", "R,E0,01,03", "D,0,0");
+    }
+
+    @Test
+    void aReceiverThatNobodyMeasuredIsSentNothingBehindAnything() {
+        conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
+        conversation.brief(false);
+        conversation.ask(Question.wheels(AHEAD));
+        conversation.stop();
+        pass(1.9);
+        assertThat(link.commands()).containsExactly("D,3,3");
+
+        pass(0.1);
+        assertThat(link.commands()).containsExactly("D,3,3", "D,0,0");
+    }
+
+    private void moveOnABufferedLine() {
+        conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
+        conversation.brief(false);
+        conversation.hasKTeamsReceiver(true);
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+    }
+
+    private void hear(String line) {
+        conversation.heard();
+        conversation.received(Reply.of(line));
+    }
+
+    private void pass(double seconds) {
+        clock.pass(seconds);
+        conversation.tick();
+    }
+}
