@@ -7,6 +7,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import majic.hemisson.readings.Proximity;
 import majic.panel.Ink;
 
 /** A bar where each infra-red sensor sits, pointing where it looks, filled the more the nearer something is; its figure. */

@@ -8,6 +8,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.readings.Clearance;
 import majic.panel.Ink;
 
 /**

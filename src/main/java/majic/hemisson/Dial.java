@@ -8,6 +8,7 @@ import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
+import majic.hemisson.readings.Access;
 
 /**
  * One number of a module that can be read and set. Immutable.

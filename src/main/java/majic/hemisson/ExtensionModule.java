@@ -3,6 +3,7 @@ package majic.hemisson;
 import java.util.List;
 import majic.bot.BotCommand;
 import majic.bot.ParameterTable;
+import majic.hemisson.readings.Access;
 
 /** Something plugged into the extension connector, as far as the robot can be asked about it (Hemisson sheet 9). */
 interface ExtensionModule {

@@ -6,6 +6,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.bot.Pose;
+import majic.hemisson.readings.Clearance;
 import majic.panel.Ink;
 import majic.panel.map.MapView;
 import majic.panel.map.WayContent;

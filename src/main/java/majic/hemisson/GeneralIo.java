@@ -3,6 +3,7 @@ package majic.hemisson;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
+import majic.hemisson.readings.Access;
 
 /** The module with five analogue inputs and twelve digital lines (Hemisson sheet 9). */
 final class GeneralIo implements ExtensionModule {

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import javax.swing.JPanel;
+import majic.hemisson.readings.Proximity;
 import majic.panel.Ink;
 
 /**

@@ -7,6 +7,8 @@ import java.util.stream.Collectors;
 import javax.swing.JLabel;
 import majic.bot.Pose;
 import majic.hemisson.line.LinkQuality;
+import majic.hemisson.readings.Clearance;
+import majic.hemisson.readings.Proximity;
 import majic.panel.NumbersPanel;
 
 /**

@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import majic.bot.ParameterTable;
+import majic.hemisson.readings.Access;
 
 /**
  * What can be read from and set on every Hemisson; {@link Modules} adds what is plugged in.

@@ -8,6 +8,7 @@ import majic.hemisson.line.Leds;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.RunningMode;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.readings.Proximity;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -7,6 +7,7 @@ import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Session;
 import majic.hemisson.line.Sessions;
+import majic.hemisson.readings.Senses;
 import org.jspecify.annotations.Nullable;
 
 /** Collects what the panel shows, from what is known of the robot now; asks it nothing. Thread-safe. */

@@ -9,6 +9,7 @@ import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
+import majic.hemisson.readings.Access;
 
 /**
  * Raw reading and writing on the I2C bus, for what there is no other word for. Reading moves nothing; what is written

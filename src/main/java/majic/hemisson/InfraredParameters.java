@@ -8,6 +8,9 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
+import majic.hemisson.readings.Access;
+import majic.hemisson.readings.Clearance;
+import majic.hemisson.readings.Proximity;
 
 /** The eight infra-red sensors: how far, how near, how bright. */
 final class InfraredParameters {

@@ -9,6 +9,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.readings.Access;
 
 /** The display of two lines with its three keys (Hemisson sheet 9). */
 final class Lcd implements ExtensionModule {

@@ -6,6 +6,7 @@ import java.awt.Shape;
 import java.awt.geom.Arc2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
+import majic.hemisson.readings.Proximity;
 import majic.panel.Ink;
 
 /** The light on each sensor as the shade of what lies before it: sunny where it is bright, shadow where it is dark. */

@@ -9,6 +9,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
+import majic.hemisson.readings.Access;
 
 /**
  * The camera of one line of 102 pixels (Hemisson sheet 9 and 10). To read it takes the line for up to 37 ms, so it is not

@@ -18,6 +18,7 @@ import majic.hemisson.line.Reply;
 import majic.hemisson.line.Session;
 import majic.hemisson.line.Sessions;
 import majic.hemisson.line.Standstill;
+import majic.hemisson.readings.Access;
 
 /**
  * A K-Team Hemisson. It has neither encoders nor a watchdog: motions are timed, positions are estimates, and a robot

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import majic.bot.BotCommand;
 import majic.bot.ParameterTable;
 import majic.hemisson.line.Reply;
+import majic.hemisson.readings.Access;
 import org.jspecify.annotations.Nullable;
 
 /**

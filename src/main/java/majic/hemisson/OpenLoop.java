@@ -11,6 +11,7 @@ import majic.hemisson.line.Question;
 import majic.hemisson.line.Sessions;
 import majic.hemisson.line.Standstill;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.readings.Proximity;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -15,6 +15,9 @@ import majic.hemisson.line.Reply;
 import majic.hemisson.line.Session;
 import majic.hemisson.line.Standstill;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.readings.Lookout;
+import majic.hemisson.readings.Proximity;
+import majic.hemisson.readings.Senses;
 import org.jspecify.annotations.Nullable;
 
 /**

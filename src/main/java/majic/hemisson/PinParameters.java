@@ -5,6 +5,8 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
+import majic.hemisson.readings.Access;
+import majic.hemisson.readings.Look;
 
 /** Three pins of the extension connector; HemiOS 1.43 and later have commands for them (Hemisson sheet 4.3). */
 final class PinParameters {

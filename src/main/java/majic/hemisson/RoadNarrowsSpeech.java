@@ -8,6 +8,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
+import majic.hemisson.readings.Access;
 
 /** The speech module behind the RoadNarrows firmware, which takes any text and stored phrases (Hemisson sheet 10). */
 final class RoadNarrowsSpeech implements ExtensionModule {

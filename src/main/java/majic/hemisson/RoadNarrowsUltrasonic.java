@@ -10,6 +10,7 @@ import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
+import majic.hemisson.readings.Access;
 
 /**
  * The ultrasonic module behind the RoadNarrows firmware, which answers when the echoes are in (Hemisson sheet 10). That

@@ -7,6 +7,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.hemisson.readings.Access;
 
 /** The speech module; by stock commands it speaks the phrases stored in it (Hemisson sheet 9). */
 final class Speech implements ExtensionModule {

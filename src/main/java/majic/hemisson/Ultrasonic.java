@@ -10,6 +10,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
+import majic.hemisson.readings.Access;
+import majic.hemisson.readings.Look;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -5,6 +5,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
+import majic.hemisson.readings.Access;
 
 /** A setting of a module that the robot takes and does not tell; what it took last is kept here. Thread-safe. */
 final class UntoldSetting {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import majic.bot.BotEnvironment;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.readings.Proximity;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

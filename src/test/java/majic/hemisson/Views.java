@@ -9,6 +9,7 @@ import majic.hemisson.line.Identity;
 import majic.hemisson.line.Leds;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.readings.Proximity;
 import org.jspecify.annotations.Nullable;
 
 /** Moments of a Hemisson for tests of what is shown of them. */

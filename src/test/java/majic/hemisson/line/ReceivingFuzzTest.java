@@ -7,9 +7,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import majic.hemisson.Clearance;
 import majic.hemisson.Modules;
-import majic.hemisson.Proximity;
+import majic.hemisson.readings.Clearance;
+import majic.hemisson.readings.Proximity;
 
 /**
  * Whatever bytes come from a robot: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.readings;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * What the robot answered last to what it is asked again and again, and what somebody wants it to be asked beside that.
  * Thread-safe.
  */
-final class Senses {
+public final class Senses {
     /** A wish is forgotten if nobody repeats it for so long, ns. */
     private static final long WISH_NANOS = 3_000_000_000L;
 
@@ -25,7 +25,7 @@ final class Senses {
     private volatile @Nullable Proximity seen;
 
     /** An answer and when it came. */
-    record Heard(Reply reply, long nanos) {}
+    public record Heard(Reply reply, long nanos) {}
 
     /** The answers used last, for raw questions could be ever new ones; in the order of use, so that common ones stay. */
     private static final class Newest extends LinkedHashMap<String, Heard> {
@@ -44,7 +44,7 @@ final class Senses {
     }
 
     /** Takes in an answer, if it is one to a look. */
-    void take(Question question, Reply reply, long nowNanos) {
+    public void take(Question question, Reply reply, long nowNanos) {
         heard.put(question.text(), new Heard(reply, nowNanos));
         if (question.equals(Question.PROXIMITY)) {
             Proximity before = seen;
@@ -53,14 +53,12 @@ final class Senses {
     }
 
     /** What it saw last; null before the first reading. */
-    @Nullable
-    Proximity seen() {
+    public @Nullable Proximity seen() {
         return seen;
     }
 
     /** The last answer to a question; null before the first. */
-    @Nullable
-    Heard heard(Question question) {
+    public @Nullable Heard heard(Question question) {
         return heard.get(question.text());
     }
 
@@ -77,7 +75,7 @@ final class Senses {
     }
 
     /** Notes that the robot does not understand a question; the connection may also have garbled one that it knows. */
-    void refuse(Question question) {
+    public void refuse(Question question) {
         if (!knows(question)) {
             refused.add(question.text());
         }
@@ -100,7 +98,7 @@ final class Senses {
     }
 
     /** Forgets all, for a new connection. */
-    void forget() {
+    public void forget() {
         heard.clear();
         wishes.clear();
         refused.clear();

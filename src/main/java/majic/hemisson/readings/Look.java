@@ -1,11 +1,11 @@
-package majic.hemisson;
+package majic.hemisson.readings;
 
 import majic.hemisson.line.Question;
 import org.jspecify.annotations.Nullable;
 
 /** Something that is looked at again and again, in turn with others. */
 @FunctionalInterface
-interface Look {
+public interface Look {
     /**
      * What to ask when it is its turn.
      *

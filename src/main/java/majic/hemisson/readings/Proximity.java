@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.readings;
 
 import java.util.List;
 import java.util.OptionalDouble;
@@ -16,9 +16,9 @@ public record Proximity(List<Integer> raw) {
     static final int RIGHT = 3;
     static final int LEFT = 4;
     static final int REAR = 5;
-    static final int GROUND_RIGHT = 6;
-    static final int GROUND_LEFT = 7;
-    static final int SENSORS = 8;
+    public static final int GROUND_RIGHT = 6;
+    public static final int GROUND_LEFT = 7;
+    public static final int SENSORS = 8;
 
     /** A reading below zero wraps round to this and above; so does nothing else away from a wall. */
     private static final int WRAPPED = 250;
@@ -47,7 +47,7 @@ public record Proximity(List<Integer> raw) {
         return new Proximity(List.of(clean));
     }
 
-    int value(int sensor) {
+    public int value(int sensor) {
         return raw.get(sensor);
     }
 
@@ -57,7 +57,7 @@ public record Proximity(List<Integer> raw) {
      *
      * @return 0 to 60 mm; empty when nothing is in range
      */
-    OptionalDouble distanceMm(int sensor) {
+    public OptionalDouble distanceMm(int sensor) {
         int value = value(sensor);
         if (value <= NOTHING) {
             return OptionalDouble.empty();
@@ -74,7 +74,7 @@ public record Proximity(List<Integer> raw) {
     }
 
     /** The left ground reading without the firmware's slip, which subtracts from the right one's light (sheet 6). */
-    static int correctedGroundLeft(int proximity, int lightRight, int lightLeft) {
+    public static int correctedGroundLeft(int proximity, int lightRight, int lightLeft) {
         return Math.floorMod(proximity - lightRight + lightLeft, 256);
     }
 }

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.readings;
 
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Who must not wait, as the guard of a robot that moves, is served with what was heard last; what nobody asks all the
  * while is asked from then on in turn with the rest.
  */
-final class Access {
+public final class Access {
     /** The robot itself has new readings every 41 ms (Hemisson sheet 4.6). */
     private static final long FRESH_NANOS = 100_000_000;
 
@@ -27,19 +27,19 @@ final class Access {
     private final Answers answers;
     private final TimeSource time;
 
-    Access(Senses senses, Answers answers, TimeSource time) {
+    public Access(Senses senses, Answers answers, TimeSource time) {
         this.senses = senses;
         this.answers = answers;
         this.time = time;
     }
 
     /** The robot's clock, ns. */
-    long nanos() {
+    public long nanos() {
         return time.nanos();
     }
 
     /** Reads what the proximity sensors saw last. */
-    Supplier<Value> seen(Function<Proximity, Value> reading) {
+    public Supplier<Value> seen(Function<Proximity, Value> reading) {
         return () -> {
             Proximity seen = senses.seen();
             return seen == null ? Value.unknown("no reading yet") : reading.apply(seen);
@@ -47,7 +47,7 @@ final class Access {
     }
 
     /** Reads what is among the usual looks; asks where that is not fresh. */
-    Supplier<Value> asked(Question question, Function<Reply, Value> reading) {
+    public Supplier<Value> asked(Question question, Function<Reply, Value> reading) {
         return () -> {
             Reply reply = reply(question);
             return reply == null ? Value.unknown("no reading yet") : reading.apply(reply);
@@ -55,7 +55,7 @@ final class Access {
     }
 
     /** Reads what nobody but those asks for who want it. */
-    Supplier<Value> wanted(Question question, Function<Reply, Value> reading) {
+    public Supplier<Value> wanted(Question question, Function<Reply, Value> reading) {
         Look look = now -> question;
         Supplier<Value> asked = asked(question, reading);
         return () -> {
@@ -65,12 +65,12 @@ final class Access {
     }
 
     /** Has something looked at for the next seconds. */
-    void want(Look look) {
+    public void want(Look look) {
         senses.want(look, time.nanos());
     }
 
     /** Lets a module do its work. */
-    void pause(double seconds) {
+    public void pause(double seconds) {
         answers.pause(seconds);
     }
 
@@ -83,22 +83,21 @@ final class Access {
     }
 
     /** What was heard of late. */
-    @Nullable
-    Reply last(Question question, long ageNanos) {
+    public @Nullable Reply last(Question question, long ageNanos) {
         return senses.last(question, time.nanos(), ageNanos);
     }
 
     /** Asks something now and waits for the answer. */
-    Reply ask(Question question) {
+    public Reply ask(Question question) {
         return answers.ask(question);
     }
 
     /** Tells the robot something, and waits until it has confirmed it where the thread may wait. */
-    void tell(Question order) {
+    public void tell(Question order) {
         answers.tell(order);
     }
 
-    static Value count(int number) {
+    public static Value count(int number) {
         return Value.of(number, Unit.NONE);
     }
 }

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.readings;
 
 import java.util.List;
 import majic.hemisson.line.Identity;
@@ -9,14 +9,14 @@ import org.jspecify.annotations.Nullable;
  * What to ask next of a robot that is watched all the while: mostly what it sees, in between how bright it is, its
  * switches, the TV remote control and what else somebody wants. Used by one thread at a time.
  */
-final class Lookout {
+public final class Lookout {
     private static final int ROUND = 16;
 
     private final Senses senses;
     private int turn;
     private int wish;
 
-    Lookout(Senses senses) {
+    public Lookout(Senses senses) {
         this.senses = senses;
     }
 
@@ -27,7 +27,7 @@ final class Lookout {
      *     refuse, for that would count as a missed answer
      * @param identity whether it can be asked for the speeds of its wheels, and may set them itself
      */
-    Question next(long nowNanos, boolean inMotion, Identity identity) {
+    public Question next(long nowNanos, boolean inMotion, Identity identity) {
         turn = (turn + 1) % ROUND;
         if (inMotion && turn % 2 == 1 && identity.setsItsOwnSpeeds() && identity.tellsSpeeds()) {
             return Question.SPEEDS;

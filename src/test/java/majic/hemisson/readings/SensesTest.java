@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.readings;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

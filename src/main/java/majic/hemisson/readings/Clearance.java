@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.readings;
 
 import java.util.OptionalDouble;
 
@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
  */
 public final class Clearance {
     /** The radius of the hull, mm. */
-    static final double HULL_MM = 60;
+    public static final double HULL_MM = 60;
 
     private static final double STRIP_MM = HULL_MM + 5;
 
@@ -33,16 +33,16 @@ public final class Clearance {
         return nearest;
     }
 
-    static OptionalDouble left(Proximity seen) {
+    public static OptionalDouble left(Proximity seen) {
         return beyond(seen.distanceMm(Proximity.LEFT), HULL_MM - MOUNTS[Proximity.LEFT][1]);
     }
 
-    static OptionalDouble right(Proximity seen) {
+    public static OptionalDouble right(Proximity seen) {
         return beyond(seen.distanceMm(Proximity.RIGHT), HULL_MM + MOUNTS[Proximity.RIGHT][1]);
     }
 
     /** Behind; the rear sensor is the hindmost point of the robot. */
-    static OptionalDouble back(Proximity seen) {
+    public static OptionalDouble back(Proximity seen) {
         return seen.distanceMm(Proximity.REAR);
     }
 
