@@ -3,6 +3,7 @@ package majic.hemisson;
 import majic.bot.BotProfile;
 import majic.bot.Range;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.readings.Clearance;
 
 /** Size and pace of a Hemisson. */

@@ -7,6 +7,7 @@ import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Session;
 import majic.hemisson.line.Sessions;
+import majic.hemisson.motion.Overseer;
 import majic.hemisson.readings.Senses;
 import org.jspecify.annotations.Nullable;
 

@@ -18,6 +18,12 @@ import majic.hemisson.line.Reply;
 import majic.hemisson.line.Session;
 import majic.hemisson.line.Sessions;
 import majic.hemisson.line.Standstill;
+import majic.hemisson.motion.Calibration;
+import majic.hemisson.motion.Leg;
+import majic.hemisson.motion.Lesson;
+import majic.hemisson.motion.OpenLoop;
+import majic.hemisson.motion.Overseer;
+import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.readings.Access;
 
 /**

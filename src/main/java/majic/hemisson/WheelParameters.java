@@ -9,6 +9,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.motion.Calibration;
+import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.readings.Access;
 
 /** What the motors are set to, and what that means on this robot. */

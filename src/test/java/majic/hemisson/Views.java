@@ -9,6 +9,8 @@ import majic.hemisson.line.Identity;
 import majic.hemisson.line.Leds;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.motion.SpeedTable;
+import majic.hemisson.motion.Track;
 import majic.hemisson.readings.Proximity;
 import org.jspecify.annotations.Nullable;
 

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * Moves the robot, which measures nothing of its way: legs that are timed (Hemisson sheet 13), and drives until they
  * expire. Thread-safe; {@code MajicBot} runs one motion at a time.
  */
-final class OpenLoop {
+public final class OpenLoop {
     private final Sessions sessions;
     private final Answers answers;
     private final Standstill standstill;
@@ -26,7 +26,7 @@ final class OpenLoop {
     private final TimeSource time;
     private volatile Wheels driven = Wheels.STILL;
 
-    OpenLoop(Sessions sessions, Answers answers, Standstill standstill, Overseer overseer, TimeSource time) {
+    public OpenLoop(Sessions sessions, Answers answers, Standstill standstill, Overseer overseer, TimeSource time) {
         this.sessions = sessions;
         this.answers = answers;
         this.standstill = standstill;
@@ -39,7 +39,7 @@ final class OpenLoop {
      *
      * @throws MotionFailed if the robot missed an answer, disobeyed or was reset; it was stopped
      */
-    Value run(Leg leg, Motion motion) {
+    public Value run(Leg leg, Motion motion) {
         return new Run(leg, motion).run();
     }
 
@@ -48,7 +48,7 @@ final class OpenLoop {
      *
      * @throws MotionFailed if the robot cannot be driven now; the message says why
      */
-    void drive(Wheels wheels) {
+    public void drive(Wheels wheels) {
         refuseContrary();
         overseer.motion().drives(time.nanos());
         driven = wheels;
@@ -56,7 +56,7 @@ final class OpenLoop {
     }
 
     /** What the wheels were set to by the last {@link #drive}. */
-    Wheels driven() {
+    public Wheels driven() {
         return driven;
     }
 

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import java.util.stream.Collectors;
 import majic.hemisson.line.Identity;
@@ -8,7 +8,7 @@ import majic.hemisson.line.Wheels;
 import org.jspecify.annotations.Nullable;
 
 /** Compares the speeds that the wheels are set to with those that the robot was told last. Thread-safe. */
-final class WheelCheck {
+public final class WheelCheck {
     private volatile Wheels told = Wheels.STILL;
     private volatile @Nullable String found;
 
@@ -18,8 +18,7 @@ final class WheelCheck {
     }
 
     /** What differed last; null if nothing does. */
-    @Nullable
-    String found() {
+    public @Nullable String found() {
         return found;
     }
 

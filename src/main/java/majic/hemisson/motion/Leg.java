@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -15,14 +15,14 @@ import majic.hemisson.line.Wheels;
  * @param perSecond what that makes in a second, mm or degrees, signed
  * @param unit of which of them
  */
-record Leg(Wheels wheels, Wheels eased, double easedShare, double seconds, double perSecond, Unit unit) {
+public record Leg(Wheels wheels, Wheels eased, double easedShare, double seconds, double perSecond, Unit unit) {
     /** A leg shorter than this goes slower, so that the timing of the line matters less. */
     private static final double SHORTEST_SECONDS = 0.4;
 
     /** How long it goes on with both wheels before one is eased, and that, about. */
     private static final double ROUND_SECONDS = 1;
 
-    static Leg straight(double mm, double cruiseMmPerSec, SpeedTable table) {
+    public static Leg straight(double mm, double cruiseMmPerSec, SpeedTable table) {
         int value = slowed(Math.abs(mm), cruiseMmPerSec, table);
         int sign = mm < 0 ? -1 : 1;
         boolean rightIsFaster = table.trimPercent() > 0;
@@ -40,7 +40,7 @@ record Leg(Wheels wheels, Wheels eased, double easedShare, double seconds, doubl
                 Unit.MM);
     }
 
-    static Leg spin(double degrees, double cruiseDegPerSec, SpeedTable table) {
+    public static Leg spin(double degrees, double cruiseDegPerSec, SpeedTable table) {
         double wayPerDegree = Math.toRadians(1) * table.wheelDistanceMm() / 2;
         int value = slowed(Math.abs(degrees) * wayPerDegree, cruiseDegPerSec * wayPerDegree, table);
         int signed = degrees < 0 ? -value : value;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -8,7 +8,7 @@ import majic.bot.TimeSource;
 import majic.hemisson.line.Wheels;
 
 /** Where the robot should be by what its wheels were told, and what it publishes of that. Thread-safe. */
-final class DeadReckoning {
+public final class DeadReckoning {
     private final TimeSource time;
     private final Consumer<BotState> states;
     private final BooleanSupplier mayMoveUntold;
@@ -27,7 +27,7 @@ final class DeadReckoning {
         this.track = Track.standing(Pose.START, time.nanos(), table);
     }
 
-    Track track() {
+    public Track track() {
         return track;
     }
 
@@ -37,7 +37,7 @@ final class DeadReckoning {
     }
 
     /** Goes on with another calibration. */
-    void use(SpeedTable table) {
+    public void use(SpeedTable table) {
         long now = time.nanos();
         track = new Track(track.at(now), now, track.wheels(), table);
     }

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import majic.bot.MotionFailed;
 import majic.hemisson.line.LinkQuality;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import java.util.List;
 import java.util.Locale;
@@ -10,7 +10,7 @@ import majic.bot.Unit;
 import majic.hemisson.line.Wheels;
 
 /** How the robot is taught its pace: it drives or spins for a known time, and somebody measures how far it came. */
-final class Lesson implements CalibrateCommand.Pupil {
+public final class Lesson implements CalibrateCommand.Pupil {
     private static final String FORWARD = "forward";
     private static final String SPIN = "spin";
 
@@ -25,7 +25,7 @@ final class Lesson implements CalibrateCommand.Pupil {
     private final Pace pace;
 
     /** How fast the robot usually goes. */
-    interface Pace {
+    public interface Pace {
         /** Straight, mm/s. */
         double mmPerSec();
 
@@ -33,7 +33,7 @@ final class Lesson implements CalibrateCommand.Pupil {
         double degPerSec();
     }
 
-    Lesson(Calibration calibration, OpenLoop motions, Pace pace) {
+    public Lesson(Calibration calibration, OpenLoop motions, Pace pace) {
         this.calibration = calibration;
         this.motions = motions;
         this.pace = pace;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import majic.bot.BotState;
 import majic.bot.Pose;
@@ -12,8 +12,8 @@ import majic.hemisson.line.Wheels;
  * @param wheels the present wheel values
  * @param table what they mean
  */
-record Track(Pose from, long sinceNanos, Wheels wheels, SpeedTable table) {
-    static Track standing(Pose pose, long nowNanos, SpeedTable table) {
+public record Track(Pose from, long sinceNanos, Wheels wheels, SpeedTable table) {
+    public static Track standing(Pose pose, long nowNanos, SpeedTable table) {
         return new Track(pose, nowNanos, Wheels.STILL, table);
     }
 
@@ -23,12 +23,12 @@ record Track(Pose from, long sinceNanos, Wheels wheels, SpeedTable table) {
     }
 
     /** Goes on with other wheel values from a moment on. */
-    Track then(Wheels next, long nanos) {
+    public Track then(Wheels next, long nanos) {
         return new Track(at(nanos), Math.max(nanos, sinceNanos), next, table);
     }
 
     /** What is to be told of it. */
-    BotState state(long nowNanos, boolean moving) {
+    public BotState state(long nowNanos, boolean moving) {
         return new BotState(at(nowNanos), table.speedMmPerSec(wheels), table.turnDegPerSec(wheels), moving, nowNanos);
     }
 }

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import java.util.Arrays;
 import java.util.List;
@@ -9,10 +9,10 @@ import majic.bot.Range;
 import majic.bot.Settings;
 
 /** The speed table of one robot, kept in the user's settings under its address. Thread-safe. */
-final class Calibration {
-    static final Range WHEEL_DISTANCE_MM = new Range(30, 300);
-    static final Range TRIM_PERCENT = new Range(-30, 30);
-    static final Range WHEEL_MM_PER_SEC = new Range(0.5, 500);
+public final class Calibration {
+    public static final Range WHEEL_DISTANCE_MM = new Range(30, 300);
+    public static final Range TRIM_PERCENT = new Range(-30, 30);
+    public static final Range WHEEL_MM_PER_SEC = new Range(0.5, 500);
 
     private final Settings settings;
     private final String prefix;
@@ -24,7 +24,7 @@ final class Calibration {
      *
      * @param changed takes each new table, also one that could not be kept; on the thread that changes it
      */
-    Calibration(Settings settings, String address, Consumer<SpeedTable> changed) {
+    public Calibration(Settings settings, String address, Consumer<SpeedTable> changed) {
         this.settings = settings;
         this.changed = changed;
         this.prefix = "hemisson." + address.replaceFirst("^(tcp:)?//", "") + ".";
@@ -34,12 +34,12 @@ final class Calibration {
                 kept("trim", 0, TRIM_PERCENT));
     }
 
-    SpeedTable table() {
+    public SpeedTable table() {
         return table;
     }
 
     /** Takes another table, for the motions from the next one on, and keeps it; it holds also where that fails. */
-    void learn(SpeedTable better) {
+    public void learn(SpeedTable better) {
         table = better;
         try {
             keep(better);

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import java.io.IOException;
 import java.util.function.Consumer;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import java.io.IOException;
 import java.util.List;
@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * Keeps an eye on the robot: asks what it sees all the while, more often while it moves, and notices missed answers,
  * disobedience and silence. Called by the keeper and the reader; never waits.
  */
-final class Overseer implements ConversationListener {
+public final class Overseer implements ConversationListener {
     private static final int IDLE_TICKS_PER_LOOK = 2;
 
     private final Owner owner;
@@ -45,7 +45,7 @@ final class Overseer implements ConversationListener {
     private long ticks;
 
     /** The driver. Called by its timer thread and the reader; must not wait. */
-    interface Owner {
+    public interface Owner {
         /** Whether the robot is connected, so that it is polled. */
         boolean isConnected();
 
@@ -71,7 +71,7 @@ final class Overseer implements ConversationListener {
      * @param changes raised after each answer, for all threads that wait for one
      * @param table what the motor values mean
      */
-    Overseer(Owner owner, TimeSource time, Signal changes, SpeedTable table) {
+    public Overseer(Owner owner, TimeSource time, Signal changes, SpeedTable table) {
         this.owner = owner;
         this.time = time;
         this.changes = changes;
@@ -81,7 +81,7 @@ final class Overseer implements ConversationListener {
     }
 
     /** Takes over a new connection. */
-    void begin(Session opened) {
+    public void begin(Session opened) {
         watching = false;
         modeUnknown = false;
         restarted = false;
@@ -93,17 +93,17 @@ final class Overseer implements ConversationListener {
     }
 
     /** Takes the robot that answered at connecting. */
-    void identified(Identity found) {
+    public void identified(Identity found) {
         identity = found;
     }
 
     /** The robot that answered last; {@link Identity#NOBODY} before the first. */
-    Identity identity() {
+    public Identity identity() {
         return identity;
     }
 
     /** Begins to poll the robot, and warns if it runs in a mode of its own. */
-    void watch() {
+    public void watch() {
         watching = true;
         warnOfMode();
     }
@@ -116,16 +116,15 @@ final class Overseer implements ConversationListener {
     }
 
     /** What it saw last; null before the first reading. */
-    @Nullable
-    Proximity seen() {
+    public @Nullable Proximity seen() {
         return senses.seen();
     }
 
-    Senses senses() {
+    public Senses senses() {
         return senses;
     }
 
-    DeadReckoning reckoning() {
+    public DeadReckoning reckoning() {
         return reckoning;
     }
 
@@ -133,12 +132,12 @@ final class Overseer implements ConversationListener {
         return motion;
     }
 
-    WheelCheck wheels() {
+    public WheelCheck wheels() {
         return wheels;
     }
 
     /** Looks after everything whose time has come. Called by the keeper. */
-    void tick() {
+    public void tick() {
         Session open = session;
         if (open == null || open.isClosed()) {
             return;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.motion;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,19 +13,19 @@ import majic.hemisson.line.Wheels;
  * @param wheelDistanceMm from wheel to wheel, mm
  * @param trimPercent by how much the right wheel runs faster than the left one at the same value, %
  */
-record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double trimPercent) {
+public record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double trimPercent) {
     /** The sheet's credible value; makers of other clients used 110 and 112. */
     static final double USUAL_WHEEL_DISTANCE_MM = 90;
 
     /** The slowest value that reliably overcomes friction. */
-    static final int SLOWEST = 2;
+    public static final int SLOWEST = 2;
 
     /** The curve in the manual (Hemisson sheet 5). */
     static final List<Double> MANUAL = List.of(3.0, 18.0, 42.0, 64.0, 86.0, 109.0, 134.0, 156.0, 184.0);
 
-    static final SpeedTable USUAL = new SpeedTable(MANUAL, USUAL_WHEEL_DISTANCE_MM, 0);
+    public static final SpeedTable USUAL = new SpeedTable(MANUAL, USUAL_WHEEL_DISTANCE_MM, 0);
 
-    SpeedTable {
+    public SpeedTable {
         speedsMmPerSec = List.copyOf(speedsMmPerSec);
         if (!isRising(speedsMmPerSec) || !(wheelDistanceMm > 0) || !(Math.abs(trimPercent) < 100)) {
             throw new IllegalArgumentException(
@@ -34,7 +34,7 @@ record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double tr
     }
 
     /** Whether these can be the speeds for the motor values 1 to 9. */
-    static boolean isRising(List<Double> speeds) {
+    public static boolean isRising(List<Double> speeds) {
         double before = 0;
         for (double speed : speeds) {
             if (!(speed > before)) {
@@ -52,20 +52,20 @@ record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double tr
         return new SpeedTable(scaled, wheelDistanceMm, trimPercent);
     }
 
-    SpeedTable withSpeeds(List<Double> newMmPerSec) {
+    public SpeedTable withSpeeds(List<Double> newMmPerSec) {
         return new SpeedTable(newMmPerSec, wheelDistanceMm, trimPercent);
     }
 
-    SpeedTable withWheelDistance(double mm) {
+    public SpeedTable withWheelDistance(double mm) {
         return new SpeedTable(speedsMmPerSec, mm, trimPercent);
     }
 
-    SpeedTable withTrim(double percent) {
+    public SpeedTable withTrim(double percent) {
         return new SpeedTable(speedsMmPerSec, wheelDistanceMm, percent);
     }
 
     /** The mean speed of the wheels, mm/s, for a motor value of -9 to 9. */
-    double mmPerSec(int value) {
+    public double mmPerSec(int value) {
         return value == 0 ? 0 : Math.signum(value) * speedsMmPerSec.get(Math.abs(value) - 1);
     }
 
@@ -80,12 +80,12 @@ record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double tr
     }
 
     /** The highest speed that both wheels reach, mm/s. */
-    double fastestMmPerSec() {
+    public double fastestMmPerSec() {
         return mmPerSec(Wheels.MAX) * Math.min(leftFactor(), rightFactor());
     }
 
     /** The rate at which it spins with both wheels at a value, deg/s. */
-    double spinDegPerSec(int value) {
+    public double spinDegPerSec(int value) {
         return Math.toDegrees(2 * mmPerSec(value) / wheelDistanceMm);
     }
 
@@ -102,7 +102,7 @@ record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double tr
     }
 
     /** The nearest wheel values for a curve; one too fast is slowed down without bending it otherwise. */
-    Wheels curve(double speedMmPerSec, double turnDegPerSec) {
+    public Wheels curve(double speedMmPerSec, double turnDegPerSec) {
         double half = Math.toRadians(turnDegPerSec) * wheelDistanceMm / 2;
         double left = speedMmPerSec - half;
         double right = speedMmPerSec + half;
@@ -111,7 +111,7 @@ record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, double tr
     }
 
     /** What wheel values make of it, for people. */
-    String words(Wheels wheels) {
+    public String words(Wheels wheels) {
         return String.format(
                 Locale.ROOT,
                 "motor values %d and %d: about %d mm/s, %d deg/s",
