@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import majic.bot.ParameterTable;
+import majic.hemisson.modules.Modules;
 import majic.hemisson.motion.Calibration;
 import majic.hemisson.readings.Access;
 

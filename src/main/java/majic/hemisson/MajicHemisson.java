@@ -18,6 +18,8 @@ import majic.hemisson.line.Reply;
 import majic.hemisson.line.Session;
 import majic.hemisson.line.Sessions;
 import majic.hemisson.line.Standstill;
+import majic.hemisson.modules.I2cCommands;
+import majic.hemisson.modules.Modules;
 import majic.hemisson.motion.Calibration;
 import majic.hemisson.motion.Leg;
 import majic.hemisson.motion.Lesson;

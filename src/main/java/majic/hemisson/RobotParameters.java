@@ -8,6 +8,7 @@ import majic.bot.Value;
 import majic.hemisson.line.Identity;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Question;
+import majic.hemisson.modules.Modules;
 import majic.hemisson.readings.Access;
 
 /** What the robot tells of itself, how well it is heard, and what it has not. */

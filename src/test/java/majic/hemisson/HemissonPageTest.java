@@ -12,6 +12,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
 import majic.bot.Range;
 import majic.hemisson.line.Reply;
+import majic.hemisson.modules.Modules;
 import org.junit.jupiter.api.Test;
 
 /** The page about the Hemisson lists what the driver describes, word for word. */

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import majic.hemisson.Modules;
+import majic.hemisson.modules.Modules;
 import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
 

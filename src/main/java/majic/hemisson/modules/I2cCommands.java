@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.modules;
 
 import java.util.List;
 import java.util.stream.Collectors;
@@ -15,18 +15,18 @@ import majic.hemisson.readings.Access;
  * Raw reading and writing on the I2C bus, for what there is no other word for. Reading moves nothing; what is written
  * may move whatever somebody has built on, so it belongs to whoever moves the robot.
  */
-final class I2cCommands {
+public final class I2cCommands {
     private static final int HEX = 16;
     private static final int LOWEST = 0x02;
     private static final int HIGHEST = 0xFC;
 
     private final Access access;
 
-    I2cCommands(Access access) {
+    public I2cCommands(Access access) {
         this.access = access;
     }
 
-    List<BotCommand> all() {
+    public List<BotCommand> all() {
         Parameter address = Parameter.text("address", "the write address of the module, hex: C0");
         Parameter register = Parameter.text("register", "hex");
         Parameter count = Parameter.number("count", Unit.NONE, "how many registers")

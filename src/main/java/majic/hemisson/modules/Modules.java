@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.modules;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -18,10 +18,10 @@ import org.jspecify.annotations.Nullable;
  * @param roadNarrows whether the firmware has commands of its own for them
  */
 public record Modules(List<Found> found, boolean roadNarrows) {
-    static final Modules NONE = new Modules(List.of(), false);
+    public static final Modules NONE = new Modules(List.of(), false);
 
     /** The names of all commands that modules bring. */
-    static final List<String> COMMANDS = List.of("phrase", "say", "lcd", "lcdClear");
+    public static final List<String> COMMANDS = List.of("phrase", "say", "lcd", "lcdClear");
 
     /**
      * One that answered.
@@ -60,11 +60,11 @@ public record Modules(List<Found> found, boolean roadNarrows) {
         return found.isEmpty() ? "none" : found.stream().map(Found::name).collect(Collectors.joining(", "));
     }
 
-    void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, Access access) {
         known().forEach(module -> module.describe(table, access));
     }
 
-    List<BotCommand> commands(Access access) {
+    public List<BotCommand> commands(Access access) {
         return known().stream()
                 .flatMap(module -> module.commands(access).stream())
                 .toList();

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.modules;
 
 import java.util.Locale;
 import java.util.function.Function;

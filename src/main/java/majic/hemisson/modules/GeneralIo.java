@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.modules;
 
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.modules;
 
 import java.util.List;
 import majic.bot.BotCommand;
