@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.parameters;
 
 import java.util.function.BiFunction;
 import java.util.function.Function;

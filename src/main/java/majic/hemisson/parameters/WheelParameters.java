@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.parameters;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.parameters;
 
 import java.util.List;
 import java.util.OptionalDouble;

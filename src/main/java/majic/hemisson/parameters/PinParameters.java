@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.parameters;
 
 import majic.bot.BotException;
 import majic.bot.Parameter;

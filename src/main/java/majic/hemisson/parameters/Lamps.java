@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.parameters;
 
 import java.util.function.UnaryOperator;
 import majic.hemisson.line.Answers;
@@ -6,20 +6,20 @@ import majic.hemisson.line.Leds;
 import majic.hemisson.line.Question;
 
 /** The lamps and the buzzer: switched together, and never told by the robot, so their state is kept here. Thread-safe. */
-final class Lamps {
+public final class Lamps {
     private final Answers answers;
     private volatile Leds leds = Leds.OFF;
     private volatile boolean buzzing;
 
-    Lamps(Answers answers) {
+    public Lamps(Answers answers) {
         this.answers = answers;
     }
 
-    Leds leds() {
+    public Leds leds() {
         return leds;
     }
 
-    boolean isBuzzing() {
+    public boolean isBuzzing() {
         return buzzing;
     }
 
@@ -37,7 +37,7 @@ final class Lamps {
     }
 
     /** After a reset all is off. */
-    void forget() {
+    public void forget() {
         leds = Leds.OFF;
         buzzing = false;
     }

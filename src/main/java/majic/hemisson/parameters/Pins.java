@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.parameters;
 
 import org.jspecify.annotations.Nullable;
 
@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
  * The pins of the extension connector that were set. Looking at a pin makes it an input again (Hemisson sheet 15), so what
  * was set is remembered here and such a pin is not looked at. Thread-safe.
  */
-final class Pins {
+public final class Pins {
     private static final int PINS = 3;
 
     private final @Nullable Integer[] outputs = new Integer[PINS];
@@ -22,7 +22,7 @@ final class Pins {
     }
 
     /** After a reset all are inputs. */
-    synchronized void forget() {
+    public synchronized void forget() {
         for (int pin = 0; pin < PINS; pin++) {
             outputs[pin] = null;
         }

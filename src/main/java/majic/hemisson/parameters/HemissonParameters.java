@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.parameters;
 
 import majic.bot.ParameterTable;
 import majic.hemisson.modules.Modules;
@@ -14,10 +14,10 @@ import majic.hemisson.readings.Access;
  * @param calibration what the motor values mean
  * @param robot what else is known of it
  */
-record HemissonParameters(
+public record HemissonParameters(
         Access access, Lamps lamps, Pins pins, Calibration calibration, RobotParameters.Source robot) {
     /** Adds all of them. */
-    void describe(ParameterTable table) {
+    public void describe(ParameterTable table) {
         new InfraredParameters(table, access).describe();
         new LampParameters(table, lamps).describe();
         new WheelParameters(table, access, calibration).describe();

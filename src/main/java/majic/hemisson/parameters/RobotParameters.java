@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.parameters;
 
 import java.util.function.Function;
 import majic.bot.Parameter;
@@ -12,13 +12,13 @@ import majic.hemisson.modules.Modules;
 import majic.hemisson.readings.Access;
 
 /** What the robot tells of itself, how well it is heard, and what it has not. */
-final class RobotParameters {
+public final class RobotParameters {
     private final ParameterTable table;
     private final Access access;
     private final Source source;
 
     /** What is known of the robot beside its answers. Read by any thread. */
-    interface Source {
+    public interface Source {
         /** The robot that answered at connecting. */
         Identity identity();
 
