@@ -42,15 +42,17 @@ class ArchitectureTest {
             majic.pioneer.session     : majic.bot majic.driver majic.link majic.pioneer.arcos majic.pioneer.state
             majic.pioneer.parameters  : majic.bot majic.pioneer.arcos majic.pioneer.state majic.pioneer.session
             majic.pioneer.panel       : majic.bot majic.panel majic.panel.map majic.pioneer.arcos majic.pioneer.state
-            majic.hemisson            : majic.bot majic.panel majic.panel.map majic.hemisson.line \
-                                        majic.hemisson.readings majic.hemisson.motion majic.hemisson.modules \
-                                        majic.hemisson.parameters
+            majic.hemisson            : majic.bot majic.hemisson.line majic.hemisson.readings \
+                                        majic.hemisson.motion majic.hemisson.modules majic.hemisson.parameters \
+                                        majic.hemisson.panel
             majic.hemisson.line       : majic.bot majic.driver majic.link
             majic.hemisson.readings   : majic.bot majic.hemisson.line
             majic.hemisson.motion     : majic.bot majic.hemisson.line majic.hemisson.readings
             majic.hemisson.modules    : majic.bot majic.hemisson.line majic.hemisson.readings
             majic.hemisson.parameters : majic.bot majic.hemisson.line majic.hemisson.readings \
                                         majic.hemisson.motion majic.hemisson.modules
+            majic.hemisson.panel      : majic.bot majic.panel majic.panel.map majic.hemisson.line \
+                                        majic.hemisson.readings
             majic.act                 : majic.bot
             majic.log                 : majic.bot
             majic.script              : majic.bot majic.act majic.log majic.script.syntax

@@ -8,6 +8,7 @@ import majic.hemisson.line.Question;
 import majic.hemisson.line.Session;
 import majic.hemisson.line.Sessions;
 import majic.hemisson.motion.Overseer;
+import majic.hemisson.panel.HemissonView;
 import majic.hemisson.parameters.Lamps;
 import majic.hemisson.readings.Senses;
 import org.jspecify.annotations.Nullable;

@@ -26,6 +26,7 @@ import majic.hemisson.motion.Lesson;
 import majic.hemisson.motion.OpenLoop;
 import majic.hemisson.motion.Overseer;
 import majic.hemisson.motion.SpeedTable;
+import majic.hemisson.panel.HemissonPanel;
 import majic.hemisson.parameters.HemissonParameters;
 import majic.hemisson.parameters.Lamps;
 import majic.hemisson.parameters.Pins;

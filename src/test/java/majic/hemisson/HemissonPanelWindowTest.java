@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import majic.gui.Patience;
+import majic.hemisson.panel.LampButton;
 import majic.panel.Banner;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.Robot;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import java.awt.Color;
 import java.awt.Graphics2D;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;

@@ -1,11 +1,11 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import majic.bot.MajicBot.Connection;
-import majic.hemisson.HemissonView.Line;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Wheels;
+import majic.hemisson.panel.HemissonView.Line;
 import org.junit.jupiter.api.Test;
 
 /** What the advice and the lights of the Hemisson's tab say, and when. */

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 import majic.bot.BotEnvironment;
+import majic.hemisson.MajicHemisson;
 import majic.hemisson.line.Wheels;
 import majic.hemisson.readings.Proximity;
 import org.junit.jupiter.api.AfterEach;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import java.awt.Dimension;
 import java.awt.Graphics;
@@ -14,7 +14,7 @@ import majic.panel.Ink;
  * A lamp or the buzzer on the drawing, shown as the driver believes it to be, whatever was clicked; a ring of dots while
  * the robot has not yet confirmed. For the event dispatch thread.
  */
-final class LampButton extends JButton {
+public final class LampButton extends JButton {
     private static final long serialVersionUID = 1;
     private static final double HALO = 1.7;
 
@@ -41,7 +41,7 @@ final class LampButton extends JButton {
         return lamp;
     }
 
-    boolean isOn() {
+    public boolean isOn() {
         return on;
     }
 

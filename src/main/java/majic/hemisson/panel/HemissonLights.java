@@ -1,8 +1,8 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import java.util.List;
 import java.util.Locale;
-import majic.hemisson.HemissonView.Line;
+import majic.hemisson.panel.HemissonView.Line;
 import majic.panel.Light;
 import majic.panel.Light.Kind;
 import majic.panel.LightsPanel;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import java.util.List;
 import majic.bot.BotState;
@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param identity who answered at connecting
  * @param switches its switches as they are now; empty if not told
  */
-record HemissonView(
+public record HemissonView(
         Line line,
         @Nullable Proximity seen,
         @Nullable List<Integer> light,
@@ -44,7 +44,7 @@ record HemissonView(
      * @param silentS how long none has come, seconds
      * @param outOfControl whether it may move though nobody can tell it anything
      */
-    record Line(
+    public record Line(
             Connection connection, LinkQuality quality, boolean missesAnswers, double silentS, boolean outOfControl) {}
 
     boolean isConnected() {

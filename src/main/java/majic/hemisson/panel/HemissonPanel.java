@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import java.util.List;
 import java.util.concurrent.Executor;
@@ -17,7 +17,7 @@ import majic.panel.map.ZoomableMap;
  * Shows a Hemisson from above with its readings where its sensors sit, the way it should have come, how its line carries,
  * and what a person can do when nothing else can stop it. Clicks on lamps and buzzer are all that it sends.
  */
-final class HemissonPanel extends NewsPanel {
+public final class HemissonPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
     private final transient Supplier<HemissonView> views;
@@ -50,7 +50,7 @@ final class HemissonPanel extends NewsPanel {
      * @param views takes what is to be shown; called by any thread
      * @param background runs a task on a thread of its own, for commands that wait for the robot
      */
-    static JComponent create(MajicBot bot, Supplier<HemissonView> views, Executor background) {
+    public static JComponent create(MajicBot bot, Supplier<HemissonView> views, Executor background) {
         HemissonPanel panel = new HemissonPanel(bot, views, background);
         panel.refreshOnNews();
         return panel;

@@ -1,4 +1,4 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import java.util.EnumMap;
 import java.util.List;

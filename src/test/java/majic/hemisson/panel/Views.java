@@ -1,16 +1,16 @@
-package majic.hemisson;
+package majic.hemisson.panel;
 
 import java.util.List;
 import majic.bot.BotState;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
-import majic.hemisson.HemissonView.Line;
 import majic.hemisson.line.Identity;
 import majic.hemisson.line.Leds;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Wheels;
 import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.motion.Track;
+import majic.hemisson.panel.HemissonView.Line;
 import majic.hemisson.readings.Proximity;
 import org.jspecify.annotations.Nullable;
 
