@@ -3,9 +3,11 @@ package majic.aibo;
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import majic.bot.MajicBot;
 import majic.panel.Aside;
 import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
+import majic.panel.ReadingsPanel;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -18,13 +20,36 @@ final class AiboPanel extends NewsPanel {
     /** What the camera sees is worth as much of the width. */
     private static final double ASIDES = 0.38;
 
+    private static final String LONGEST_READING = "-88888 mm";
+
+    /** None of them asks the dog. */
+    private static final List<String> READINGS = List.of(
+            "distanceFront",
+            "distanceNear",
+            "distance",
+            "distanceChest",
+            "bumped",
+            "x",
+            "y",
+            "heading",
+            "mouth",
+            "tailPan",
+            "tailTilt",
+            "headSensor",
+            "backSensorF",
+            "backSensorM",
+            "backSensorR",
+            "accelX",
+            "accelY",
+            "accelZ");
+
     private final transient MajicAibo bot;
     private final DogDrawing drawing;
     private final transient CameraPanel camera = new CameraPanel();
     private final transient Spectator spectator;
     private final HeadPanel head;
     private final BodyPanel body = new BodyPanel();
-    private final AiboNumbers numbers = new AiboNumbers();
+    private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
 
     private AiboPanel(MajicAibo bot) {
         super(bot);
@@ -36,9 +61,9 @@ final class AiboPanel extends NewsPanel {
         add(drawing);
         add(camera.view());
         add(controls);
-        add(numbers);
+        add(readings);
         List<Aside> asides = List.of(Aside.shaped(camera.view()), Aside.of(controls));
-        setLayout(new Dashboard(drawing, ASIDES, asides, numbers));
+        setLayout(new Dashboard(drawing, ASIDES, asides, readings));
     }
 
     private JPanel controls() {
@@ -68,7 +93,7 @@ final class AiboPanel extends NewsPanel {
         camera.refresh();
         head.refresh();
         body.refresh(bot.dog().senses(), connected);
-        numbers.show(bot);
+        readings.show(bot, bot.isConnected());
         drawing.setEnabled(connected);
         drawing.repaint();
     }

@@ -7,10 +7,10 @@ import java.util.function.ToIntFunction;
 /** What stands beside a view: asides one below the other, under them the readings as far as there is room. */
 final class AsideColumn {
     private final List<Aside> asides;
-    private final NumbersPanel numbers;
+    private final ReadingsPanel<?> numbers;
     private final int gap;
 
-    AsideColumn(List<Aside> asides, NumbersPanel numbers) {
+    AsideColumn(List<Aside> asides, ReadingsPanel<?> numbers) {
         this.asides = asides;
         this.numbers = numbers;
         this.gap = numbers.gap() / 2;

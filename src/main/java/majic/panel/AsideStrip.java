@@ -6,10 +6,10 @@ import java.util.List;
 /** What stands below a view: asides side by side, and below all of them the readings as far as there is room. */
 final class AsideStrip {
     private final List<Aside> asides;
-    private final NumbersPanel numbers;
+    private final ReadingsPanel<?> numbers;
     private final int gap;
 
-    AsideStrip(List<Aside> asides, NumbersPanel numbers) {
+    AsideStrip(List<Aside> asides, ReadingsPanel<?> numbers) {
         this.asides = asides;
         this.numbers = numbers;
         this.gap = numbers.gap() / 2;

@@ -22,7 +22,7 @@ public final class Dashboard implements LayoutManager {
 
     private final Component view;
     private final double share;
-    private final NumbersPanel numbers;
+    private final ReadingsPanel<?> numbers;
     private final AsideColumn column;
     private final AsideStrip strip;
     private @Nullable Banner banner;
@@ -36,7 +36,7 @@ public final class Dashboard implements LayoutManager {
      * @param asides in the order of reading
      * @param numbers as many of them as fit
      */
-    public Dashboard(Component view, double share, List<Aside> asides, NumbersPanel numbers) {
+    public Dashboard(Component view, double share, List<Aside> asides, ReadingsPanel<?> numbers) {
         this.view = view;
         this.share = share;
         this.numbers = numbers;

@@ -20,7 +20,7 @@ class DashboardTest {
     private final JPanel controls = new JPanel();
     private final JPanel map = new JPanel();
     private final LightsPanel lights = lights();
-    private final NumbersPanel numbers = new NumbersPanel();
+    private final ReadingsPanel<String> readings = new ReadingsPanel<>("8888 mm");
     private final Banner banner = new Banner();
     private final JPanel parent = new JPanel();
 
@@ -30,7 +30,7 @@ class DashboardTest {
         controls.setPreferredSize(new Dimension(150, 120));
         controls.setMinimumSize(new Dimension(150, 120));
         for (int row = 0; row < 8; row++) {
-            numbers.row("reading" + row, "8888 mm");
+            readings.with("reading" + row, value -> value);
         }
     }
 
@@ -43,20 +43,20 @@ class DashboardTest {
 
     /** A view beside which stand a picture and controls. */
     private void camera() {
-        arrange(new Dashboard(view, 0.38, List.of(Aside.shaped(picture), Aside.of(controls)), numbers));
-        List.of(view, picture, controls, numbers).forEach(parent::add);
+        arrange(new Dashboard(view, 0.38, List.of(Aside.shaped(picture), Aside.of(controls)), readings));
+        List.of(view, picture, controls, readings).forEach(parent::add);
     }
 
     /** A square view beside which stand lights and a map. */
     private void square() {
-        arrange(new Dashboard(view, 1, List.of(Aside.of(lights), Aside.stretched(map)), numbers).under(banner));
-        List.of(view, lights, map, numbers, banner).forEach(parent::add);
+        arrange(new Dashboard(view, 1, List.of(Aside.of(lights), Aside.stretched(map)), readings).under(banner));
+        List.of(view, lights, map, readings, banner).forEach(parent::add);
     }
 
     /** A view of any shape beside which stand controls and lights. */
     private void wide() {
-        arrange(new Dashboard(view, 0, List.of(Aside.of(controls), Aside.of(lights)), numbers));
-        List.of(view, controls, lights, numbers).forEach(parent::add);
+        arrange(new Dashboard(view, 0, List.of(Aside.of(controls), Aside.of(lights)), readings));
+        List.of(view, controls, lights, readings).forEach(parent::add);
     }
 
     private void arrange(Dashboard layout) {
@@ -90,7 +90,7 @@ class DashboardTest {
         layOut(900, 560);
 
         assertThat(picture.getWidth() / (double) picture.getHeight()).isBetween(1.29, 1.31);
-        assertThat(numbers.isVisible()).isTrue();
+        assertThat(readings.isVisible()).isTrue();
     }
 
     @Test
@@ -98,7 +98,7 @@ class DashboardTest {
         camera();
         layOut(515, 270);
 
-        assertThat(numbers.isVisible()).isFalse();
+        assertThat(readings.isVisible()).isFalse();
         assertThat(controls.getHeight()).isEqualTo(120);
         assertThat(picture.getHeight()).isGreaterThan(60);
     }
@@ -130,7 +130,7 @@ class DashboardTest {
 
         assertThat(view.getWidth()).isBetween(480, 500);
         assertThat(map.getWidth()).isGreaterThan(600);
-        assertThat(numbers.isVisible()).isTrue();
+        assertThat(readings.isVisible()).isTrue();
     }
 
     @Test

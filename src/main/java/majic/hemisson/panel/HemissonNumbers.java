@@ -4,87 +4,70 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import javax.swing.JLabel;
-import majic.bot.Pose;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
-import majic.panel.NumbersPanel;
+import majic.panel.ReadingsPanel;
 
-/**
- * A Hemisson's readings in figures; what moves is an estimate, for the robot measures nothing of it. For the event
- * thread.
- */
-final class HemissonNumbers extends NumbersPanel {
-    private static final long serialVersionUID = 1;
-    private static final String NONE = "–";
+/** A Hemisson's readings as text; motion and pose are estimates ("≈"), because the robot does not measure them. */
+final class HemissonNumbers {
     private static final double SHORT_MS = 0.1;
     private static final String LONGEST = "≈ -888 deg/s";
 
-    private final JLabel wheels = row("wheels", LONGEST);
-    private final JLabel speed = row("speed", LONGEST);
-    private final JLabel turnRate = row("turnRate", LONGEST);
-    private final JLabel front = row("distanceFront", LONGEST);
-    private final JLabel left = row("distanceLeft", LONGEST);
-    private final JLabel right = row("distanceRight", LONGEST);
-    private final JLabel back = row("distanceBack", LONGEST);
-    private final JLabel x = row("x", LONGEST);
-    private final JLabel y = row("y", LONGEST);
-    private final JLabel heading = row("heading", LONGEST);
-    private final JLabel switches = row("switches", LONGEST);
-    private final JLabel beep = row("beep", "off");
-    private final JLabel roundTrip = row("round trip", LONGEST);
-    private final JLabel missed = row("missed", LONGEST);
-    private final JLabel repeated = row("repeated", LONGEST);
+    private HemissonNumbers() {}
 
-    void show(HemissonView view) {
-        wheels.setText(view.wheels().left() + ", " + view.wheels().right());
-        beep.setText(view.buzzing() ? "on" : "off");
-        switches.setText(
-                view.switches().isEmpty()
-                        ? NONE
-                        : view.switches().stream().map(String::valueOf).collect(Collectors.joining(", ")));
-        showDistances(view);
-        showMotion(view);
-        LinkQuality quality = view.line().quality();
-        roundTrip.setText(milliseconds("", quality));
-        missed.setText(text("%d of %d", quality.misses(), quality.misses() + quality.answers()));
-        repeated.setText(text("%d", quality.repeats()));
-    }
-
-    private void showDistances(HemissonView view) {
-        front.setText(distance(view, Clearance::front));
-        left.setText(distance(view, Clearance::left));
-        right.setText(distance(view, Clearance::right));
-        back.setText(distance(view, Clearance::back));
+    static ReadingsPanel<HemissonView> panel() {
+        return new ReadingsPanel<HemissonView>(LONGEST)
+                .with(
+                        "wheels",
+                        view -> view.wheels().left() + ", " + view.wheels().right())
+                .with("speed", view -> about("mm/s", view.state().speedMmPerSec()))
+                .with("turnRate", view -> about("deg/s", view.state().turnRateDegPerSec()))
+                .with("distanceFront", view -> distance(view, Clearance::front))
+                .with("distanceLeft", view -> distance(view, Clearance::left))
+                .with("distanceRight", view -> distance(view, Clearance::right))
+                .with("distanceBack", view -> distance(view, Clearance::back))
+                .with("x", view -> about("mm", view.state().pose().xMm()))
+                .with("y", view -> about("mm", view.state().pose().yMm()))
+                .with("heading", view -> about("deg", view.state().pose().headingDeg()))
+                .with("switches", HemissonNumbers::switches)
+                .with("beep", view -> view.buzzing() ? "on" : "off")
+                .with("round trip", view -> milliseconds("", view.line().quality()))
+                .with("missed", view -> missed(view.line().quality()))
+                .with("repeated", view -> String.valueOf(view.line().quality().repeats()));
     }
 
     private static String distance(HemissonView view, Function<Proximity, OptionalDouble> from) {
         Proximity seen = view.seen();
         if (seen == null) {
-            return NONE;
+            return ReadingsPanel.NONE;
         }
         OptionalDouble mm = from.apply(seen);
-        return mm.isPresent() ? text("≈ %.0f mm", mm.getAsDouble()) : "clear";
+        return mm.isPresent() ? about("mm", mm.getAsDouble()) : "clear";
     }
 
-    private void showMotion(HemissonView view) {
-        speed.setText(text("≈ %.0f mm/s", view.state().speedMmPerSec()));
-        turnRate.setText(text("≈ %.0f deg/s", view.state().turnRateDegPerSec()));
-        Pose pose = view.state().pose();
-        x.setText(text("≈ %.0f mm", pose.xMm()));
-        y.setText(text("≈ %.0f mm", pose.yMm()));
-        heading.setText(text("≈ %.0f deg", pose.headingDeg()));
+    private static String switches(HemissonView view) {
+        return view.switches().isEmpty()
+                ? ReadingsPanel.NONE
+                : view.switches().stream().map(String::valueOf).collect(Collectors.joining(", "));
     }
 
-    /** The mean round trip, with a digit behind the point where it matters. */
+    private static String missed(LinkQuality quality) {
+        return quality.misses() + " of " + (quality.misses() + quality.answers());
+    }
+
+    private static String about(String unit, double amount) {
+        return text("≈ %.0f %s", amount, unit);
+    }
+
+    /** The mean round trip, with a decimal place below 10 ms. */
     static String milliseconds(String name, LinkQuality quality) {
         double ms = quality.roundTripMs();
         String format = ms < SHORT_MS ? "%s < %.1f ms" : ms < 10 ? "%s %.1f ms" : "%s %.0f ms";
         return text(format, name, Math.max(SHORT_MS, ms)).strip();
     }
 
-    private static String text(String format, Object... numbers) {
-        return String.format(Locale.ROOT, format, numbers);
+    private static String text(String format, Object... values) {
+        return String.format(Locale.ROOT, format, values);
     }
 }

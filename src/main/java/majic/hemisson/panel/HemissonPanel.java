@@ -11,6 +11,7 @@ import majic.panel.Aside;
 import majic.panel.Banner;
 import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
+import majic.panel.ReadingsPanel;
 import majic.panel.map.ZoomableMap;
 
 /**
@@ -25,7 +26,7 @@ public final class HemissonPanel extends NewsPanel {
     private final transient FloorDrawing floor = new FloorDrawing();
     private final ZoomableMap map = new ZoomableMap(floor);
     private final transient HemissonLights lights = new HemissonLights();
-    private final HemissonNumbers numbers = new HemissonNumbers();
+    private final ReadingsPanel<HemissonView> readings = HemissonNumbers.panel();
     private final transient HemissonAdvice advice = new HemissonAdvice();
     private final Banner banner = new Banner();
 
@@ -38,10 +39,10 @@ public final class HemissonPanel extends NewsPanel {
         add(drawing);
         add(lights.panel());
         add(map);
-        add(numbers);
+        add(readings);
         add(banner);
         List<Aside> asides = List.of(Aside.of(lights.panel()), Aside.stretched(map));
-        setLayout(new Dashboard(drawing, 1, asides, numbers).under(banner));
+        setLayout(new Dashboard(drawing, 1, asides, readings).under(banner));
     }
 
     /**
@@ -64,7 +65,7 @@ public final class HemissonPanel extends NewsPanel {
     @Override
     protected void refresh() {
         HemissonView view = views.get();
-        numbers.show(view);
+        readings.show(view, view.isConnected());
         lights.show(view);
         HemissonAdvice.Words words = advice.on(view, System.nanoTime());
         banner.show(words.text(), words.urgent());

@@ -9,6 +9,7 @@ import majic.bot.MajicBot;
 import majic.panel.Aside;
 import majic.panel.Dashboard;
 import majic.panel.NewsPanel;
+import majic.panel.ReadingsPanel;
 import majic.panel.map.ZoomableMap;
 
 /**
@@ -18,13 +19,29 @@ import majic.panel.map.ZoomableMap;
 public final class PioneerPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
+    private static final String LONGEST_READING = "-88888.8 mm";
+
+    /** None of them asks the robot. */
+    private static final List<String> READINGS = List.of(
+            "distanceFront",
+            "distanceLeft",
+            "distanceRight",
+            "distanceBack",
+            "x",
+            "y",
+            "heading",
+            "packetRate",
+            "model",
+            "robotName",
+            "firmware");
+
     private final transient MajicBot bot;
     private final transient Supplier<Optional<PioneerScene>> scenes;
     private final transient PioneerDrawing drawing = new PioneerDrawing();
     private final ZoomableMap map = new ZoomableMap(drawing);
     private final GaugesPanel gauges = new GaugesPanel();
     private final transient PioneerLights lights = new PioneerLights();
-    private final PioneerNumbers numbers = new PioneerNumbers();
+    private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
 
     private PioneerPanel(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
         super(bot);
@@ -34,9 +51,9 @@ public final class PioneerPanel extends NewsPanel {
         add(map);
         add(gauges);
         add(lights.panel());
-        add(numbers);
+        add(readings);
         List<Aside> asides = List.of(Aside.of(gauges), Aside.of(lights.panel()));
-        setLayout(new Dashboard(map, 0, asides, numbers));
+        setLayout(new Dashboard(map, 0, asides, readings));
     }
 
     /**
@@ -57,7 +74,7 @@ public final class PioneerPanel extends NewsPanel {
 
     @Override
     protected void refresh() {
-        numbers.show(bot);
+        readings.show(bot, bot.isConnected());
         scenes.get().ifPresentOrElse(this::show, () -> lights.show(bot.connection()));
     }
 

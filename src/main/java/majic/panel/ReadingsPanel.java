@@ -5,12 +5,21 @@ import java.awt.FontMetrics;
 import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.Value;
 
-/** Names and values in columns, the most useful first: what finds no room is left out, nothing is cut. For the event thread. */
-public class NumbersPanel extends JPanel {
+/**
+ * A robot's readings by name, in as many columns as fit, the most useful first: rows without room are left out, none is
+ * cut. All values are taken from one source, such as the robot or a snapshot of it. For the event thread.
+ *
+ * @param <S> the source
+ */
+public final class ReadingsPanel<S> extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int LEAST_ROWS = 3;
 
@@ -20,42 +29,90 @@ public class NumbersPanel extends JPanel {
     /** Text may come out a little wider than measured on a screen of another scale. */
     private static final int SLACK = 4;
 
+    /** Stands for a value that there is not. */
+    public static final String NONE = "–";
+
+    private final String longestValue;
+    private final transient List<Function<? super S, String>> texts = new ArrayList<>();
     private final transient List<JLabel> names = new ArrayList<>();
     private final transient List<JLabel> values = new ArrayList<>();
-    private final transient List<String> longest = new ArrayList<>();
 
-    /** Makes it without a row. */
-    public NumbersPanel() {
+    /**
+     * Creates a panel without rows.
+     *
+     * @param longestValue a text as wide as the widest value, which each column must hold
+     */
+    public ReadingsPanel(String longestValue) {
         super(null);
+        this.longestValue = longestValue;
         setOpaque(false);
+    }
+
+    /**
+     * Creates a panel that shows parameters of a robot. One that is unknown, or that this robot does not have, shows
+     * {@link #NONE}. The parameters are read on the event thread, so they must not be ones that wait for the robot.
+     *
+     * @param longestValue a text as wide as the widest value
+     * @param parameters their names in the order of the rows
+     */
+    public static ReadingsPanel<MajicBot> ofParameters(String longestValue, List<String> parameters) {
+        ReadingsPanel<MajicBot> panel = new ReadingsPanel<>(longestValue);
+        parameters.forEach(name -> panel.with(name, bot -> text(bot, name)));
+        return panel;
+    }
+
+    /** Short: without the word "about" of estimates, and without the reason why a value is unknown. */
+    private static String text(MajicBot bot, String name) {
+        try {
+            Value value = bot.get(name);
+            if (value instanceof Value.Number number) {
+                return Value.of(number.amount(), number.unit()).toString();
+            }
+            return value instanceof Value.Unknown ? NONE : value.toString();
+        } catch (BotException e) {
+            return NONE;
+        }
     }
 
     /**
      * Adds a row below the others.
      *
-     * @param name of the reading, if there is one the parameter's
-     * @param longestValue what the column must hold
-     * @return where the value is shown
+     * @param name of the reading; the parameter's, if there is one
+     * @param text makes the text of the value
+     * @return this panel
      */
-    public final JLabel row(String name, String longestValue) {
-        JLabel value = new JLabel("–", SwingConstants.TRAILING);
+    public ReadingsPanel<S> with(String name, Function<? super S, String> text) {
+        JLabel value = new JLabel(NONE, SwingConstants.TRAILING);
         value.setName(name);
         names.add(new JLabel(name));
         values.add(value);
-        longest.add(longestValue);
+        texts.add(text);
         add(names.get(names.size() - 1));
         add(value);
-        return value;
+        return this;
     }
 
-    /** How high it is at most in a room, 0 if that is too little to be worth it. */
-    final int heightWithin(int width, int height) {
+    /**
+     * Shows the values.
+     *
+     * @param source gives them
+     * @param current whether they are of now; older ones are greyed
+     */
+    public void show(S source, boolean current) {
+        for (int index = 0; index < texts.size(); index++) {
+            values.get(index).setText(texts.get(index).apply(source));
+            values.get(index).setEnabled(current);
+        }
+    }
+
+    /** Its height in a room of this size; 0 if the room is too small for it. */
+    int heightWithin(int width, int height) {
         Dimension least = getMinimumSize();
         return width < least.width || height < least.height ? 0 : Math.min(height, heightIn(width));
     }
 
-    /** Takes its place, or goes if it has no height. */
-    final void place(int x, int y, int width, int height) {
+    /** Sets its bounds; hides it if the height is 0. */
+    void place(int x, int y, int width, int height) {
         setVisible(height > 0);
         setBounds(x, y, width, height);
     }
@@ -103,14 +160,13 @@ public class NumbersPanel extends JPanel {
     }
 
     /** Between two columns, and between readings and drawing. */
-    final int gap() {
+    int gap() {
         return rowHeight();
     }
 
     private int columnWidth() {
         FontMetrics metrics = metrics();
-        int valueWidth = longest.stream().mapToInt(metrics::stringWidth).max().orElse(0);
-        return nameWidth() + gap() / 2 + valueWidth + SLACK;
+        return nameWidth() + gap() / 2 + metrics.stringWidth(longestValue) + SLACK;
     }
 
     private int nameWidth() {

@@ -1,0 +1,61 @@
+package majic.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import javax.swing.JLabel;
+import majic.bot.FakeBot;
+import majic.bot.MajicBot;
+import majic.bot.TimeSource;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.junit.jupiter.api.Test;
+
+class ReadingsPanelTest {
+    private final FakeBot bot = FakeBot.on(TimeSource.system());
+    private final ReadingsPanel<MajicBot> panel =
+            ReadingsPanel.ofParameters("88888 mm", List.of("voltage", "bumped", "wings"));
+
+    @Test
+    void showsParametersByName() {
+        panel.show(bot, true);
+
+        assertThat(value("voltage").getText()).isEqualTo("12.6 V");
+        assertThat(value("bumped").getText()).isEqualTo("no");
+    }
+
+    @Test
+    void leavesOutTheWordAboutOfAnEstimate() {
+        bot.tell("voltage", Value.about(12, Unit.V));
+
+        panel.show(bot, true);
+
+        assertThat(value("voltage").getText()).isEqualTo("12 V");
+    }
+
+    @Test
+    void showsADashForWhatIsUnknownOrNotOnThisRobot() {
+        bot.tell("voltage", Value.unknown("no reading yet"));
+
+        panel.show(bot, true);
+
+        assertThat(value("voltage").getText()).isEqualTo(ReadingsPanel.NONE);
+        assertThat(value("wings").getText()).isEqualTo(ReadingsPanel.NONE);
+    }
+
+    @Test
+    void greysValuesThatAreNotOfNow() {
+        panel.show(bot, false);
+
+        assertThat(value("voltage").isEnabled()).isFalse();
+    }
+
+    private JLabel value(String name) {
+        return Arrays.stream(panel.getComponents())
+                .filter(label -> name.equals(label.getName()))
+                .map(JLabel.class::cast)
+                .findFirst()
+                .orElseThrow();
+    }
+}
