@@ -40,7 +40,7 @@ class ArchitectureTest {
             majic.pioneer.arcos       :
             majic.pioneer.state       : majic.bot majic.pioneer.arcos
             majic.pioneer.session     : majic.bot majic.driver majic.link majic.pioneer.arcos majic.pioneer.state
-            majic.pioneer.parameters  : majic.bot majic.pioneer.arcos majic.pioneer.state majic.pioneer.session
+            majic.pioneer.parameters  : majic.bot majic.driver majic.pioneer.arcos majic.pioneer.state majic.pioneer.session
             majic.pioneer.panel       : majic.bot majic.panel majic.panel.map majic.pioneer.arcos majic.pioneer.state
             majic.hemisson            : majic.bot majic.hemisson.line majic.hemisson.readings \
                                         majic.hemisson.motion majic.hemisson.modules majic.hemisson.parameters \

@@ -2,6 +2,7 @@ package majic.aibo;
 
 import java.util.List;
 import majic.bot.ParameterTable;
+import majic.driver.ParameterTheme;
 
 /**
  * The parameters of an Aibo besides those that every robot has, theme by theme in the order in which people read them.
@@ -9,7 +10,7 @@ import majic.bot.ParameterTable;
  */
 final class AiboParameters {
     private final ParameterTable table;
-    private final List<Theme> themes;
+    private final List<ParameterTheme<Dialect>> themes;
 
     AiboParameters(ParameterTable table, Dog dog, Access access, Volume volume) {
         this.table = table;

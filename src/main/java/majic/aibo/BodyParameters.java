@@ -7,9 +7,10 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Patience;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** The dog as a whole: posture, motors, what it is. */
-final class BodyParameters implements Theme {
+final class BodyParameters implements ParameterTheme<Dialect> {
     private static final double ASK_S = 4;
 
     private final Access access;

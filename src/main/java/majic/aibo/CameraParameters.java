@@ -5,9 +5,10 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** How the camera takes its pictures, in words where the dog has numbers (URBI sheet 13). */
-final class CameraParameters implements Theme {
+final class CameraParameters implements ParameterTheme<Dialect> {
     private static final int BEST = 100;
 
     private final Access access;

@@ -7,9 +7,10 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** The ears, which know two places each (URBI sheet 13). */
-final class EarParameters implements Theme {
+final class EarParameters implements ParameterTheme<Dialect> {
     private static final List<String> EARS = List.of("earL", "earR");
 
     private final Access access;

@@ -10,9 +10,10 @@ import majic.bot.ParameterTable;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** The joints, alone and by limbs: read as measured, set with an optional time that the motion is to take. */
-final class JointParameters implements Theme {
+final class JointParameters implements ParameterTheme<Dialect> {
     private static final double LONGEST_MS = 30_000;
     private static final double FASTEST_DEG_PER_S = 500;
     private static final Parameter TIME =

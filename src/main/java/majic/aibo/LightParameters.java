@@ -8,9 +8,10 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** The 26 LEDs, alone and in groups (URBI sheet 13). None of it moves the dog. */
-final class LightParameters implements Theme {
+final class LightParameters implements ParameterTheme<Dialect> {
     private static final List<String> FACE =
             IntStream.rangeClosed(1, 14).mapToObj(led -> "ledF" + led).toList();
     private static final List<String> BACK_COLOUR = List.of("ledBFC", "ledBMC", "ledBRC");

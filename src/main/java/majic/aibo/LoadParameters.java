@@ -6,9 +6,10 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** How stiff each joint is. A dog whose legs go loose falls over, so setting it is a motion. */
-final class LoadParameters implements Theme {
+final class LoadParameters implements ParameterTheme<Dialect> {
     private final Access access;
     private final Limbs limbs;
 

@@ -5,9 +5,10 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** What the infra-red beams meet, in mm where the dog has cm. */
-final class RangeParameters implements Theme {
+final class RangeParameters implements ParameterTheme<Dialect> {
     private final Dog dog;
     private final Senses senses;
 

@@ -4,9 +4,10 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** What the dog feels and what it hears of itself, as it reports it. */
-final class SenseParameters implements Theme {
+final class SenseParameters implements ParameterTheme<Dialect> {
     private static final double PERCENT = 100;
 
     private final Access access;

@@ -5,9 +5,10 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 
 /** The speaker. The dog itself has no volume that could be set (URBI sheet 13). */
-final class SoundParameters implements Theme {
+final class SoundParameters implements ParameterTheme<Dialect> {
     private final Access access;
     private final Volume volume;
 

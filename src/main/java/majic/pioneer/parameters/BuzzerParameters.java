@@ -4,11 +4,13 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.TimeSource;
 import majic.bot.Value;
+import majic.driver.AssumedSetting;
+import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
 
 /** The buzzer. */
-final class BuzzerParameters implements Theme {
+final class BuzzerParameters implements ParameterTheme<Equipment> {
     /** Pairs of duration in 20 ms and MIDI note; 0 is silence. Three rising tones, one second (ARCOS sheet 6.1). */
     private static final byte[] TONES = {10, 72, 5, 0, 10, 76, 5, 0, 20, 79};
 
@@ -17,22 +19,21 @@ final class BuzzerParameters implements Theme {
 
     private final PioneerAccess access;
     private final TimeSource time;
-    private final AssumedSetting mute;
+    private final AssumedSetting mute = new AssumedSetting();
     private volatile long beepNanos;
 
     BuzzerParameters(PioneerAccess access, TimeSource time) {
         this.access = access;
         this.time = time;
-        this.mute = new AssumedSetting(access);
     }
 
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
         table.add(Parameter.onOff("beep", "tones, to find out which robot it is"), this::beeping)
                 .writes(values -> beep(values.get(0).isYes()));
-        table.add(Parameter.onOff("mute", "whether the buzzer keeps silent"), mute.reader())
-                .writes(values ->
-                        mute.tell(ArcosCommand.SOUNDTOG.packet(values.get(0).isYes() ? 0 : 1), values.get(0)));
+        table.add(Parameter.onOff("mute", "whether the buzzer keeps silent"), access.assumed(mute))
+                .writes(values -> access.send(
+                        mute, ArcosCommand.SOUNDTOG.packet(values.get(0).isYes() ? 0 : 1), values.get(0)));
     }
 
     private void beep(boolean on) {

@@ -6,22 +6,23 @@ import java.util.function.ToIntFunction;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.driver.AssumedSetting;
+import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 
 /** What the robot touches, and what holds it: bumpers, stalls, the STOP button, steps. */
-final class ContactParameters implements Theme {
+final class ContactParameters implements ParameterTheme<Equipment> {
     /** As BUMPSTALL numbers them (ARCOS sheet 6.1, 17). */
     private static final List<String> SIDES = List.of("none", "front", "rear", "both");
 
     private final PioneerAccess access;
-    private final AssumedSetting bumpStall;
+    private final AssumedSetting bumpStall = new AssumedSetting();
 
     ContactParameters(PioneerAccess access) {
         this.access = access;
-        this.bumpStall = new AssumedSetting(access);
     }
 
     @Override
@@ -48,8 +49,9 @@ final class ContactParameters implements Theme {
     private void describeStall(ParameterTable table) {
         table.add(
                         Parameter.choice("bumpStall", SIDES, "the bumpers that stop the robot by themselves"),
-                        bumpStall.reader())
-                .writes(values -> bumpStall.tell(
+                        access.assumed(bumpStall))
+                .writes(values -> access.send(
+                        bumpStall,
                         ArcosCommand.BUMPSTALL.packet(
                                 SIDES.indexOf(values.get(0).toString())),
                         values.get(0)));

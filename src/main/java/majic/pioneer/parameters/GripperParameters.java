@@ -6,22 +6,23 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.AssumedSetting;
+import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Gripper;
 
 /** How gripper and lift stand. Moving them is a command: {@link GripperCommands}. */
-final class GripperParameters implements Theme {
+final class GripperParameters implements ParameterTheme<Equipment> {
     static final int STEP_MS = 20;
     private static final int LONGEST_MS = 5100;
     private static final int GRASP = 16;
 
     private final PioneerAccess access;
-    private final AssumedSetting grasp;
+    private final AssumedSetting grasp = new AssumedSetting();
 
     GripperParameters(PioneerAccess access) {
         this.access = access;
-        this.grasp = new AssumedSetting(access);
     }
 
     @Override
@@ -38,13 +39,13 @@ final class GripperParameters implements Theme {
         table.add(
                         Parameter.number("graspTime", Unit.MS, "how long the paddles press on after they touch")
                                 .within(0, LONGEST_MS),
-                        grasp.reader())
+                        access.assumed(grasp))
                 .writes(values -> grasp(values.get(0)));
     }
 
     private void grasp(Value time) {
         access.send(ArcosCommand.GRIPPER.packet(GRASP));
-        grasp.tell(ArcosCommand.GRIPPERVAL.packet((int) Math.round(time.number() / STEP_MS)), time);
+        access.send(grasp, ArcosCommand.GRIPPERVAL.packet((int) Math.round(time.number() / STEP_MS)), time);
     }
 
     /** How the robot's words are made. */

@@ -4,10 +4,11 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 
 /** The motors, and how the controller feels. */
-final class HealthParameters implements Theme {
+final class HealthParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
     private final PowerSwitches switches;
 

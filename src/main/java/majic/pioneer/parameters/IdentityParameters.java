@@ -6,12 +6,13 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.state.Equipment;
 
 /** Who the robot is and how its controller is set up. */
-final class IdentityParameters implements Theme {
+final class IdentityParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
 
     IdentityParameters(PioneerAccess access) {

@@ -8,12 +8,13 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Feed;
 
 /** The controller's digital and analog ports, for what a lab has mounted. Setting them moves nothing of the robot's own. */
-final class InputOutputParameters implements Theme {
+final class InputOutputParameters implements ParameterTheme<Equipment> {
     private static final int LINES = 8;
     private static final int BYTE = 0xFF;
 

@@ -5,22 +5,23 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.AssumedSetting;
+import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Joystick;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Feed;
 
 /** The joystick that can be plugged into the robot itself. */
-final class JoystickParameters implements Theme {
+final class JoystickParameters implements ParameterTheme<Equipment> {
     private static final double REST = 512;
     private static final double FULL = 1023;
 
     private final PioneerAccess access;
-    private final AssumedSetting drives;
+    private final AssumedSetting drives = new AssumedSetting();
 
     JoystickParameters(PioneerAccess access) {
         this.access = access;
-        this.drives = new AssumedSetting(access);
     }
 
     @Override
@@ -33,18 +34,18 @@ final class JoystickParameters implements Theme {
         table.add(
                         Parameter.onOff(
                                 "joystickDrive", "whether the robot's joystick drives it beside us; a stop ends it"),
-                        drives.reader())
+                        access.assumed(drives))
                 .moves((values, motion) -> motion.send(() -> drive(values.get(0).isYes())));
     }
 
     private void drive(boolean on) {
-        drives.tell(ArcosCommand.JOYDRIVE.packet(on ? 1 : 0), Value.onOff(on));
+        access.send(drives, ArcosCommand.JOYDRIVE.packet(on ? 1 : 0), Value.onOff(on));
     }
 
     /** Whoever stops the robot wants it to stand, whoever drives it. */
     @Override
     public void halt() {
-        if (drives.was(Value.onOff(true))) {
+        if (drives.in(access.open()).equals(Value.onOff(true))) {
             drive(false);
         }
     }

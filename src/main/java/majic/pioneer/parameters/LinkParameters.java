@@ -4,10 +4,11 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 
 /** How well the robot is heard. */
-final class LinkParameters implements Theme {
+final class LinkParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
 
     LinkParameters(PioneerAccess access) {

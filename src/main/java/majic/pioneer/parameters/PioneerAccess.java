@@ -8,6 +8,7 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Patience;
 import majic.bot.Value;
+import majic.driver.AssumedSetting;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.session.PioneerSession;
@@ -108,6 +109,23 @@ public final class PioneerAccess {
         if (Patience.isAllowed() && !open.reported().await(done, CONFIRM_S)) {
             throw new BotException(complaint + " within " + Value.plain(CONFIRM_S) + " s");
         }
+    }
+
+    /** Reads a setting that the robot does not report. */
+    Supplier<Value> assumed(AssumedSetting setting) {
+        return session(setting::in);
+    }
+
+    /** Reads a setting that the robot reports only as it was at the start of the session. */
+    Supplier<Value> assumed(AssumedSetting setting, Supplier<Value> initial) {
+        return session(open -> setting.in(open, initial));
+    }
+
+    /** Sends a setting that the robot does not report. */
+    void send(AssumedSetting setting, byte[] packet, Value value) {
+        PioneerSession open = open();
+        open.send(packet);
+        setting.sent(open, value);
     }
 
     /** Sends a command that nothing confirms. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import majic.bot.ParameterTable;
 import majic.bot.TimeSource;
+import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PoseOffset;
 
@@ -16,15 +17,15 @@ import majic.pioneer.state.PoseOffset;
  */
 public final class PioneerParameters {
     private final ParameterTable table;
-    private final List<Theme> themes;
+    private final List<ParameterTheme<Equipment>> themes;
 
-    public PioneerParameters(ParameterTable table, List<Theme> themes) {
+    public PioneerParameters(ParameterTable table, List<ParameterTheme<Equipment>> themes) {
         this.table = table;
         this.themes = List.copyOf(themes);
     }
 
     /** All themes there are. */
-    public static List<Theme> themes(
+    public static List<ParameterTheme<Equipment>> themes(
             PioneerAccess access, TimeSource time, PoseOffset placement, RampParameters pace, Consumer<String> notice) {
         PowerSwitches switches = new PowerSwitches(access, notice);
         return List.of(
@@ -50,6 +51,6 @@ public final class PioneerParameters {
 
     /** Ends what setting one of them has made the robot do. */
     public void halt() {
-        themes.forEach(Theme::halt);
+        themes.forEach(ParameterTheme::halt);
     }
 }

@@ -7,13 +7,14 @@ import majic.bot.ParameterTable;
 import majic.bot.Pose;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.PoseOffset;
 
 /** Where the robot is, and where it is to be said to be. Setting it moves nothing. */
-final class PoseParameters implements Theme {
+final class PoseParameters implements ParameterTheme<Equipment> {
     private static final double FARTHEST_MM = 1_000_000;
 
     private final PioneerAccess access;

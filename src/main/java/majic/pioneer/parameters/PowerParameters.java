@@ -7,12 +7,13 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.state.Charging;
 import majic.pioneer.state.Equipment;
 
 /** Battery and charger. */
-final class PowerParameters implements Theme {
+final class PowerParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
 
     PowerParameters(PioneerAccess access) {

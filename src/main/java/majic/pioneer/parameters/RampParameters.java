@@ -6,13 +6,14 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.pioneer.session.ActiveRamps;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Ramps;
 
 /** How fast the robot may go and how sharply it speeds up and slows down: told to it and followed by all motions. */
-public final class RampParameters implements Theme {
+public final class RampParameters implements ParameterTheme<Equipment> {
     private final ActiveRamps dynamics;
     private final Consumer<UnaryOperator<Ramps>> change;
 

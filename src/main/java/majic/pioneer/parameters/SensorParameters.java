@@ -6,6 +6,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.pioneer.state.EncoderTicks;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Feed;
@@ -13,7 +14,7 @@ import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Scaling;
 
 /** What tells the robot how it moves: wheels, encoders, compass, gyro. */
-final class SensorParameters implements Theme {
+final class SensorParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
 
     SensorParameters(PioneerAccess access) {

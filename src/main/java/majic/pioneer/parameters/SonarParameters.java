@@ -5,6 +5,8 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.AssumedSetting;
+import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.state.Equipment;
@@ -13,7 +15,7 @@ import majic.pioneer.state.Side;
 import majic.pioneer.state.SonarScan;
 
 /** What the sonars hear, and whether they fire. */
-final class SonarParameters implements Theme {
+final class SonarParameters implements ParameterTheme<Equipment> {
     /** An echo from 5 m comes after 30 ms; a tenth of a second is a whole SIP. */
     private static final int FASTEST_MS = 10;
 
@@ -21,12 +23,11 @@ final class SonarParameters implements Theme {
 
     private final PioneerAccess access;
     private final PowerSwitches switches;
-    private final AssumedSetting cycle;
+    private final AssumedSetting cycle = new AssumedSetting();
 
     SonarParameters(PioneerAccess access, PowerSwitches switches) {
         this.access = access;
         this.switches = switches;
-        this.cycle = new AssumedSetting(access);
     }
 
     @Override
@@ -72,9 +73,13 @@ final class SonarParameters implements Theme {
                         Parameter.number("sonarCycle", Unit.MS, "from one disc of an array to the next")
                                 .within(FASTEST_MS, SLOWEST_MS)
                                 .inWholes(),
-                        cycle.reader(access.config(config -> Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS))))
-                .writes(values -> cycle.tell(
-                        ArcosCommand.SONARCYCLE.packet((int) values.get(0).number()), values.get(0)));
+                        access.assumed(
+                                cycle,
+                                access.config(config -> Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS))))
+                .writes(values -> access.send(
+                        cycle,
+                        ArcosCommand.SONARCYCLE.packet((int) values.get(0).number()),
+                        values.get(0)));
     }
 
     private static Value range(int disc, PioneerState state) {

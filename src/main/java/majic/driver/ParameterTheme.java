@@ -1,0 +1,21 @@
+package majic.driver;
+
+import majic.bot.ParameterTable;
+
+/**
+ * Parameters of a robot that belong together, such as those of its battery.
+ *
+ * @param <E> what the driver knows about the robot's equipment, which decides what is described
+ */
+public interface ParameterTheme<E> {
+    /**
+     * Adds the parameters that a robot with this equipment has.
+     *
+     * @param table lists the parameters in the order of the calls
+     * @param equipment of the robot
+     */
+    void describe(ParameterTable table, E equipment);
+
+    /** Ends what setting one of the parameters has started, when the robot is stopped. Waits for nothing. */
+    default void halt() {}
+}
