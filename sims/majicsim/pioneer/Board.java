@@ -176,17 +176,9 @@ final class Board {
         drive.setOdometry(new Pose(0, 0, 0));
     }
 
-    /** The state now; takes the sonar readings along, which are new only once. */
-    byte[] sip() {
-        return new Sip(SipMotion.of(this), SipStatus.of(this), sonar.takeFresh(), SipTail.of(this)).toBytes();
-    }
-
-    byte[] simStat() {
-        Pose believed = drive.odometry();
-        Pose right = drive.odometryWithoutError();
-        Pose error = new Pose(
-                believed.xMm() - right.xMm(), believed.yMm() - right.yMm(), believed.headingDeg() - right.headingDeg());
-        return new SimStat((int) (stepNanos / 1_000_000), body.pose(), error).toBytes();
+    /** The length of the last step, ms. */
+    int stepMs() {
+        return (int) (stepNanos / 1_000_000);
     }
 
     private void heedStopButton() {

@@ -4,10 +4,10 @@ import java.util.function.Function;
 
 /** The packets of a cycle in the order in which they go out: some before the SIP, some after it (ARCOS sheet 5.4, 11). */
 enum Report {
-    SIM_STAT(Board::simStat),
+    SIM_STAT(board -> SimStat.of(board).toBytes()),
     JOYSTICK(board -> board.devices().joystick().toBytes()),
     GYRO(board -> board.devices().gyro().toBytes(board.devices().thermometer().celsius())),
-    SIP(Board::sip),
+    SIP(board -> Sip.of(board).toBytes()),
     IO(InputOutputReport::of),
     ENCODER(board -> EncoderReport.of(board).toBytes()),
     GRIPPER(board -> board.devices().gripper().toBytes()),

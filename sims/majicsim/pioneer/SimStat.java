@@ -14,6 +14,14 @@ record SimStat(int stepMs, Pose truePose, Pose odometryError) {
     private static final int HAS_ODOMETRY_ERROR = 1 << 2;
     private static final int NO_GPS = -1;
 
+    static SimStat of(Board board) {
+        Pose believed = board.drive().odometry();
+        Pose right = board.drive().odometryWithoutError();
+        Pose error = new Pose(
+                believed.xMm() - right.xMm(), believed.yMm() - right.yMm(), believed.headingDeg() - right.headingDeg());
+        return new SimStat(board.stepMs(), board.truePose(), error);
+    }
+
     byte[] toBytes() {
         PacketWriter packet = new PacketWriter(TYPE).uint8(0).uint8(0).int32(HAS_ODOMETRY_ERROR);
         packet.uint16s(stepMs, stepMs, stepMs);

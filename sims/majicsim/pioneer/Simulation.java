@@ -32,7 +32,7 @@ final class Simulation {
     /** SIM_STAT: once and now, with every SIP, or no more. */
     void stat(int wish) {
         if (wish == 1) {
-            client.accept(board.simStat());
+            client.accept(SimStat.of(board).toBytes());
         } else {
             reports.ask(Report.SIM_STAT, wish);
         }

@@ -14,6 +14,11 @@ record Sip(SipMotion motion, SipStatus status, List<SonarReading> sonar, SipTail
     private static final int STANDING = 0x32;
     private static final int MOVING = 0x33;
 
+    /** The state now. Takes the sonar readings, which are reported only once. */
+    static Sip of(Board board) {
+        return new Sip(SipMotion.of(board), SipStatus.of(board), board.sonar().takeFresh(), SipTail.of(board));
+    }
+
     byte[] toBytes() {
         PacketWriter packet = new PacketWriter(motion.isMoving() ? MOVING : STANDING);
         packet.uint16s(motion.x(), motion.y(), motion.heading(), motion.leftSpeed(), motion.rightSpeed());
