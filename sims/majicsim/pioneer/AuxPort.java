@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.function.UnaryOperator;
+import majicsim.pioneer.packet.PacketWriter;
 import org.jspecify.annotations.Nullable;
 
 /**

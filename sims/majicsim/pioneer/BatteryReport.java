@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.packet.PacketWriter;
+
 /** The battery packet (ARCOS sheet 11.3): one entry for each battery that reports itself; lead-acid ones do not. */
 final class BatteryReport {
     private static final int BYTES_PER_BATTERY = 5;

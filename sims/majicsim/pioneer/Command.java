@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import majicsim.pioneer.packet.Argument;
 import majicsim.world.Pose;
 
 /** The commands that the controller knows, by the manual's names and numbers, and what each does (ARCOS sheet 6). */

@@ -1,6 +1,7 @@
 package majicsim.pioneer;
 
 import java.util.function.ToIntFunction;
+import majicsim.pioneer.packet.PacketWriter;
 
 /**
  * The CONFIG packet (ARCOS sheet 10), as far as the model's generation of firmware knows it. Serial number and version tell

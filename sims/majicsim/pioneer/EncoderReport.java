@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.packet.PacketWriter;
+
 /**
  * The encoder packet (ARCOS sheet 11.1): counters of 32 bits that roll over.
  *

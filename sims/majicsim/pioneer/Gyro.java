@@ -2,6 +2,7 @@ package majicsim.pioneer;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Noise;
 
 /**

@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.packet.PacketWriter;
+
 /**
  * The IO packet (ARCOS sheet 11.2): digital inputs, bumpers front and rear, infra-red, all active low; outputs; the analog
  * ports, and the battery last.

@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.packet.PacketWriter;
+
 /** The joystick at the robot's side. Pushes are -1 to 1, right and ahead positive; on the wire 0 to 1023 (ARCOS sheet 11.4). */
 final class Joystick {
     private static final int CENTRE = 512;

@@ -2,6 +2,7 @@ package majicsim.pioneer;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Pose;
 
 /**

@@ -3,6 +3,10 @@ package majicsim.pioneer;
 import java.util.List;
 import java.util.Locale;
 import majicsim.net.Line;
+import majicsim.pioneer.packet.Argument;
+import majicsim.pioneer.packet.Packet;
+import majicsim.pioneer.packet.PacketReader;
+import majicsim.pioneer.packet.PacketWriter;
 
 /**
  * One client's conversation with the board: handshake, commands, watchdog, the packets every 100 ms, and the end

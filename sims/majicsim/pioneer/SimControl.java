@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.packet.Argument;
+import majicsim.pioneer.packet.PacketWriter;
 import org.jspecify.annotations.Nullable;
 
 /**

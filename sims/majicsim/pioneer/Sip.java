@@ -1,6 +1,7 @@
 package majicsim.pioneer;
 
 import java.util.List;
+import majicsim.pioneer.packet.PacketWriter;
 
 /**
  * The standard packet about the robot's state (ARCOS sheet 8).

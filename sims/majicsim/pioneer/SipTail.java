@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.packet.PacketWriter;
+
 /**
  * What a SIP says after the sonar readings, more of it with each generation of firmware (ARCOS sheet 8).
  *

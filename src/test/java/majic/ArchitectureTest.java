@@ -62,7 +62,8 @@ class ArchitectureTest {
             majicsim.net              : majicsim.world
             majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi
             majicsim.aibo.urbi        : majicsim.world majicsim.net
-            majicsim.pioneer          : majicsim.world majicsim.net
+            majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet
+            majicsim.pioneer.packet   :
             majicsim.hemisson         : majicsim.world majicsim.net
             """);
 

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.util.Optional;
+import majicsim.pioneer.packet.Hex;
+import majicsim.pioneer.packet.Packet;
 import org.jspecify.annotations.Nullable;
 
 /** What the vendor's client does in a session, by itself or under its Java wrapper or ROS (ARCOS sheet 4 and 13.2). */

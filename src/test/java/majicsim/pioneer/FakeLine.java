@@ -5,7 +5,7 @@ import java.util.List;
 import majicsim.net.Line;
 
 /** Keeps what the robot sends. */
-final class FakeLine implements Line {
+public final class FakeLine implements Line {
     private final List<byte[]> messages = new ArrayList<>();
     private boolean open = true;
     /** The speed at the client's end; 0 as on a network. */
@@ -37,7 +37,7 @@ final class FakeLine implements Line {
     }
 
     /** The messages since this was last asked. */
-    List<byte[]> take() {
+    public List<byte[]> take() {
         List<byte[]> taken = List.copyOf(messages);
         messages.clear();
         return taken;

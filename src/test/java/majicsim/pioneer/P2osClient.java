@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.util.Optional;
+import majicsim.pioneer.packet.Packet;
+import majicsim.pioneer.packet.PacketWriter;
 
 /**
  * What Player's driver does in a session, and ROS's, which comes from it (ARCOS sheet 13.3): bare commands, one for each

@@ -7,6 +7,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import majicsim.pioneer.packet.Hex;
+import majicsim.pioneer.packet.Packet;
+import majicsim.pioneer.packet.PacketReader;
+import majicsim.pioneer.packet.PacketWriter;
 
 /**
  * Whatever bytes come from a client: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see

@@ -2,6 +2,7 @@ package majicsim.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majicsim.pioneer.packet.Hex;
 import org.junit.jupiter.api.Test;
 
 /** RESET, MAINTENANCE and the reset button (ARCOS sheet 6.1, 11.6). */

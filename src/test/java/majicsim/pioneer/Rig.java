@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.util.List;
+import majicsim.pioneer.packet.Hex;
+import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
@@ -11,7 +13,7 @@ import majicsim.world.Room;
 import majicsim.world.World;
 
 /** A Pioneer in a room of 10 by 8 m around the origin, stepped by hand, with a client on a line. */
-final class Rig {
+public final class Rig {
     static final double STEP_SECONDS = 0.004;
 
     private static final String TEN_BY_EIGHT = """
@@ -31,8 +33,8 @@ final class Rig {
     static final String EQUIPPED = PioneerRobot.STANDARD_MODEL + "+gripper+gyro+charger";
 
     final World world = new World(tenByEight());
-    final PioneerRobot robot;
-    FakeLine line = new FakeLine();
+    public final PioneerRobot robot;
+    public FakeLine line = new FakeLine();
 
     Rig(Pose start, Noise noise, String model) {
         robot = new PioneerRobot(world, start, noise, model);
@@ -55,7 +57,7 @@ final class Rig {
     }
 
     /** As {@link #open()}, with motors on. */
-    static Rig ready() {
+    public static Rig ready() {
         return ready(PioneerRobot.STANDARD_MODEL);
     }
 
@@ -88,7 +90,7 @@ final class Rig {
     }
 
     /** Sends a command with a number, sign in the type byte. */
-    Rig command(int id, int value) {
+    public Rig command(int id, int value) {
         int magnitude = Math.abs(value);
         byte[] packet = new PacketWriter(id)
                 .uint8(value < 0 ? 0x1B : 0x3B)
@@ -104,7 +106,7 @@ final class Rig {
     }
 
     /** Sends a command with these bytes behind its number. */
-    Rig packet(int id, byte[] data) {
+    public Rig packet(int id, byte[] data) {
         PacketWriter packet = new PacketWriter(id);
         for (byte b : data) {
             packet.uint8(b);
@@ -114,7 +116,7 @@ final class Rig {
     }
 
     /** Lets lab time pass without a word from the client. */
-    Rig step(double seconds) {
+    public Rig step(double seconds) {
         for (long left = Math.round(seconds / STEP_SECONDS); left > 0; left--) {
             world.step(STEP_SECONDS);
             robot.step(STEP_SECONDS);
@@ -123,7 +125,7 @@ final class Rig {
     }
 
     /** Lets lab time pass with a PULSE every 400 ms. */
-    Rig pulse(double seconds) {
+    public Rig pulse(double seconds) {
         for (double left = seconds; left > 1e-9; left -= 0.4) {
             command(0, 0).step(Math.min(0.4, left));
         }
@@ -151,12 +153,12 @@ final class Rig {
     }
 
     /** The SIPs since messages were last taken. */
-    List<SipView> sips() {
+    public List<SipView> sips() {
         return line.take().stream().filter(SipView::isSip).map(SipView::new).toList();
     }
 
     /** Lets one SIP cycle pass and returns its SIP. */
-    SipView nextSip() {
+    public SipView nextSip() {
         line.take();
         List<SipView> sips = step(0.1).sips();
         return sips.get(sips.size() - 1);
@@ -166,7 +168,7 @@ final class Rig {
         return robot.body();
     }
 
-    Pose pose() {
+    public Pose pose() {
         return robot.body().pose();
     }
 

@@ -2,6 +2,8 @@ package majicsim.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majicsim.pioneer.packet.Hex;
+import majicsim.pioneer.packet.PacketReader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

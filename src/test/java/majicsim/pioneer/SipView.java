@@ -4,12 +4,12 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** Reads a SIP by the sheet's offsets (8), written apart from the encoder it tests. */
-record SipView(byte[] packet) {
+public record SipView(byte[] packet) {
     static boolean isSip(byte[] packet) {
         return (packet[3] & 0xF0) == 0x30;
     }
 
-    int type() {
+    public int type() {
         return packet[3];
     }
 
@@ -25,7 +25,7 @@ record SipView(byte[] packet) {
         return signed(5);
     }
 
-    double headingDeg() {
+    public double headingDeg() {
         return heading() * 360.0 / 4096;
     }
 

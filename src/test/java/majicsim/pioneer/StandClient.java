@@ -11,6 +11,10 @@ import java.util.Optional;
 import java.util.function.LongConsumer;
 import majicsim.net.LineCount;
 import majicsim.net.Port;
+import majicsim.pioneer.packet.Hex;
+import majicsim.pioneer.packet.Packet;
+import majicsim.pioneer.packet.PacketReader;
+import majicsim.pioneer.packet.PacketWriter;
 
 /** A client of a {@link Stand} as a test sees it: it writes, lets lab time pass, and has then read all there was to read. */
 final class StandClient {

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.packet;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.packet;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -9,7 +9,7 @@ import java.util.List;
  * or an impossible count the search goes on right behind the header, so that a good packet inside a damaged one is
  * still found.
  */
-final class PacketReader {
+public final class PacketReader {
     private static final byte HEADER_1 = (byte) 0xFA;
     private static final byte HEADER_2 = (byte) 0xFB;
     /** Id and checksum: a smaller count cannot be a packet. */
@@ -19,7 +19,7 @@ final class PacketReader {
     private long skippedBytes;
 
     /** Takes the next bytes; returns the packets they complete, oldest first. */
-    List<Packet> feed(byte[] bytes) {
+    public List<Packet> feed(byte[] bytes) {
         byte[] all = Arrays.copyOf(pending, pending.length + bytes.length);
         System.arraycopy(bytes, 0, all, pending.length, bytes.length);
         return scan(all, 0);
@@ -29,7 +29,7 @@ final class PacketReader {
      * Gives up waiting for the rest of a packet; returns the packets hidden behind its header. The controller does so
      * when the line has been silent in the middle of a packet.
      */
-    List<Packet> giveUpFragment() {
+    public List<Packet> giveUpFragment() {
         if (pending.length == 0) {
             return List.of();
         }
@@ -37,12 +37,12 @@ final class PacketReader {
         return scan(pending, 1);
     }
 
-    boolean hasFragment() {
+    public boolean hasFragment() {
         return pending.length > 0;
     }
 
     /** How many bytes were no part of any packet so far. */
-    long skippedBytes() {
+    public long skippedBytes() {
         return skippedBytes;
     }
 

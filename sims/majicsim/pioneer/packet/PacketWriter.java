@@ -1,45 +1,45 @@
-package majicsim.pioneer;
+package majicsim.pioneer.packet;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
 /** Builds one packet to the client: numbers low byte first, strings ended by NUL, checksum high byte first (ARCOS sheet 2, 3). */
-final class PacketWriter {
+public final class PacketWriter {
     private final ByteArrayOutputStream body = new ByteArrayOutputStream();
 
-    PacketWriter(int type) {
+    public PacketWriter(int type) {
         uint8(type);
     }
 
     /** Adds the low 8 bits. */
-    PacketWriter uint8(int value) {
+    public PacketWriter uint8(int value) {
         body.write(value);
         return this;
     }
 
     /** Adds the low 16 bits, so signed values and counters that wrap need no care. */
-    PacketWriter uint16(int value) {
+    public PacketWriter uint16(int value) {
         return uint8(value).uint8(value >> 8);
     }
 
-    PacketWriter uint16s(int... values) {
+    public PacketWriter uint16s(int... values) {
         for (int value : values) {
             uint16(value);
         }
         return this;
     }
 
-    PacketWriter int32(int value) {
+    public PacketWriter int32(int value) {
         return uint16(value).uint16(value >> 16);
     }
 
-    PacketWriter text(String text) {
+    public PacketWriter text(String text) {
         body.writeBytes(text.getBytes(StandardCharsets.US_ASCII));
         return uint8(0);
     }
 
     /** The whole packet with header, count and checksum, for one write. */
-    byte[] toBytes() {
+    public byte[] toBytes() {
         byte[] content = body.toByteArray();
         int checksum = Checksum.of(content, 0, content.length);
         ByteArrayOutputStream whole = new ByteArrayOutputStream();

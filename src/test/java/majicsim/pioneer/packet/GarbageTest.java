@@ -1,8 +1,9 @@
-package majicsim.pioneer;
+package majicsim.pioneer.packet;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
+import majicsim.pioneer.Rig;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.packet;
 
 /**
  * One packet from the client whose checksum was right.
@@ -6,4 +6,4 @@ package majicsim.pioneer;
  * @param id the command's number, 0 to 255
  * @param data what stands between id and checksum; not copied, nobody changes it
  */
-record Packet(int id, byte[] data) {}
+public record Packet(int id, byte[] data) {}

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.packet;
 
 /** The sum that ends every ARCOS packet (ARCOS sheet 2.1): pairs added modulo 65536, a last odd byte XORed in. */
 final class Checksum {

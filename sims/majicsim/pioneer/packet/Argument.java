@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.packet;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -7,56 +7,56 @@ import java.util.Arrays;
  * What stands behind a command's number (ARCOS sheet 3). Every command may come with or without an argument; bytes that
  * are missing count as zero and bytes too many are left alone, so reading one never fails.
  */
-record Argument(byte[] data) {
+public record Argument(byte[] data) {
     private static final int NEGATIVE = 0x1B;
 
     /** The number: a magnitude, negative if the type byte says so; -65535 to 65535. */
-    int integer() {
+    public int integer() {
         return at(0) == NEGATIVE ? -magnitude() : magnitude();
     }
 
-    boolean isOn() {
+    public boolean isOn() {
         return integer() != 0;
     }
 
     /** The low byte of the two packed in the 16 bits, signed; right both for a negated magnitude and for raw bytes. */
-    int lowByte() {
+    public int lowByte() {
         return (byte) integer();
     }
 
     /** The high byte of the two packed in the 16 bits, signed. */
-    int highByte() {
+    public int highByte() {
         return (byte) (integer() >> 8);
     }
 
     /** Number {@code index} of the 32-bit numbers that some commands have; their type byte means nothing. */
-    int int32(int index) {
+    public int int32(int index) {
         int start = 1 + 4 * index;
         return at(start) | at(start + 1) << 8 | at(start + 2) << 16 | at(start + 3) << 24;
     }
 
     /** Number {@code index} of several 16-bit numbers behind one type byte, signed. */
-    int int16(int index) {
+    public int int16(int index) {
         return (short) (at(1 + 2 * index) | at(2 + 2 * index) << 8);
     }
 
-    boolean hasInt16(int index) {
+    public boolean hasInt16(int index) {
         return data.length >= 3 + 2 * index;
     }
 
     /** The string; its length byte is believed only as far as the packet goes. */
-    String text() {
+    public String text() {
         return new String(bytes(), StandardCharsets.US_ASCII);
     }
 
     /** The string's bytes. */
-    byte[] bytes() {
+    public byte[] bytes() {
         int length = Math.min(at(1), Math.max(0, data.length - 2));
         return length == 0 ? new byte[0] : Arrays.copyOfRange(data, 2, 2 + length);
     }
 
     /** The string behind a first 16-bit number, its length in 16 bits too; believed only as far as the packet goes. */
-    String textBehindNumber() {
+    public String textBehindNumber() {
         int start = Math.min(data.length, 5);
         int length = Math.min(at(3) | at(4) << 8, data.length - start);
         return new String(data, start, length, StandardCharsets.US_ASCII);
