@@ -4,6 +4,8 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.function.UnaryOperator;
+import majicsim.pioneer.model.Setting;
+import majicsim.pioneer.model.Settings;
 import majicsim.pioneer.packet.PacketWriter;
 import org.jspecify.annotations.Nullable;
 

@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.model.PioneerModel;
+import majicsim.pioneer.model.Setting;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.packet.Argument;
 import majicsim.world.Pose;
 

@@ -1,6 +1,11 @@
 package majicsim.pioneer;
 
 import java.util.function.ToIntFunction;
+import majicsim.pioneer.model.Equipment;
+import majicsim.pioneer.model.Generation;
+import majicsim.pioneer.model.PioneerModel;
+import majicsim.pioneer.model.Setting;
+import majicsim.pioneer.model.Settings;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**

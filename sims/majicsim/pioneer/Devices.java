@@ -1,6 +1,9 @@
 package majicsim.pioneer;
 
 import java.util.List;
+import majicsim.pioneer.model.Equipment;
+import majicsim.pioneer.model.Setting;
+import majicsim.pioneer.model.Settings;
 import majicsim.world.Noise;
 
 /** Everything on the robot that does not move it and hears no echoes. What a model does not carry is there and idle. */

@@ -2,6 +2,9 @@ package majicsim.pioneer;
 
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import majicsim.pioneer.model.PioneerModel;
+import majicsim.pioneer.model.Scaling;
+import majicsim.pioneer.model.Setting;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

@@ -1,5 +1,6 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.packet.PacketWriter;
 import org.jspecify.annotations.Nullable;
 

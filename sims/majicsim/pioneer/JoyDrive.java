@@ -1,5 +1,8 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.model.Setting;
+import majicsim.pioneer.model.Settings;
+
 /**
  * Driving by the joystick while its button is held (ARCOS sheet 6.1, JOYDRIVE). With a client connected it must be allowed, and
  * the motors on; without one the button switches them on and off itself.

@@ -1,5 +1,6 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.model.PioneerModel;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Point;

@@ -1,5 +1,8 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.model.Setting;
+import majicsim.pioneer.model.Settings;
+
 /** Beeps every few seconds while the battery is below LOWBATTERY, unless a tune is playing. */
 final class LowBatteryAlarm {
     private static final long EVERY_NANOS = 5_000_000_000L;

@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.model.PioneerModel;
+
 /**
  * The limits of both motion channels. Immutable.
  *

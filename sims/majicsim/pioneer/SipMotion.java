@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.model.Scaling;
+
 /**
  * The part of a SIP that says where and how fast, in raw units (ARCOS sheet 8).
  *

@@ -1,5 +1,6 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**

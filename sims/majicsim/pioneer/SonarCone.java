@@ -3,6 +3,7 @@ package majicsim.pioneer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import majicsim.pioneer.model.SonarDisc;
 import majicsim.world.Body;
 import majicsim.world.Hit;
 import majicsim.world.Noise;

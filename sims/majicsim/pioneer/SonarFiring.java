@@ -3,6 +3,7 @@ package majicsim.pioneer;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import majicsim.pioneer.model.PioneerModel;
 
 /**
  * Fires the discs: one of each array at a time, every 40 ms unless set otherwise, so that a SIP carries only the few

@@ -62,7 +62,9 @@ class ArchitectureTest {
             majicsim.net              : majicsim.world
             majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi
             majicsim.aibo.urbi        : majicsim.world majicsim.net
-            majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet
+            majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
+                                        majicsim.pioneer.model
+            majicsim.pioneer.model    :
             majicsim.pioneer.packet   :
             majicsim.hemisson         : majicsim.world majicsim.net
             """);

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.packet.Hex;
 import majicsim.pioneer.packet.Packet;
 import majicsim.pioneer.packet.PacketReader;

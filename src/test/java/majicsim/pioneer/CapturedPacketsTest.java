@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import majicsim.pioneer.model.Generation;
+import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.packet.Hex;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;

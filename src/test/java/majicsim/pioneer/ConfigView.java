@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
  * @param numbers the number fields that were there, by the sheet's names
  * @param texts the string fields that were there, by the sheet's names
  */
-record ConfigView(Map<String, Integer> numbers, Map<String, String> texts) {
+public record ConfigView(Map<String, Integer> numbers, Map<String, String> texts) {
     /** s string, B ubyte, b byte, U uint, i int, L uint32; in the sheet's order. */
     private static final String FIELDS = """
             s CLASS, s SUBCLASS, s SERNUM, B 4MOTS, U ROTVELTOP, U TRANSVELTOP, U ROTACCTOP, U TRANSACCTOP, U PWMMAX, s NAME,

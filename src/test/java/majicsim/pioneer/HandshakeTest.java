@@ -3,6 +3,7 @@ package majicsim.pioneer;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
+import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.packet.Hex;
 import org.junit.jupiter.api.Test;
 

@@ -36,7 +36,7 @@ public final class Rig {
     public final PioneerRobot robot;
     public FakeLine line = new FakeLine();
 
-    Rig(Pose start, Noise noise, String model) {
+    public Rig(Pose start, Noise noise, String model) {
         robot = new PioneerRobot(world, start, noise, model);
         robot.connected(line);
     }
@@ -47,12 +47,12 @@ public final class Rig {
     }
 
     /** As {@link #open()}, of another model. */
-    static Rig open(String model) {
+    public static Rig open(String model) {
         return new Rig(new Pose(0, 0, 0), Noise.exact(), model).shakeHands();
     }
 
     /** As {@link #silent()}, with an open session. */
-    static Rig open() {
+    public static Rig open() {
         return silent().shakeHands();
     }
 
@@ -66,7 +66,7 @@ public final class Rig {
         return open(model).command(4, 1);
     }
 
-    Rig shakeHands() {
+    public Rig shakeHands() {
         send("FA FB 03 00 00 00  FA FB 03 01 00 01  FA FB 03 02 00 02");
         return command(1, 1);
     }
@@ -146,7 +146,7 @@ public final class Rig {
     }
 
     /** Asks for CONFIG. */
-    ConfigView config() {
+    public ConfigView config() {
         line.take();
         command(18, 1);
         return ConfigView.of(line.take().get(0));

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.packet.Hex;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

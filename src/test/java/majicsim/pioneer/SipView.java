@@ -13,7 +13,7 @@ public record SipView(byte[] packet) {
         return packet[3];
     }
 
-    int x() {
+    public int x() {
         return signed(1);
     }
 
@@ -29,11 +29,11 @@ public record SipView(byte[] packet) {
         return heading() * 360.0 / 4096;
     }
 
-    int left() {
+    public int left() {
         return signed(7);
     }
 
-    int right() {
+    public int right() {
         return signed(9);
     }
 
@@ -73,7 +73,7 @@ public record SipView(byte[] packet) {
         return readings;
     }
 
-    int compass() {
+    public int compass() {
         return ubyte(18);
     }
 

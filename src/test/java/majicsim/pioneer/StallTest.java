@@ -3,6 +3,7 @@ package majicsim.pioneer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import majicsim.pioneer.model.PioneerModel;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;

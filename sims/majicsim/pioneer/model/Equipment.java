@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 /**
  * What a model carries beside motors, sonar and bumpers. The vendor's parameter files do not tell; what stands in the table
@@ -11,7 +11,7 @@ package majicsim.pioneer;
  * @param hasCompass a compass that the SIP shows
  * @param smartBatteries batteries that report themselves, 0 for lead-acid ones
  */
-record Equipment(
+public record Equipment(
         Generation generation,
         boolean hasGripper,
         boolean hasGyro,
@@ -20,7 +20,7 @@ record Equipment(
         int smartBatteries) {
     private static final int PIONEER_3_CHARGER = 1;
 
-    boolean hasCharger() {
+    public boolean hasCharger() {
         return charger != 0;
     }
 

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 import java.io.BufferedReader;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 /**
  * How a model's raw numbers on the wire relate to values: raw times factor is the value (ARCOS sheet 9.1).
@@ -9,7 +9,7 @@ package majicsim.pioneer;
  * @param radPerMm turn in radians for each mm that the right wheel does more than the middle, the left one less
  * @param vel2UnitMmPerSec the unit of VEL2's two bytes
  */
-record Scaling(
+public record Scaling(
         double mmPerPositionUnit,
         double mmPerSecPerSpeedUnit,
         double mmPerRangeUnit,
@@ -17,30 +17,30 @@ record Scaling(
         double vel2UnitMmPerSec) {
     private static final double UNITS_PER_TURN = 4096;
 
-    int position(double mm) {
+    public int position(double mm) {
         return (int) Math.round(mm / mmPerPositionUnit);
     }
 
     /** The heading in 4096ths of a turn, -2048 to 2047. */
-    int heading(double degrees) {
+    public int heading(double degrees) {
         int units = (int) Math.round(degrees * UNITS_PER_TURN / 360) & 0xFFF;
         return units >= UNITS_PER_TURN / 2 ? units - (int) UNITS_PER_TURN : units;
     }
 
-    int speed(double mmPerSec) {
+    public int speed(double mmPerSec) {
         return (int) Math.round(mmPerSec / mmPerSecPerSpeedUnit);
     }
 
-    int range(double mm) {
+    public int range(double mm) {
         return (int) Math.round(mm / mmPerRangeUnit);
     }
 
     /** How much faster than the middle the right wheel runs, and slower the left one, at this turn rate. */
-    double wheelMmPerSec(double degPerSec) {
+    public double wheelMmPerSec(double degPerSec) {
         return Math.toRadians(degPerSec) / radPerMm;
     }
 
-    double turnDegPerSec(double wheelMmPerSec) {
+    public double turnDegPerSec(double wheelMmPerSec) {
         return Math.toDegrees(wheelMmPerSec * radPerMm);
     }
 }

@@ -1,10 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 /**
  * The generations of controller firmware, oldest first. Packets have only ever grown at their ends (ARCOS sheet 8, 10), so a
  * generation is told by where its packets stop.
  */
-enum Generation {
+public enum Generation {
     /** Pioneer 2: the SIP ends at DIGOUT, CONFIG at TRANSKI. */
     P2OS,
     /** Pioneer 3 before the SH controllers: the SIP ends at the state of charge, CONFIG at the charge threshold. */
@@ -12,7 +12,7 @@ enum Generation {
     /** SH controllers and later: everything the sheet knows. */
     ARCOS;
 
-    boolean isAtLeast(Generation other) {
+    public boolean isAtLeast(Generation other) {
         return compareTo(other) >= 0;
     }
 }

@@ -1,10 +1,12 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
+
+import majicsim.pioneer.EncoderReport;
 
 /**
  * A number that the controller stores: CONFIG shows it, and a command may change its working value until the session ends
  * (ARCOS sheet 5.1, 6.1, 10). The stored values are the sheet's where it has one, else typical of the manuals.
  */
-enum Setting {
+public enum Setting {
     AUX1_BAUD(0),
     AUX2_BAUD(0),
     AUX3_BAUD(0),
@@ -47,7 +49,7 @@ enum Setting {
         this.stored = stored;
     }
 
-    int stored() {
+    public int stored() {
         return stored;
     }
 }

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 /**
  * One sonar transducer (ARCOS sheet 12), seen from the turning centre.
@@ -8,7 +8,7 @@ package majicsim.pioneer;
  * @param yMm to the left
  * @param axisDeg where it looks, counterclockwise
  */
-record SonarDisc(int number, double xMm, double yMm, double axisDeg) {
+public record SonarDisc(int number, double xMm, double yMm, double axisDeg) {
     private static final int DISCS_PER_ARRAY = 8;
 
     /** The array it belongs to, from 0: front, rear, upper front, upper rear. */

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 import java.util.Arrays;
 import java.util.Locale;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -7,6 +7,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import majicsim.pioneer.ConfigView;
+import majicsim.pioneer.PioneerRobot;
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;

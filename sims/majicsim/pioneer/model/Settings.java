@@ -1,26 +1,26 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 import java.util.EnumMap;
 import java.util.Map;
 
 /** The working values of all {@link Setting}s; the stored ones until a command changes them. */
-final class Settings {
+public final class Settings {
     private final Map<Setting, Integer> changed = new EnumMap<>(Setting.class);
 
-    int get(Setting setting) {
+    public int get(Setting setting) {
         return changed.getOrDefault(setting, setting.stored());
     }
 
-    boolean isOn(Setting setting) {
+    public boolean isOn(Setting setting) {
         return get(setting) != 0;
     }
 
-    void set(Setting setting, int value) {
+    public void set(Setting setting, int value) {
         changed.put(setting, value);
     }
 
     /** All stored values again, as at the end of a session (ARCOS sheet 5.1). */
-    void restore() {
+    public void restore() {
         changed.clear();
     }
 }

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.model;
 
 import java.util.List;
 
@@ -19,7 +19,7 @@ import java.util.List;
  * @param sonars the discs that are fitted, by number
  * @param equipment what else it carries
  */
-record PioneerModel(
+public record PioneerModel(
         String subclass,
         String className,
         double frontMm,
@@ -36,7 +36,7 @@ record PioneerModel(
     private static final int FITTED_SEGMENTS = 5;
 
     /** Copies the list of discs. */
-    PioneerModel {
+    public PioneerModel {
         sonars = List.copyOf(sonars);
     }
 
@@ -45,7 +45,7 @@ record PioneerModel(
      *
      * @throws IllegalArgumentException if there is no such model or extra; the message lists those there are
      */
-    static PioneerModel of(String name) {
+    public static PioneerModel of(String name) {
         String[] parts = name.split("\\+", -1);
         PioneerModel model = ModelTable.find(parts[0]);
         for (int i = 1; i < parts.length; i++) {
@@ -55,11 +55,11 @@ record PioneerModel(
     }
 
     /** The subclasses of all models, in the order of the table. */
-    static List<String> subclasses() {
+    public static List<String> subclasses() {
         return ModelTable.subclasses();
     }
 
-    boolean hasSonarArray(int array) {
+    public boolean hasSonarArray(int array) {
         return sonars.stream().anyMatch(disc -> disc.array() == array);
     }
 
