@@ -2,6 +2,8 @@ package majicsim.pioneer;
 
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.model.Setting;
+import majicsim.pioneer.motion.Drive;
+import majicsim.pioneer.motion.MotionLimits;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

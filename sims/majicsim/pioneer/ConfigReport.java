@@ -6,6 +6,8 @@ import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;
+import majicsim.pioneer.motion.Limits;
+import majicsim.pioneer.motion.MotionLimits;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**

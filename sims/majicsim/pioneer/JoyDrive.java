@@ -2,6 +2,7 @@ package majicsim.pioneer;
 
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;
+import majicsim.pioneer.motion.Drive;
 
 /**
  * Driving by the joystick while its button is held (ARCOS sheet 6.1, JOYDRIVE). With a client connected it must be allowed, and

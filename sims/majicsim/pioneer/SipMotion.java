@@ -1,6 +1,7 @@
 package majicsim.pioneer;
 
 import majicsim.pioneer.model.Scaling;
+import majicsim.pioneer.motion.Drive;
 
 /**
  * The part of a SIP that says where and how fast, in raw units (ARCOS sheet 8).

@@ -7,6 +7,8 @@ import java.util.Arrays;
 import java.util.List;
 import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.model.PioneerModel;
+import majicsim.pioneer.motion.Limits;
+import majicsim.pioneer.motion.MotionLimits;
 import majicsim.pioneer.packet.Hex;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;

@@ -14,7 +14,7 @@ import majicsim.world.World;
 
 /** A Pioneer in a room of 10 by 8 m around the origin, stepped by hand, with a client on a line. */
 public final class Rig {
-    static final double STEP_SECONDS = 0.004;
+    public static final double STEP_SECONDS = 0.004;
 
     private static final String TEN_BY_EIGHT = """
             2D-Map
@@ -79,7 +79,7 @@ public final class Rig {
         return this;
     }
 
-    Rig send(String hex) {
+    public Rig send(String hex) {
         robot.received(line, Hex.bytes(hex));
         return this;
     }
@@ -101,7 +101,7 @@ public final class Rig {
     }
 
     /** Sends a command with these bytes behind its number. */
-    Rig packet(int id, String data) {
+    public Rig packet(int id, String data) {
         return packet(id, Hex.bytes(data));
     }
 
@@ -164,7 +164,7 @@ public final class Rig {
         return sips.get(sips.size() - 1);
     }
 
-    Body body() {
+    public Body body() {
         return robot.body();
     }
 

@@ -17,11 +17,11 @@ public record SipView(byte[] packet) {
         return signed(1);
     }
 
-    int y() {
+    public int y() {
         return signed(3);
     }
 
-    int heading() {
+    public int heading() {
         return signed(5);
     }
 
@@ -41,19 +41,19 @@ public record SipView(byte[] packet) {
         return ubyte(11);
     }
 
-    boolean isStalled() {
+    public boolean isStalled() {
         return (ubyte(12) & ubyte(13) & 1) == 1;
     }
 
-    int rearBumpers() {
+    public int rearBumpers() {
         return ubyte(12) >> 1;
     }
 
-    int frontBumpers() {
+    public int frontBumpers() {
         return ubyte(13) >> 1;
     }
 
-    int control() {
+    public int control() {
         return signed(14);
     }
 
@@ -61,11 +61,11 @@ public record SipView(byte[] packet) {
         return signed(16);
     }
 
-    boolean hasMotors() {
+    public boolean hasMotors() {
         return (flags() & 1) == 1;
     }
 
-    Map<Integer, Integer> sonar() {
+    public Map<Integer, Integer> sonar() {
         Map<Integer, Integer> readings = new TreeMap<>();
         for (int i = 0; i < ubyte(19); i++) {
             readings.put(ubyte(20 + 3 * i), signed(21 + 3 * i));
@@ -101,7 +101,7 @@ public record SipView(byte[] packet) {
         return ubyte(tail() + 7);
     }
 
-    int turnRateTenths() {
+    public int turnRateTenths() {
         return signed(tail() + 8);
     }
 

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 import majicsim.pioneer.model.PioneerModel;
 
@@ -8,7 +8,7 @@ import majicsim.pioneer.model.PioneerModel;
  * @param translation in mm
  * @param rotation in degrees
  */
-record MotionLimits(Limits translation, Limits rotation) {
+public record MotionLimits(Limits translation, Limits rotation) {
     /** What the CONFIG packet states as tops of accelerations: no motor of any model comes near (ARCOS sheet 10). */
     private static final double TOP_ACCELERATION = 9999;
 
@@ -18,14 +18,14 @@ record MotionLimits(Limits translation, Limits rotation) {
     private static final double STORED_TURN_ACCELERATION = 100;
 
     /** The most the model can do, whatever it is told. */
-    static MotionLimits tops(PioneerModel model) {
+    public static MotionLimits tops(PioneerModel model) {
         return new MotionLimits(
                 new Limits(model.topSpeedMmPerSec(), TOP_ACCELERATION, TOP_ACCELERATION),
                 new Limits(model.topTurnDegPerSec(), TOP_ACCELERATION, TOP_ACCELERATION));
     }
 
     /** What holds at the start of every session (ARCOS sheet 5.1; values of sheet 10). */
-    static MotionLimits stored(PioneerModel model) {
+    public static MotionLimits stored(PioneerModel model) {
         MotionLimits tops = tops(model);
         return new MotionLimits(
                 tops.capTranslation(new Limits(STORED_SPEED, STORED_ACCELERATION, STORED_ACCELERATION)),

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 /** What a motion channel is asked for; holds until replaced (ARCOS sheet 7.1). */
 sealed interface Goal {

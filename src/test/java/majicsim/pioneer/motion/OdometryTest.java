@@ -1,8 +1,9 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import majicsim.pioneer.Rig;
 import majicsim.pioneer.packet.Hex;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

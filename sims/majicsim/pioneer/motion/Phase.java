@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 /**
  * A stretch of motion with one acceleration. The straight ramps of the controller (ARCOS sheet 7.2) are chains of such

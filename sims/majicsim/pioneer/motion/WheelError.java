@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 import majicsim.world.Noise;
 

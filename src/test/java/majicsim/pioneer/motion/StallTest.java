@@ -1,8 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

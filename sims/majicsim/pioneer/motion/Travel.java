@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 /**
  * Where one motion channel is and how fast it goes, in mm or in degrees. Immutable.

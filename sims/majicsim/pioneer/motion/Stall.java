@@ -1,11 +1,11 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 /**
  * Whether the motors push without getting anywhere (ARCOS sheet 7.5): set when the robot meets something, kept while the
  * command that pushed is in force, cleared once it has come away or is asked to rest. Shown in at least one SIP. After each
  * push the motors have no power for a pause, then they try again.
  */
-final class Stall {
+public final class Stall {
     /** Less than this, in mm or degrees, is settling against the obstacle, not coming away. */
     private static final double AWAY = 2;
 
@@ -45,7 +45,7 @@ final class Stall {
     }
 
     /** For the SIP: whether it is stalled, or was since this was last asked. */
-    boolean report() {
+    public boolean report() {
         boolean report = stalled || untold;
         untold = false;
         return report;

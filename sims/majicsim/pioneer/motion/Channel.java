@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 /**
  * One of the two motion channels (ARCOS sheet 7.1): follows its goal along straight ramps. Each lab step is planned

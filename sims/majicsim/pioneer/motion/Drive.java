@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -14,7 +14,7 @@ import majicsim.world.Pose;
  * stall, odometry from the wheels. Speeds and ways in here are what the encoders say; {@link WheelError} stands between
  * them and the truth.
  */
-final class Drive {
+public final class Drive {
     /** Lab steps are this long; the true length comes with each step. */
     private static final double USUAL_STEP_SECONDS = 0.004;
 
@@ -37,7 +37,7 @@ final class Drive {
     private Pose odometry = new Pose(0, 0, 0);
     private Pose withoutError = new Pose(0, 0, 0);
 
-    Drive(Body body, PioneerModel model, Noise noise) {
+    public Drive(Body body, PioneerModel model, Noise noise) {
         this.body = body;
         this.scaling = model.scaling();
         this.tops = MotionLimits.tops(model);
@@ -47,19 +47,19 @@ final class Drive {
     }
 
     /** Motors on, or off: then it brakes and knows no set-points any more. */
-    void enable(boolean on) {
+    public void enable(boolean on) {
         enabled = on;
         if (!on) {
             halt();
         }
     }
 
-    boolean isEnabled() {
+    public boolean isEnabled() {
         return enabled;
     }
 
     /** VEL: translation speed in mm/s; ends VEL2, whose turning then ends too. */
-    void velocity(double mmPerSec) {
+    public void velocity(double mmPerSec) {
         command(() -> {
             leaveWheelMode(rotation);
             translation.aim(new Goal.Speed(mmPerSec));
@@ -67,7 +67,7 @@ final class Drive {
     }
 
     /** MOVE: this way in mm along the present heading. */
-    void move(double mm) {
+    public void move(double mm) {
         command(() -> {
             leaveWheelMode(rotation);
             translation.aim(new Goal.Position(translation.position() + mm));
@@ -75,7 +75,7 @@ final class Drive {
     }
 
     /** RVEL, ROTATE: turn rate in deg/s; ends VEL2, whose driving then ends too. */
-    void turnRate(double degPerSec) {
+    public void turnRate(double degPerSec) {
         turn(channel -> {
             servo.release();
             channel.aim(new Goal.Speed(degPerSec));
@@ -83,22 +83,22 @@ final class Drive {
     }
 
     /** HEAD: to this odometry heading, the shorter way round; asked for again it changes nothing. */
-    void heading(double degrees) {
+    public void heading(double degrees) {
         turn(channel -> servo.head(channel, odometry.headingDeg(), degrees));
     }
 
     /** DHEAD: to the heading that is this much from the present one, the shorter way round. */
-    void headingFromHere(double degrees) {
+    public void headingFromHere(double degrees) {
         turn(channel -> servo.head(channel, odometry.headingDeg(), odometry.headingDeg() + degrees));
     }
 
     /** DCHEAD: to the heading that is this much from the last set-point, the shorter way round. */
-    void headingFromSetPoint(double degrees) {
+    public void headingFromSetPoint(double degrees) {
         turn(channel -> servo.head(channel, odometry.headingDeg(), headingSetPointDeg() + degrees));
     }
 
     /** VEL2: the wheels' speeds in mm/s, for both channels together. */
-    void wheels(double leftMmPerSec, double rightMmPerSec) {
+    public void wheels(double leftMmPerSec, double rightMmPerSec) {
         command(() -> {
             servo.release();
             translation.aim(new Goal.Speed((leftMmPerSec + rightMmPerSec) / 2));
@@ -108,7 +108,7 @@ final class Drive {
     }
 
     /** STOP: both channels to rest with the set deceleration; the motors stay on. */
-    void halt() {
+    public void halt() {
         servo.release();
         wheelMode = false;
         translation.aim(Goal.STOP);
@@ -117,7 +117,7 @@ final class Drive {
     }
 
     /** ESTOP, QSTOP: to rest within one SIP cycle; until then no motion command is heard. */
-    void emergencyStop() {
+    public void emergencyStop() {
         servo.release();
         wheelMode = false;
         translation.emergencyStop();
@@ -126,78 +126,78 @@ final class Drive {
     }
 
     /** Rests without forgetting the set-points while {@code on}; takes them up again with normal acceleration. */
-    void hold(boolean on) {
+    public void hold(boolean on) {
         held = on;
         holdChannels();
         replan();
     }
 
     /** Changes the translation's limits, never above what the model can do. */
-    void limitTranslation(UnaryOperator<Limits> change) {
+    public void limitTranslation(UnaryOperator<Limits> change) {
         translation.limits(tops.capTranslation(change.apply(translation.limits())));
         replan();
     }
 
     /** Changes the rotation's limits, never above what the model can do. */
-    void limitRotation(UnaryOperator<Limits> change) {
+    public void limitRotation(UnaryOperator<Limits> change) {
         rotation.limits(tops.capRotation(change.apply(rotation.limits())));
         replan();
     }
 
-    MotionLimits limits() {
+    public MotionLimits limits() {
         return new MotionLimits(translation.limits(), rotation.limits());
     }
 
     /** SETO: what it believes of its place becomes this; where it stands does not change. */
-    void setOdometry(Pose pose) {
+    public void setOdometry(Pose pose) {
         servo.shift(pose.headingDeg() - odometry.headingDeg());
         odometry = pose;
         withoutError = pose;
     }
 
-    Pose odometry() {
+    public Pose odometry() {
         return odometry;
     }
 
     /** What the odometry would say if the wheels did not mislead it. */
-    Pose odometryWithoutError() {
+    public Pose odometryWithoutError() {
         return withoutError;
     }
 
     /** The heading servo's set-point; the present heading while none is in force. */
-    double headingSetPointDeg() {
+    public double headingSetPointDeg() {
         return servo.isActive() ? servo.setPointDeg() : odometry.headingDeg();
     }
 
     /** The mean of what both wheels ever counted, in mm. */
-    double countedMm() {
+    public double countedMm() {
         return translation.position();
     }
 
     /** How far it ever turned by the wheels' count, in degrees. */
-    double countedDeg() {
+    public double countedDeg() {
         return rotation.position();
     }
 
-    double speedMmPerSec() {
+    public double speedMmPerSec() {
         return translation.speed();
     }
 
-    double turnDegPerSec() {
+    public double turnDegPerSec() {
         return rotation.speed();
     }
 
-    Stall stall() {
+    public Stall stall() {
         return stall;
     }
 
     /** What the coming step is meant to cover. */
-    double plannedMmPerSec() {
+    public double plannedMmPerSec() {
         return plannedMmPerSec;
     }
 
     /** A bumper touched something on the way: stands still, stalled. */
-    void bumped() {
+    public void bumped() {
         translation.blockAfter(0);
         stall.pushed(STALL_PAUSE_SECONDS);
         holdChannels();
@@ -205,7 +205,7 @@ final class Drive {
     }
 
     /** Settles the step that the world has just made and plans the next. */
-    void step(double seconds) {
+    public void step(double seconds) {
         stepSeconds = seconds;
         stall.step(seconds);
         double way = settle(translation, plannedMmPerSec, body.speedMmPerSec() / error.way());

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.motion;
 
 /**
  * What one motion channel may do, in mm and seconds or in degrees and seconds. Immutable.
@@ -8,14 +8,14 @@ package majicsim.pioneer;
  * @param acceleration how fast speed may grow, above 0
  * @param deceleration how fast speed may fall, above 0
  */
-record Limits(double forward, double backward, double acceleration, double deceleration) {
+public record Limits(double forward, double backward, double acceleration, double deceleration) {
     /** The same highest speed either way. */
-    Limits(double speed, double acceleration, double deceleration) {
+    public Limits(double speed, double acceleration, double deceleration) {
         this(speed, speed, acceleration, deceleration);
     }
 
     /** The highest speed either way. */
-    double speed() {
+    public double speed() {
         return Math.max(forward, backward);
     }
 
@@ -25,19 +25,19 @@ record Limits(double forward, double backward, double acceleration, double decel
     }
 
     /** With another highest speed either way; the sign does not matter. */
-    Limits withSpeed(double newSpeed) {
+    public Limits withSpeed(double newSpeed) {
         return new Limits(Math.abs(newSpeed), acceleration, deceleration);
     }
 
     /** As SETRVDIR has it: another highest speed in the direction of its sign alone. */
-    Limits withSpeedTowards(double newSpeed) {
+    public Limits withSpeedTowards(double newSpeed) {
         return newSpeed < 0
                 ? new Limits(forward, -newSpeed, acceleration, deceleration)
                 : new Limits(newSpeed, backward, acceleration, deceleration);
     }
 
     /** As SETA and SETRA have it: above 0 an acceleration, below 0 a deceleration; 0 could never end and is ignored. */
-    Limits withRamp(double ramp) {
+    public Limits withRamp(double ramp) {
         if (ramp == 0) {
             return this;
         }
