@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.devices.Bumpers;
+import majicsim.pioneer.devices.Devices;
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.motion.Drive;
@@ -10,7 +12,7 @@ import majicsim.world.Pose;
 import majicsim.world.World;
 
 /** The robot itself, without any client: motors, sonar and devices, and how they depend on each other. */
-final class Board {
+public final class Board {
     private static final System.Logger LOG = System.getLogger(Board.class.getName());
 
     private final PioneerModel model;
@@ -55,7 +57,7 @@ final class Board {
         return bumpers;
     }
 
-    Devices devices() {
+    public Devices devices() {
         return devices;
     }
 

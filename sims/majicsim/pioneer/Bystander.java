@@ -2,6 +2,8 @@ package majicsim.pioneer;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
+import majicsim.pioneer.devices.Devices;
+import majicsim.pioneer.devices.Tone;
 
 /**
  * What a person beside the robot can do to it, and hear from it. Works with or without a client connected; what a model does not

@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.devices.Devices;
+import majicsim.pioneer.devices.UserPort;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**

@@ -1,5 +1,6 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.devices.Joystick;
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;
 import majicsim.pioneer.motion.Drive;

@@ -164,7 +164,7 @@ public final class PioneerRobot implements Firmware {
         }
     }
 
-    Board board() {
+    public Board board() {
         return board;
     }
 

@@ -2,6 +2,7 @@ package majicsim.pioneer;
 
 import java.util.function.Consumer;
 import majicsim.net.Line;
+import majicsim.pioneer.devices.HostBaud;
 import org.jspecify.annotations.Nullable;
 
 /**

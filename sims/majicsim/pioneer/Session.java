@@ -3,6 +3,8 @@ package majicsim.pioneer;
 import java.util.List;
 import java.util.Locale;
 import majicsim.net.Line;
+import majicsim.pioneer.devices.AuxPort;
+import majicsim.pioneer.devices.Devices;
 import majicsim.pioneer.motion.Drive;
 import majicsim.pioneer.packet.Argument;
 import majicsim.pioneer.packet.Packet;

@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.devices.Devices;
+
 /**
  * The part of a SIP between motion and sonar that says how the robot is (ARCOS sheet 8).
  *

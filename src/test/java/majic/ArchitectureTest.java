@@ -63,7 +63,9 @@ class ArchitectureTest {
             majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi
             majicsim.aibo.urbi        : majicsim.world majicsim.net
             majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
-                                        majicsim.pioneer.model majicsim.pioneer.motion
+                                        majicsim.pioneer.model majicsim.pioneer.motion \
+                                        majicsim.pioneer.devices
+            majicsim.pioneer.devices  : majicsim.world majicsim.pioneer.model majicsim.pioneer.packet
             majicsim.pioneer.motion   : majicsim.world majicsim.pioneer.model
             majicsim.pioneer.model    :
             majicsim.pioneer.packet   :

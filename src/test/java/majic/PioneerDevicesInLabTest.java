@@ -9,7 +9,7 @@ import java.util.function.Consumer;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majicsim.pioneer.Bystander;
-import majicsim.pioneer.Tone;
+import majicsim.pioneer.devices.Tone;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

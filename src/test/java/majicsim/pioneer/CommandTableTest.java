@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
 import java.util.stream.Stream;
+import majicsim.pioneer.devices.Tone;
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;
 import org.junit.jupiter.api.Timeout;

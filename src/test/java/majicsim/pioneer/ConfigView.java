@@ -40,7 +40,7 @@ public record ConfigView(Map<String, Integer> numbers, Map<String, String> texts
         return view;
     }
 
-    int number(String field) {
+    public int number(String field) {
         return numbers.get(field);
     }
 

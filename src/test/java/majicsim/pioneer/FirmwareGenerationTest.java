@@ -3,6 +3,7 @@ package majicsim.pioneer;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
+import majicsim.pioneer.devices.Compass;
 import majicsim.pioneer.model.PioneerModel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

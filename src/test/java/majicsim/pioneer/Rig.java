@@ -30,9 +30,9 @@ public final class Rig {
             """;
 
     /** The usual model with all that its owner can have fitted, but for bumpers. */
-    static final String EQUIPPED = PioneerRobot.STANDARD_MODEL + "+gripper+gyro+charger";
+    public static final String EQUIPPED = PioneerRobot.STANDARD_MODEL + "+gripper+gyro+charger";
 
-    final World world = new World(tenByEight());
+    public final World world = new World(tenByEight());
     public final PioneerRobot robot;
     public FakeLine line = new FakeLine();
 
@@ -42,7 +42,7 @@ public final class Rig {
     }
 
     /** Exact, in the middle of the room, looking along x; nobody has shaken hands. */
-    static Rig silent() {
+    public static Rig silent() {
         return new Rig(new Pose(0, 0, 0), Noise.exact(), PioneerRobot.STANDARD_MODEL);
     }
 
@@ -62,7 +62,7 @@ public final class Rig {
     }
 
     /** As {@link #ready()}, of another model. */
-    static Rig ready(String model) {
+    public static Rig ready(String model) {
         return open(model).command(4, 1);
     }
 
@@ -72,7 +72,7 @@ public final class Rig {
     }
 
     /** The client goes without a word and another one comes. */
-    Rig reconnect() {
+    public Rig reconnect() {
         robot.disconnected(line);
         line = new FakeLine();
         robot.connected(line);
@@ -133,12 +133,12 @@ public final class Rig {
     }
 
     /** Sends a command with a string. */
-    Rig text(int id, byte... bytes) {
+    public Rig text(int id, byte... bytes) {
         return packet(id, Hex.concat(new byte[] {0x2B, (byte) bytes.length}, bytes));
     }
 
     /** Lets time pass, and returns the packets of one type that came in it. */
-    List<byte[]> packets(int type, double seconds) {
+    public List<byte[]> packets(int type, double seconds) {
         line.take();
         return pulse(seconds).line.take().stream()
                 .filter(packet -> (packet[3] & 0xFF) == type)

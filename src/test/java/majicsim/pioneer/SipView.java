@@ -37,7 +37,7 @@ public record SipView(byte[] packet) {
         return signed(9);
     }
 
-    int battery() {
+    public int battery() {
         return ubyte(11);
     }
 
@@ -57,7 +57,7 @@ public record SipView(byte[] packet) {
         return signed(14);
     }
 
-    int flags() {
+    public int flags() {
         return signed(16);
     }
 
@@ -77,27 +77,27 @@ public record SipView(byte[] packet) {
         return ubyte(18);
     }
 
-    int gripper() {
+    public int gripper() {
         return ubyte(tail());
     }
 
-    int analogPort() {
+    public int analogPort() {
         return ubyte(tail() + 1);
     }
 
-    int analog() {
+    public int analog() {
         return ubyte(tail() + 2);
     }
 
-    int digitalIn() {
+    public int digitalIn() {
         return ubyte(tail() + 3);
     }
 
-    int digitalOut() {
+    public int digitalOut() {
         return ubyte(tail() + 4);
     }
 
-    int chargeState() {
+    public int chargeState() {
         return ubyte(tail() + 7);
     }
 
@@ -113,7 +113,7 @@ public record SipView(byte[] packet) {
         return (byte) ubyte(tail() + 14);
     }
 
-    int chargePercent() {
+    public int chargePercent() {
         return ubyte(tail() + 15);
     }
 

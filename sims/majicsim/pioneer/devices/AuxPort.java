@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import java.util.ArrayDeque;
 import java.util.Arrays;
@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * One of the controller's serial ports for accessories: bytes go out at the port's baud rate, and what the device answers
  * waits until the client asks for it (ARCOS sheet 6.1, TTY2 and GETAUX). A plug that sends back what it gets is in it at first.
  */
-final class AuxPort {
+public final class AuxPort {
     /** The longest packet has 200 bytes, 6 of them around the data (ARCOS sheet 2.2). */
     private static final int MOST_BYTES_A_PACKET = 194;
 
@@ -37,17 +37,17 @@ final class AuxPort {
     }
 
     /** Another device: gets what went out in a step and returns its answer, empty if it has none. */
-    void plug(UnaryOperator<byte[]> newDevice) {
+    public void plug(UnaryOperator<byte[]> newDevice) {
         device = newDevice;
     }
 
     /** TTY: these bytes go out. */
-    void transmit(byte[] bytes) {
+    public void transmit(byte[] bytes) {
         append(bytes, outgoing);
     }
 
     /** GETAUX: so many bytes more when they are there; 0 forgets what waits and what was asked for. */
-    void request(int bytes) {
+    public void request(int bytes) {
         if (bytes == 0) {
             incoming.clear();
             requested = 0;
@@ -66,7 +66,7 @@ final class AuxPort {
     }
 
     /** What the client asked for and is there, as a packet; null if there is nothing to send. */
-    byte @Nullable [] nextPacket() {
+    public byte @Nullable [] nextPacket() {
         int count = Math.min(MOST_BYTES_A_PACKET, Math.min(requested, incoming.size()));
         if (count == 0) {
             return null;

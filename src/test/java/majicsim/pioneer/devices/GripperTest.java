@@ -1,7 +1,8 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majicsim.pioneer.Rig;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -1,9 +1,9 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import java.util.Objects;
 
 /** The short-range infra-red eyes: 8 in the IO packet, active low, and the two that look down for a ledge (ARCOS sheet 8.1, 11.2). */
-final class Infrared {
+public final class Infrared {
     private static final int ALL = 0xFF;
     private static final int FAR_LEDGE = 1 << 7;
     private static final int NEAR_LEDGE = 1 << 8;
@@ -12,22 +12,22 @@ final class Infrared {
     private int ledges;
 
     /** One of the 8 eyes sees something near, or does no longer. */
-    void see(int eye, boolean something) {
+    public void see(int eye, boolean something) {
         Objects.checkIndex(eye, Byte.SIZE);
         seen = something ? seen | 1 << eye : seen & ~(1 << eye);
     }
 
     /** The floor ends ahead: farther off, close by, or both. */
-    void ledge(boolean far, boolean near) {
+    public void ledge(boolean far, boolean near) {
         ledges = (far ? FAR_LEDGE : 0) | (near ? NEAR_LEDGE : 0);
     }
 
-    int activeLow() {
+    public int activeLow() {
         return ~seen & ALL;
     }
 
     /** Bits 7 and 8 of FLAGS. */
-    int flags() {
+    public int flags() {
         return ledges;
     }
 }

@@ -1,7 +1,8 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majicsim.pioneer.Rig;
 import org.junit.jupiter.api.Test;
 
 /** HOSTBAUD and its way back (ARCOS sheet 6.1). */

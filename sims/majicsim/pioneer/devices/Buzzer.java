@@ -1,11 +1,11 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 
 /** The buzzer: plays tunes in their own time, and what could be heard of them is kept. */
-final class Buzzer {
+public final class Buzzer {
     /** SAY takes this many pairs of duration and tone (ARCOS sheet 6.1). */
     private static final int MOST_TONES = 20;
 
@@ -18,7 +18,7 @@ final class Buzzer {
     private boolean muted;
 
     /** SAY: begins this tune, whatever was playing; an odd byte at the end has no tone and is left alone. */
-    void say(byte[] pairs) {
+    public void say(byte[] pairs) {
         silence();
         for (int i = 0; i + 1 < pairs.length && i < 2 * MOST_TONES; i += 2) {
             waiting.add(Tone.of(pairs[i] & 0xFF, pairs[i + 1] & 0xFF));
@@ -27,7 +27,7 @@ final class Buzzer {
     }
 
     /** SOUNDTOG. */
-    void mute(boolean on) {
+    public void mute(boolean on) {
         muted = on;
     }
 
@@ -46,7 +46,7 @@ final class Buzzer {
     }
 
     /** What sounds now, in hertz; 0 if nothing does. */
-    double soundingHertz() {
+    public double soundingHertz() {
         return isPlaying() && !muted ? now.hertz() : 0;
     }
 
@@ -55,7 +55,7 @@ final class Buzzer {
     }
 
     /** The notes that were begun with the sound on, rests too, oldest first; the last 200. */
-    List<Tone> heard() {
+    public List<Tone> heard() {
         return List.copyOf(heard);
     }
 

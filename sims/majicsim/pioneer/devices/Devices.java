@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import java.util.List;
 import majicsim.pioneer.model.Equipment;
@@ -7,7 +7,7 @@ import majicsim.pioneer.model.Settings;
 import majicsim.world.Noise;
 
 /** Everything on the robot that does not move it and hears no echoes. What a model does not carry is there and idle. */
-final class Devices {
+public final class Devices {
     /** What controller, sonar and radio draw, and the motors at full speed on top. */
     private static final double IDLE_AMPERES = 0.9;
 
@@ -32,71 +32,71 @@ final class Devices {
     private final Gripper gripper;
     private final Gyro gyro;
 
-    Devices(Equipment equipment, Noise noise) {
+    public Devices(Equipment equipment, Noise noise) {
         charger = new Charger(equipment.hasCharger(), battery);
         gripper = new Gripper(equipment.hasGripper());
         gyro = new Gyro(noise.fork("gyro"));
     }
 
-    Settings settings() {
+    public Settings settings() {
         return settings;
     }
 
-    UserPort userPort() {
+    public UserPort userPort() {
         return userPort;
     }
 
-    Infrared infrared() {
+    public Infrared infrared() {
         return infrared;
     }
 
-    StopButton stopButton() {
+    public StopButton stopButton() {
         return stopButton;
     }
 
-    Joystick joystick() {
+    public Joystick joystick() {
         return joystick;
     }
 
-    Thermometer thermometer() {
+    public Thermometer thermometer() {
         return thermometer;
     }
 
-    Buzzer buzzer() {
+    public Buzzer buzzer() {
         return buzzer;
     }
 
-    Battery battery() {
+    public Battery battery() {
         return battery;
     }
 
-    Charger charger() {
+    public Charger charger() {
         return charger;
     }
 
-    Compass compass() {
+    public Compass compass() {
         return compass;
     }
 
-    HostBaud hostBaud() {
+    public HostBaud hostBaud() {
         return hostBaud;
     }
 
-    Gripper gripper() {
+    public Gripper gripper() {
         return gripper;
     }
 
-    Gyro gyro() {
+    public Gyro gyro() {
         return gyro;
     }
 
     /** AUX1 to AUX3. */
-    List<AuxPort> auxPorts() {
+    public List<AuxPort> auxPorts() {
         return auxPorts;
     }
 
     /** A session begins or ends: stored values again, and silence (ARCOS sheet 5.1). */
-    void restore() {
+    public void restore() {
         settings.restore();
         buzzer.silence();
         buzzer.mute(false);
@@ -105,7 +105,7 @@ final class Devices {
     }
 
     /** The controller starts anew: what no session's end undoes goes too. */
-    void reset() {
+    public void reset() {
         restore();
         userPort.output(0xFF, 0xFF);
         userPort.show(0);
@@ -121,7 +121,7 @@ final class Devices {
      * @param effort how much of its top speed the robot drives, 0 to 1
      * @param trueDegPerSec how it really turns
      */
-    void step(double seconds, double effort, double trueDegPerSec) {
+    public void step(double seconds, double effort, double trueDegPerSec) {
         long nanos = Math.round(seconds * 1e9);
         battery.step(seconds, IDLE_AMPERES + DRIVING_AMPERES * effort - charger.amperes());
         gripper.step(seconds);

@@ -1,10 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 /**
  * The speed of the serial port to the client: HOSTBAUD changes it at once, and it falls back when no valid packet follows
  * within 500 ms (ARCOS sheet 6.1).
  */
-final class HostBaud {
+public final class HostBaud {
     private static final int[] BITS_PER_SECOND = {9600, 19_200, 38_400, 57_600, 115_200};
     private static final long TRIAL_NANOS = 500_000_000L;
 
@@ -23,7 +23,7 @@ final class HostBaud {
     }
 
     /** HOSTBAUD; anything but 0 to 4 is ignored. */
-    void change(int newCode) {
+    public void change(int newCode) {
         if (isCode(newCode) && newCode != code) {
             former = code;
             code = newCode;
@@ -32,7 +32,7 @@ final class HostBaud {
     }
 
     /** A valid packet came: the client is heard at this speed. */
-    void confirm() {
+    public void confirm() {
         trialNanos = 0;
     }
 
@@ -52,11 +52,11 @@ final class HostBaud {
     }
 
     /** 0 to 4, as CONFIG shows it. */
-    int code() {
+    public int code() {
         return code;
     }
 
-    int bitsPerSecond() {
+    public int bitsPerSecond() {
         return bitsPerSecond(code);
     }
 }

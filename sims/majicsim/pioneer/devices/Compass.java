@@ -1,7 +1,7 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 /** The compass as the SIP shows it: units of 2 degrees clockwise from north, and north is where the room's y axis points. */
-final class Compass {
+public final class Compass {
     private static final double DEG_PER_UNIT = 2;
     private static final int UNITS_PER_TURN = 180;
     private static final double NORTH_DEG = 90;
@@ -9,12 +9,12 @@ final class Compass {
     private boolean on = true;
 
     /** TCM2: 0 switches it off. */
-    void enable(boolean enabled) {
+    public void enable(boolean enabled) {
         on = enabled;
     }
 
     /** 1 to 180, due north being 180, as 0 means that there is none (ARCOS sheet 8, 17). */
-    int reading(double headingDeg) {
+    public int reading(double headingDeg) {
         if (!on) {
             return 0;
         }

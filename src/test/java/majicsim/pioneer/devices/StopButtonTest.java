@@ -1,7 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majicsim.pioneer.Bystander;
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import org.junit.jupiter.api.Test;
 
 /** The STOP button, E_STALL, and the flags of both (ARCOS sheet 6.1, 8.1). */

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;

@@ -1,8 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import majicsim.pioneer.Bystander;
+import majicsim.pioneer.Rig;
 import org.junit.jupiter.api.Test;
 
 /** SAY and SOUNDTOG (ARCOS sheet 6.1). */

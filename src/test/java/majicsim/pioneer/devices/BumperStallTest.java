@@ -1,7 +1,9 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majicsim.pioneer.PioneerRobot;
+import majicsim.pioneer.Rig;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 /** One motor of the gripper with an end stop on either side: 0 and 1. Runs at one speed until told otherwise or at its end. */
 final class Axis {

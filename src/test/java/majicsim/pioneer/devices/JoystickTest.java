@@ -1,8 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import org.junit.jupiter.api.Test;
 
 /** JOYINFO and JOYDRIVE (ARCOS sheet 6.1, 11.4). */

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.world.Body;
@@ -7,7 +7,7 @@ import majicsim.world.Body;
  * The bumper segments of a robot: rows of equal segments across its width, which reach a little round the corners. The front
  * row counts from left to right, the rear one goes on clockwise from right to left.
  */
-final class Bumpers {
+public final class Bumpers {
     /** How far the outermost segments reach round the corners, seen from the turning centre. */
     private static final double ROUND_THE_CORNER_DEG = 20;
 
@@ -17,24 +17,24 @@ final class Bumpers {
     private final PioneerModel model;
     private final Body body;
 
-    Bumpers(PioneerModel model, Body body) {
+    public Bumpers(PioneerModel model, Body body) {
         this.model = model;
         this.body = body;
     }
 
     /** The front row's segments, bit 0 for the leftmost. */
-    int front() {
+    public int front() {
         return bits(model.frontBumpers(), model.frontMm(), body.contact().directionDeg());
     }
 
     /** The rear row's segments, bit 0 for the rightmost. */
-    int rear() {
+    public int rear() {
         double deg = body.contact().directionDeg();
         return bits(model.rearBumpers(), model.rearMm(), deg > 0 ? deg - 180 : deg + 180);
     }
 
     /** Whether a contact on the side it drives to stalls the robot, with BUMPSTALL 0 to 3 (ARCOS sheet 6.1). */
-    boolean stall(int bumpStall, double mmPerSec) {
+    public boolean stall(int bumpStall, double mmPerSec) {
         return mmPerSec > 0 && (bumpStall & FRONT_STALLS) != 0 && front() != 0
                 || mmPerSec < 0 && (bumpStall & REAR_STALLS) != 0 && rear() != 0;
     }

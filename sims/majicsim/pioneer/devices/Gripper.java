@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import majicsim.pioneer.packet.PacketWriter;
 
@@ -6,7 +6,7 @@ import majicsim.pioneer.packet.PacketWriter;
  * The gripper: paddles and lift, each taking its real time (ARCOS sheet 11.5). The sheet does not say which switch is which bit;
  * here 0 and 1 are the ends of paddles and lift, 2 and 3 the outer and inner light beam, 4 and 5 left and right paddle pressed.
  */
-final class Gripper {
+public final class Gripper {
     private static final int TYPE_NONE = 0;
     private static final int TYPE_GENERAL_IO = 2;
     private static final double PADDLES_SECONDS = 2;
@@ -28,7 +28,7 @@ final class Gripper {
     }
 
     /** GRIPPER; unknown orders do nothing. */
-    void order(int number) {
+    public void order(int number) {
         if (!fitted) {
             return;
         }
@@ -48,7 +48,7 @@ final class Gripper {
     }
 
     /** GRIPPERVAL, for the GRIPPER 16 or 17 before it. */
-    void value(int units) {
+    public void value(int units) {
         if (order == 16) {
             graspTime = units;
         } else if (order == 17) {
@@ -58,7 +58,7 @@ final class Gripper {
     }
 
     /** Something stands between the paddles, or does no longer. */
-    void put(boolean object) {
+    public void put(boolean object) {
         hasObject = object;
     }
 
@@ -73,7 +73,7 @@ final class Gripper {
     }
 
     /** The byte in the SIP: open, closed, paddles moving, -, lift up, lift down, lift moving. */
-    int state() {
+    public int state() {
         if (!fitted) {
             return 0;
         }
@@ -85,7 +85,7 @@ final class Gripper {
                 | bit(6, lift.isMoving());
     }
 
-    byte[] toBytes() {
+    public byte[] toBytes() {
         return new PacketWriter(0xE0)
                 .uint8(fitted ? TYPE_GENERAL_IO : TYPE_NONE)
                 .uint8(fitted ? switches() : 0)

@@ -1,10 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 /**
  * Three lead-acid batteries of 7.2 Ah: 13.0 V full, 11.0 V empty, falling evenly in between as charge is drawn. BATTEST can
  * pretend another voltage, which outlives the session (ARCOS sheet 5.1).
  */
-final class Battery {
+public final class Battery {
     private static final double CAPACITY_AMPERE_SECONDS = 21.6 * 3600;
     private static final double EMPTY_VOLTS = 11;
     private static final double FULL_VOLTS = 13;
@@ -18,7 +18,7 @@ final class Battery {
     }
 
     /** BATTEST: pretends this voltage in 0.1 V; 0 is the real one again. */
-    void pretend(int tenthVolts) {
+    public void pretend(int tenthVolts) {
         pretendedTenthVolts = Math.max(0, tenthVolts);
     }
 
@@ -26,7 +26,7 @@ final class Battery {
         return pretendedTenthVolts > 0;
     }
 
-    int tenthVolts() {
+    public int tenthVolts() {
         return isPretended() ? pretendedTenthVolts : (int) Math.round(restingVolts() * 10);
     }
 
@@ -36,7 +36,7 @@ final class Battery {
     }
 
     /** In percent as far as the voltage shows it, 1 to 100, since 0 says that it is not known. */
-    int percent() {
+    public int percent() {
         double shown = isPretended() ? (pretendedTenthVolts / 10.0 - EMPTY_VOLTS) / (FULL_VOLTS - EMPTY_VOLTS) : charge;
         return (int) Math.round(Math.max(1, Math.min(100, shown * 100)));
     }

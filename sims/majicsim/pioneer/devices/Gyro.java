@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -9,7 +9,7 @@ import majicsim.world.Noise;
  * The gyro: feels how the robot truly turns, wheel slip or not, with a rest value that wanders where the lab is noisy. A packet
  * carries the samples since the last (ARCOS sheet 11.6); raw 512 is rest, and raw times the sheet's GyroScaler is deg/s.
  */
-final class Gyro {
+public final class Gyro {
     private static final double DEG_PER_SEC_PER_UNIT = 1.626;
     private static final int REST = 512;
     private static final int TOP = 1023;
@@ -37,7 +37,7 @@ final class Gyro {
         }
     }
 
-    byte[] toBytes(int celsius) {
+    public byte[] toBytes(int celsius) {
         PacketWriter packet = new PacketWriter(0x98).uint8(samples.size());
         samples.forEach(sample -> packet.uint16(sample).uint8(celsius));
         samples.clear();

@@ -1,8 +1,11 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import majicsim.pioneer.Bystander;
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;

@@ -1,9 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import majicsim.pioneer.Rig;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;

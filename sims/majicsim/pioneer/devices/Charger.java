@@ -1,10 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 /**
  * The charger and the docking mechanism that takes its power (ARCOS sheet 6.1 CHARGE, 8 CHARGESTATE). A model without the
  * mechanism charges by a plug of which its controller knows nothing.
  */
-final class Charger {
+public final class Charger {
     static final int NOT_CHARGING = 0;
     static final int BULK = 1;
     static final int OVERCHARGE = 2;
@@ -25,22 +25,22 @@ final class Charger {
     }
 
     /** The robot stands at its charging station, or is plugged in. */
-    void power(boolean on) {
+    public void power(boolean on) {
         powered = on;
     }
 
     /** CHARGE: puts out or takes back the mechanism. */
-    void deploy(boolean out) {
+    public void deploy(boolean out) {
         deployed = out;
     }
 
     /** FLAGS bit 10. */
-    boolean isPowerGood() {
+    public boolean isPowerGood() {
         return fitted && isCharging();
     }
 
     /** As CHARGESTATE says it. */
-    int state() {
+    public int state() {
         if (!isPowerGood()) {
             return NOT_CHARGING;
         }

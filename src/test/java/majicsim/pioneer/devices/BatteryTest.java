@@ -1,7 +1,9 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import org.junit.jupiter.api.Test;
 
 /** Battery, BATTEST, LOWBATTERY, charger (ARCOS sheet 6.1, 8). */

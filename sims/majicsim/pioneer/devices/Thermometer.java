@@ -1,9 +1,9 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 /** The controller's temperature, and the warning when it gets too hot (ARCOS sheet 8, FAULT_FLAGS and TEMPERATURE). */
-final class Thermometer {
+public final class Thermometer {
     /** Where a controller would switch itself off, as CONFIG tells; this one only warns, 10 degrees earlier. */
-    static final int SHUTDOWN_CELSIUS = 75;
+    public static final int SHUTDOWN_CELSIUS = 75;
 
     private static final int WARNING_CELSIUS = SHUTDOWN_CELSIUS - 10;
     private static final int WARNING_FAULT = 1 << 1;
@@ -11,16 +11,16 @@ final class Thermometer {
 
     private int celsius = ROOM_CELSIUS;
 
-    void set(int newCelsius) {
+    public void set(int newCelsius) {
         celsius = newCelsius;
     }
 
-    int celsius() {
+    public int celsius() {
         return celsius;
     }
 
     /** FAULT_FLAGS. */
-    int faults() {
+    public int faults() {
         return celsius >= WARNING_CELSIUS ? WARNING_FAULT : 0;
     }
 }

@@ -1,10 +1,11 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import majicsim.pioneer.Rig;
 import org.junit.jupiter.api.Test;
 
 /** TTY, GETAUX and the packets they bring (ARCOS sheet 6.1, 11.6). */

@@ -1,9 +1,9 @@
-package majicsim.pioneer;
+package majicsim.pioneer.devices;
 
 import majicsim.pioneer.packet.PacketWriter;
 
 /** The joystick at the robot's side. Pushes are -1 to 1, right and ahead positive; on the wire 0 to 1023 (ARCOS sheet 11.4). */
-final class Joystick {
+public final class Joystick {
     private static final int CENTRE = 512;
     private static final int FULL_PUSH = 511;
     private static final int FULL_THROTTLE = 1023;
@@ -14,41 +14,41 @@ final class Joystick {
     private boolean fire;
     private boolean second;
 
-    void push(double newRight, double newAhead) {
+    public void push(double newRight, double newAhead) {
         right = clamp(newRight, -1);
         ahead = clamp(newAhead, -1);
     }
 
     /** 0 to 1. */
-    void throttle(double share) {
+    public void throttle(double share) {
         throttle = clamp(share, 0);
     }
 
-    void buttons(boolean firePressed, boolean secondPressed) {
+    public void buttons(boolean firePressed, boolean secondPressed) {
         fire = firePressed;
         second = secondPressed;
     }
 
     /** Whether the button is held that makes the robot drive. */
-    boolean isFiring() {
+    public boolean isFiring() {
         return fire;
     }
 
-    boolean isAnyButtonPressed() {
+    public boolean isAnyButtonPressed() {
         return fire || second;
     }
 
     /** How fast ahead, -1 to 1 of the most. */
-    double drive() {
+    public double drive() {
         return ahead * throttle;
     }
 
     /** How fast to the left, -1 to 1 of the most. */
-    double turn() {
+    public double turn() {
         return -right * throttle;
     }
 
-    byte[] toBytes() {
+    public byte[] toBytes() {
         return new PacketWriter(0xF8)
                 .uint8(fire ? 1 : 0)
                 .uint8(second ? 1 : 0)
