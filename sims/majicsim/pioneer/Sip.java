@@ -2,6 +2,7 @@ package majicsim.pioneer;
 
 import java.util.List;
 import majicsim.pioneer.packet.PacketWriter;
+import majicsim.pioneer.ranging.SonarReading;
 
 /**
  * The standard packet about the robot's state (ARCOS sheet 8).

@@ -64,7 +64,8 @@ class ArchitectureTest {
             majicsim.aibo.urbi        : majicsim.world majicsim.net
             majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
                                         majicsim.pioneer.model majicsim.pioneer.motion \
-                                        majicsim.pioneer.devices
+                                        majicsim.pioneer.devices majicsim.pioneer.ranging
+            majicsim.pioneer.ranging  : majicsim.world majicsim.pioneer.model
             majicsim.pioneer.devices  : majicsim.world majicsim.pioneer.model majicsim.pioneer.packet
             majicsim.pioneer.motion   : majicsim.world majicsim.pioneer.model
             majicsim.pioneer.model    :

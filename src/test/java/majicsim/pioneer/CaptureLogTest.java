@@ -13,6 +13,7 @@ import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.packet.Hex;
 import majicsim.pioneer.packet.Packet;
 import majicsim.pioneer.packet.PacketReader;
+import majicsim.pioneer.ranging.SonarReading;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

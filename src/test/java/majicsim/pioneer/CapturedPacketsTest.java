@@ -10,6 +10,7 @@ import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.motion.Limits;
 import majicsim.pioneer.motion.MotionLimits;
 import majicsim.pioneer.packet.Hex;
+import majicsim.pioneer.ranging.SonarReading;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.ranging;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +16,7 @@ import majicsim.world.World;
  * met within about 30 degrees of square, beyond that the echo is lost; edges and corners scatter it and are heard from
  * near by whatever their direction.
  */
-final class SonarCone {
+public final class SonarCone {
     /** Nothing heard (ARCOS sheet 8.2). */
     static final double SILENCE_MM = 5000;
 
@@ -35,7 +35,7 @@ final class SonarCone {
     private final Noise noise;
     private final List<Point> wallEnds;
 
-    SonarCone(World world, Body body, Noise noise) {
+    public SonarCone(World world, Body body, Noise noise) {
         this.world = world;
         this.body = body;
         this.noise = noise;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.ranging;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,7 +9,7 @@ import majicsim.pioneer.model.PioneerModel;
  * Fires the discs: one of each array at a time, every 40 ms unless set otherwise, so that a SIP carries only the few
  * readings that are new (ARCOS sheet 8.2).
  */
-final class SonarFiring {
+public final class SonarFiring {
     private static final int ARRAYS = 4;
     private static final int SLOTS = 8;
     private static final int USUAL_CYCLE_MS = 40;
@@ -24,19 +24,19 @@ final class SonarFiring {
     private long untilFiringNanos;
     private int turn;
 
-    SonarFiring(PioneerModel model, SonarCone cone) {
+    public SonarFiring(PioneerModel model, SonarCone cone) {
         this.model = model;
         this.cone = cone;
         stop();
     }
 
     /** All arrays on, beginning with the first disc of each after one firing period. */
-    void start() {
+    public void start() {
         stop();
         arraysOn = (1 << ARRAYS) - 1;
     }
 
-    void stop() {
+    public void stop() {
         arraysOn = 0;
         turn = 0;
         order = PollingOrder.USUAL;
@@ -46,7 +46,7 @@ final class SonarFiring {
     }
 
     /** SONAR: bit 0 on or off; the bits above choose one array, counted from 1, or all with 0. */
-    void switchArrays(int argument) {
+    public void switchArrays(int argument) {
         int array = argument >> 1;
         if (array < 0 || array > ARRAYS) {
             return;
@@ -57,26 +57,26 @@ final class SonarFiring {
     }
 
     /** POLLING: another firing order. */
-    void order(byte[] discs) {
+    public void order(byte[] discs) {
         order = PollingOrder.of(discs);
         turn = 0;
     }
 
     /** SONARCYCLE: the firing period in ms; 0 or less is the usual one. */
-    void cycleMs(int ms) {
+    public void cycleMs(int ms) {
         cycleNanos = (ms > 0 ? ms : USUAL_CYCLE_MS) * NANOS_PER_MS;
     }
 
-    int cycleMs() {
+    public int cycleMs() {
         return (int) (cycleNanos / NANOS_PER_MS);
     }
 
     /** Bit 0 for the first array. */
-    int arraysOn() {
+    public int arraysOn() {
         return arraysOn;
     }
 
-    void step(long nanos) {
+    public void step(long nanos) {
         untilFiringNanos -= nanos;
         while (untilFiringNanos <= 0) {
             untilFiringNanos += cycleNanos;
@@ -85,7 +85,7 @@ final class SonarFiring {
     }
 
     /** The readings since this was last asked, in the order of firing. */
-    List<SonarReading> takeFresh() {
+    public List<SonarReading> takeFresh() {
         List<SonarReading> readings = fresh.entrySet().stream()
                 .map(entry -> new SonarReading(entry.getKey(), entry.getValue()))
                 .toList();

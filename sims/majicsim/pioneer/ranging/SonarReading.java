@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.ranging;
 
 /**
  * One new sonar range as a SIP carries it.
@@ -6,4 +6,4 @@ package majicsim.pioneer;
  * @param disc 0 to 31
  * @param range raw, in the model's range units
  */
-record SonarReading(int disc, int range) {}
+public record SonarReading(int disc, int range) {}

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.ranging;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

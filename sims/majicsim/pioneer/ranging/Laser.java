@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.ranging;
 
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.world.Body;
@@ -11,7 +11,7 @@ import majicsim.world.World;
  * The laser scanner that simulated Pioneers have on their deck, where the vendor's parameter files place it. It sees walls
  * and other robots in one plane.
  */
-final class Laser {
+public final class Laser {
     /** Nothing hit; the most that its two bytes are used for. */
     static final int FARTHEST_MM = 32_000;
 
@@ -24,7 +24,7 @@ final class Laser {
     private final Noise noise;
     private final double aheadMm;
 
-    Laser(World world, Body body, PioneerModel model, Noise noise) {
+    public Laser(World world, Body body, PioneerModel model, Noise noise) {
         this.world = world;
         this.body = body;
         this.noise = noise;
@@ -32,7 +32,7 @@ final class Laser {
     }
 
     /** All ranges in mm, in the order of the scan, as the robot stands now. */
-    int[] ranges(LaserScan scan) {
+    public int[] ranges(LaserScan scan) {
         Pose pose = body.pose();
         Point at = pose.toWorld(aheadMm, 0);
         int[] ranges = new int[scan.readings()];

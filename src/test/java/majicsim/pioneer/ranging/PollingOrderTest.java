@@ -1,9 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.ranging;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.pioneer.Rig;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.ranging;
 
 import java.util.List;
 import java.util.stream.IntStream;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.ranging;
 
 /**
  * Which directions the simulated laser measures, as SIM_LRF_SET_FOV_START, _END and _SET_RES set them (ARCOS sheet 6.2).
@@ -8,30 +8,30 @@ package majicsim.pioneer;
  * @param endDeg -180 to 180
  * @param stepDeg between two readings, {@value #FINEST_DEG} or more
  */
-record LaserScan(double startDeg, double endDeg, double stepDeg) {
+public record LaserScan(double startDeg, double endDeg, double stepDeg) {
     /** A scanner of the vendor's robots unless told otherwise: half a circle ahead, one reading a degree. */
-    static final LaserScan USUAL = new LaserScan(-90, 90, 1);
+    public static final LaserScan USUAL = new LaserScan(-90, 90, 1);
 
     static final double FINEST_DEG = 0.1;
 
     private static final double MOST_DEG = 180;
 
     /** Keeps what no scanner can do within what it can. */
-    LaserScan {
+    public LaserScan {
         startDeg = Math.max(-MOST_DEG, Math.min(MOST_DEG, startDeg));
         endDeg = Math.max(-MOST_DEG, Math.min(MOST_DEG, endDeg));
         stepDeg = Math.max(FINEST_DEG, stepDeg);
     }
 
-    LaserScan from(double newStartDeg) {
+    public LaserScan from(double newStartDeg) {
         return new LaserScan(newStartDeg, endDeg, stepDeg);
     }
 
-    LaserScan to(double newEndDeg) {
+    public LaserScan to(double newEndDeg) {
         return new LaserScan(startDeg, newEndDeg, stepDeg);
     }
 
-    LaserScan every(double newStepDeg) {
+    public LaserScan every(double newStepDeg) {
         return new LaserScan(startDeg, endDeg, newStepDeg);
     }
 
