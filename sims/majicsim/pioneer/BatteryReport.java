@@ -1,5 +1,6 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.PacketWriter;
 
 /** The battery packet (ARCOS sheet 11.3): one entry for each battery that reports itself; lead-acid ones do not. */

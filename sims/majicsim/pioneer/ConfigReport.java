@@ -1,6 +1,7 @@
 package majicsim.pioneer;
 
 import java.util.function.ToIntFunction;
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.Thermometer;
 import majicsim.pioneer.model.Equipment;
 import majicsim.pioneer.model.Generation;

@@ -1,5 +1,6 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.Devices;
 import majicsim.pioneer.devices.UserPort;
 import majicsim.pioneer.packet.PacketWriter;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.world.Body;
 import majicsim.world.Noise;

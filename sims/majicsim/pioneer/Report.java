@@ -1,6 +1,7 @@
 package majicsim.pioneer;
 
 import java.util.function.Function;
+import majicsim.pioneer.board.Board;
 
 /** The packets of a cycle in the order in which they go out: some before the SIP, some after it (ARCOS sheet 5.4, 11). */
 enum Report {

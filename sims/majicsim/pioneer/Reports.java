@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.AuxPort;
 
 /** What one client gets in each cycle: the SIP, what it asked for beside it, and what came in at the AUX ports. */

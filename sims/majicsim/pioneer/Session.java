@@ -3,6 +3,7 @@ package majicsim.pioneer;
 import java.util.List;
 import java.util.Locale;
 import majicsim.net.Line;
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.AuxPort;
 import majicsim.pioneer.devices.Devices;
 import majicsim.pioneer.motion.Drive;

@@ -1,5 +1,6 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.Argument;
 import majicsim.pioneer.packet.PacketWriter;
 import org.jspecify.annotations.Nullable;

@@ -1,5 +1,6 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Pose;
 

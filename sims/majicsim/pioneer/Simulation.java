@@ -2,6 +2,7 @@ package majicsim.pioneer;
 
 import java.util.List;
 import java.util.function.Consumer;
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.Argument;
 
 /** What one client has of the simulator beside the robot (ARCOS sheet 6.2): its laser, and orders to the simulator itself. */

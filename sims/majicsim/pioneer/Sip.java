@@ -1,6 +1,7 @@
 package majicsim.pioneer;
 
 import java.util.List;
+import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.PacketWriter;
 import majicsim.pioneer.ranging.SonarReading;
 

@@ -64,7 +64,10 @@ class ArchitectureTest {
             majicsim.aibo.urbi        : majicsim.world majicsim.net
             majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
                                         majicsim.pioneer.model majicsim.pioneer.motion \
-                                        majicsim.pioneer.devices majicsim.pioneer.ranging
+                                        majicsim.pioneer.devices majicsim.pioneer.ranging \
+                                        majicsim.pioneer.board
+            majicsim.pioneer.board    : majicsim.world majicsim.pioneer.devices majicsim.pioneer.model \
+                                        majicsim.pioneer.motion majicsim.pioneer.ranging
             majicsim.pioneer.ranging  : majicsim.world majicsim.pioneer.model
             majicsim.pioneer.devices  : majicsim.world majicsim.pioneer.model majicsim.pioneer.packet
             majicsim.pioneer.motion   : majicsim.world majicsim.pioneer.model

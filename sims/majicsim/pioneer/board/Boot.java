@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.board;
 
 /** Whether the controller listens: not while it restarts, and not in maintenance mode, out of which only a reset leads. */
 final class Boot {

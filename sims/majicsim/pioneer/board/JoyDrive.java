@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.board;
 
 import majicsim.pioneer.devices.Joystick;
 import majicsim.pioneer.model.Setting;

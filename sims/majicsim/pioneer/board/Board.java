@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.board;
 
 import majicsim.pioneer.devices.Bumpers;
 import majicsim.pioneer.devices.Devices;
@@ -34,7 +34,7 @@ public final class Board {
     private long stepNanos;
     private boolean lifted;
 
-    Board(World world, Body body, PioneerModel model, String name, Noise noise) {
+    public Board(World world, Body body, PioneerModel model, String name, Noise noise) {
         this.model = model;
         this.name = name;
         this.world = world;
@@ -48,15 +48,15 @@ public final class Board {
         this.joyDrive = new JoyDrive(devices.joystick(), devices.settings(), drive);
     }
 
-    Drive drive() {
+    public Drive drive() {
         return drive;
     }
 
-    SonarFiring sonar() {
+    public SonarFiring sonar() {
         return sonar;
     }
 
-    Bumpers bumpers() {
+    public Bumpers bumpers() {
         return bumpers;
     }
 
@@ -64,40 +64,40 @@ public final class Board {
         return devices;
     }
 
-    Laser laser() {
+    public Laser laser() {
         return laser;
     }
 
-    PioneerModel model() {
+    public PioneerModel model() {
         return model;
     }
 
-    String name() {
+    public String name() {
         return name;
     }
 
-    Pose truePose() {
+    public Pose truePose() {
         return body.pose();
     }
 
-    int clockMicros() {
+    public int clockMicros() {
         return boot.clockMicros();
     }
 
     /** Whether the controller hears its client: not while it restarts, nor in maintenance mode. */
-    boolean isListening() {
+    public boolean isListening() {
         return boot.isListening();
     }
 
     /** A client has shaken hands: motors off, odometry 0, stored parameters; sonar waits for OPEN (ARCOS sheet 5.1, 5.2). */
-    void beginSession() {
+    public void beginSession() {
         endSession();
         hasClient = true;
         drive.setOdometry(new Pose(0, 0, 0));
     }
 
     /** Brakes with motors off; battery and place stay as they are. */
-    void endSession() {
+    public void endSession() {
         MotionLimits stored = MotionLimits.stored(model);
         hasClient = false;
         drive.enable(false);
@@ -109,7 +109,7 @@ public final class Board {
     }
 
     /** RESET, or the button for it: all as after switching on, and deaf for a moment. */
-    void restart() {
+    public void restart() {
         endSession();
         drive.setOdometry(new Pose(0, 0, 0));
         devices.reset();
@@ -117,30 +117,30 @@ public final class Board {
     }
 
     /** MAINTENANCE: out of reach until the next restart. */
-    void maintain() {
+    public void maintain() {
         endSession();
         boot.maintain();
     }
 
     /** ENABLE: motors on or off; off they stay while the STOP button holds them. */
-    void enable(boolean on) {
+    public void enable(boolean on) {
         drive.enable(on && !devices.stopButton().holdsMotors());
     }
 
     /** MOVE, where the controller has it. */
-    void move(int mm) {
+    public void move(int mm) {
         if (model.hasMove()) {
             drive.move(mm);
         }
     }
 
     /** VEL2 in the model's units. */
-    void wheels(int left, int right) {
+    public void wheels(int left, int right) {
         double unit = model.scaling().vel2UnitMmPerSec();
         drive.wheels(left * unit, right * unit);
     }
 
-    void step(double seconds) {
+    public void step(double seconds) {
         stepNanos = Math.round(seconds * 1e9);
         boot.step(stepNanos);
         drive.step(seconds);
@@ -152,13 +152,13 @@ public final class Board {
     }
 
     /** Whether the SIP must show a stall; takes note that it was told. */
-    boolean reportStall() {
+    public boolean reportStall() {
         boolean stalled = drive.stall().report();
         return stalled || devices.stopButton().holdsMotors();
     }
 
     /** SIM_SET_POSE: puts the robot elsewhere in the room; where it does not fit it stays. Odometry does not notice. */
-    void place(Pose pose) {
+    public void place(Pose pose) {
         if (!world.room().bounds().contains(pose.xMm(), pose.yMm())) {
             LOG.log(System.Logger.Level.DEBUG, "pioneer stays where it is: {0} is outside the room", pose);
             return;
@@ -172,21 +172,21 @@ public final class Board {
     }
 
     /** Whether a client has lifted it and put it down elsewhere since this was last asked. */
-    boolean wasLifted() {
+    public boolean wasLifted() {
         boolean was = lifted;
         lifted = false;
         return was;
     }
 
     /** SIM_RESET: back to the start, odometry 0. */
-    void backToStart() {
+    public void backToStart() {
         drive.halt();
         place(start);
         drive.setOdometry(new Pose(0, 0, 0));
     }
 
     /** The length of the last step, ms. */
-    int stepMs() {
+    public int stepMs() {
         return (int) (stepNanos / 1_000_000);
     }
 
