@@ -8,10 +8,12 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.packet.Argument;
+import majicsim.pioneer.report.ConfigReport;
+import majicsim.pioneer.report.Report;
 import majicsim.world.Pose;
 
 /** The commands that the controller knows, by the manual's names and numbers, and what each does (ARCOS sheet 6). */
-enum Command {
+public enum Command {
     PULSE(0, (session, argument) -> {}),
     OPEN(1, (session, argument) -> session.open()),
     CLOSE(2, (session, argument) -> session.close()),
@@ -107,7 +109,7 @@ enum Command {
     }
 
     /** The command of this number; empty for those that this controller ignores. */
-    static Optional<Command> of(int number) {
+    public static Optional<Command> of(int number) {
         return Optional.ofNullable(BY_NUMBER.get(number));
     }
 

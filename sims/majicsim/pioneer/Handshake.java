@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * The three SYNCs before a session (ARCOS sheet 4), strictly in order. Whatever comes out of order makes the client
  * start over: it is answered with packet 0xFF, and SYNC0 is expected again.
  */
-final class Handshake {
+public final class Handshake {
     private static final int LOST_STEP = 0xFF;
     private static final int LAST = 2;
     private static final long PATIENCE_NANOS = 10_000_000_000L;
@@ -18,7 +18,7 @@ final class Handshake {
     private long nanos;
 
     /** The introduction answers SYNC2. */
-    Handshake(String robotName, PioneerModel model) {
+    public Handshake(String robotName, PioneerModel model) {
         introduction = new PacketWriter(LAST)
                 .text(robotName)
                 .text(model.className())
@@ -27,7 +27,7 @@ final class Handshake {
     }
 
     /** Takes a packet's number; returns the answer to send, or null when the handshake was complete before. */
-    byte @Nullable [] answer(int id) {
+    public byte @Nullable [] answer(int id) {
         if (isComplete()) {
             return null;
         }

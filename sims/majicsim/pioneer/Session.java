@@ -11,6 +11,8 @@ import majicsim.pioneer.packet.Argument;
 import majicsim.pioneer.packet.Packet;
 import majicsim.pioneer.packet.PacketReader;
 import majicsim.pioneer.packet.PacketWriter;
+import majicsim.pioneer.report.ConfigReport;
+import majicsim.pioneer.report.Reports;
 
 /**
  * One client's conversation with the board: handshake, commands, watchdog, the packets every 100 ms, and the end

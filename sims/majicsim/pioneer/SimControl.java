@@ -3,6 +3,7 @@ package majicsim.pioneer;
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.Argument;
 import majicsim.pioneer.packet.PacketWriter;
+import majicsim.pioneer.report.ConfigReport;
 import org.jspecify.annotations.Nullable;
 
 /**

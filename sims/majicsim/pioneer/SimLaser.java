@@ -3,6 +3,7 @@ package majicsim.pioneer;
 import java.util.List;
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.ranging.LaserScan;
+import majicsim.pioneer.report.LaserReport;
 
 /** The simulated laser as one client has set it (ARCOS sheet 6.2): silent until it is switched on. */
 final class SimLaser {

@@ -4,6 +4,9 @@ import java.util.List;
 import java.util.function.Consumer;
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.Argument;
+import majicsim.pioneer.report.Report;
+import majicsim.pioneer.report.Reports;
+import majicsim.pioneer.report.SimStat;
 
 /** What one client has of the simulator beside the robot (ARCOS sheet 6.2): its laser, and orders to the simulator itself. */
 final class Simulation {

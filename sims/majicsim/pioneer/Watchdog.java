@@ -1,5 +1,7 @@
 package majicsim.pioneer;
 
+import majicsim.pioneer.report.ConfigReport;
+
 /** Barks once when no packet came for 2 s (ARCOS sheet 5.3). */
 final class Watchdog {
     private static final long LIMIT_NANOS = ConfigReport.WATCHDOG_MS * 1_000_000L;

@@ -1,6 +1,6 @@
 package majicsim.pioneer.model;
 
-import majicsim.pioneer.EncoderReport;
+import majicsim.pioneer.report.EncoderReport;
 
 /**
  * A number that the controller stores: CONFIG shows it, and a command may change its working value until the session ends

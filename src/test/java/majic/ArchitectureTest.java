@@ -65,7 +65,10 @@ class ArchitectureTest {
             majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
                                         majicsim.pioneer.model majicsim.pioneer.motion \
                                         majicsim.pioneer.devices majicsim.pioneer.ranging \
-                                        majicsim.pioneer.board
+                                        majicsim.pioneer.board majicsim.pioneer.report
+            majicsim.pioneer.report   : majicsim.world majicsim.pioneer.board majicsim.pioneer.devices \
+                                        majicsim.pioneer.model majicsim.pioneer.motion majicsim.pioneer.packet \
+                                        majicsim.pioneer.ranging
             majicsim.pioneer.board    : majicsim.world majicsim.pioneer.devices majicsim.pioneer.model \
                                         majicsim.pioneer.motion majicsim.pioneer.ranging
             majicsim.pioneer.ranging  : majicsim.world majicsim.pioneer.model

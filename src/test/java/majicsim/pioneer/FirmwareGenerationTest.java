@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Map;
 import majicsim.pioneer.devices.Compass;
 import majicsim.pioneer.model.PioneerModel;
+import majicsim.pioneer.report.EncoderReport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.Devices;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 /** A client's wish for an extra packet: argument 0 none, 1 one, 2 or more one with every SIP (ARCOS sheet 6.1, 11). */
 final class Subscription {

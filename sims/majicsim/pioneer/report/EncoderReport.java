@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.PacketWriter;
@@ -9,9 +9,9 @@ import majicsim.pioneer.packet.PacketWriter;
  * @param leftMm what the left wheel ever covered
  * @param rightMm what the right wheel ever covered
  */
-record EncoderReport(double leftMm, double rightMm) {
+public record EncoderReport(double leftMm, double rightMm) {
     /** About what a P3-DX counts. */
-    static final int TICKS_PER_MM = 128;
+    public static final int TICKS_PER_MM = 128;
 
     static EncoderReport of(Board board) {
         double middle = board.drive().countedMm();
@@ -19,7 +19,7 @@ record EncoderReport(double leftMm, double rightMm) {
         return new EncoderReport(middle - aside, middle + aside);
     }
 
-    byte[] toBytes() {
+    public byte[] toBytes() {
         return new PacketWriter(0x90).int32(ticks(leftMm)).int32(ticks(rightMm)).toBytes();
     }
 

@@ -1,10 +1,10 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import java.util.function.Function;
 import majicsim.pioneer.board.Board;
 
 /** The packets of a cycle in the order in which they go out: some before the SIP, some after it (ARCOS sheet 5.4, 11). */
-enum Report {
+public enum Report {
     SIM_STAT(board -> SimStat.of(board).toBytes()),
     JOYSTICK(board -> board.devices().joystick().toBytes()),
     GYRO(board -> board.devices().gyro().toBytes(board.devices().thermometer().celsius())),

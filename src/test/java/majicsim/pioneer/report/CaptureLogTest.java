@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,6 +9,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import majicsim.pioneer.Command;
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.packet.Hex;
 import majicsim.pioneer.packet.Packet;

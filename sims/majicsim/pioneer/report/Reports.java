@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -8,11 +8,11 @@ import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.AuxPort;
 
 /** What one client gets in each cycle: the SIP, what it asked for beside it, and what came in at the AUX ports. */
-final class Reports {
+public final class Reports {
     private final Board board;
     private final Map<Report, Subscription> subscriptions = new EnumMap<>(Report.class);
 
-    Reports(Board board) {
+    public Reports(Board board) {
         this.board = board;
         for (Report report : Report.values()) {
             subscriptions.put(report, new Subscription());
@@ -21,18 +21,18 @@ final class Reports {
     }
 
     /** Asks for a packet: 0 none, 1 once, 2 or more every cycle. */
-    void ask(Report report, int argument) {
+    public void ask(Report report, int argument) {
         subscriptions.get(report).ask(argument);
     }
 
     /** GYRO: its packets with every SIP or none, where there is a gyro. */
-    void askForGyro(boolean on) {
+    public void askForGyro(boolean on) {
         boolean wanted = on && board.model().equipment().hasGyro();
         ask(Report.GYRO, wanted ? Subscription.EVERY_CYCLE : Subscription.NEVER);
     }
 
     /** The packets of this cycle, each for a write of its own. */
-    List<byte[]> next() {
+    public List<byte[]> next() {
         List<byte[]> packets = new ArrayList<>();
         subscriptions.forEach((report, subscription) -> {
             if (subscription.isDue()) {

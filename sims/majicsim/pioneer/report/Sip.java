@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import java.util.List;
 import majicsim.pioneer.board.Board;

@@ -1,10 +1,11 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import majicsim.pioneer.Handshake;
 import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.motion.Limits;

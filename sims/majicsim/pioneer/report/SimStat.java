@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.PacketWriter;
@@ -11,12 +11,12 @@ import majicsim.world.Pose;
  * @param truePose where the robot really is in the room
  * @param odometryError how far its odometry went wrong since it was last set
  */
-record SimStat(int stepMs, Pose truePose, Pose odometryError) {
+public record SimStat(int stepMs, Pose truePose, Pose odometryError) {
     private static final int TYPE = 0x62;
     private static final int HAS_ODOMETRY_ERROR = 1 << 2;
     private static final int NO_GPS = -1;
 
-    static SimStat of(Board board) {
+    public static SimStat of(Board board) {
         Pose believed = board.drive().odometry();
         Pose right = board.drive().odometryWithoutError();
         Pose error = new Pose(
@@ -24,7 +24,7 @@ record SimStat(int stepMs, Pose truePose, Pose odometryError) {
         return new SimStat(board.stepMs(), board.truePose(), error);
     }
 
-    byte[] toBytes() {
+    public byte[] toBytes() {
         PacketWriter packet = new PacketWriter(TYPE).uint8(0).uint8(0).int32(HAS_ODOMETRY_ERROR);
         packet.uint16s(stepMs, stepMs, stepMs);
         int32s(packet, truePose.xMm(), truePose.yMm(), 0, truePose.headingDeg());

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +12,7 @@ import majicsim.world.Pose;
  * @param odometry the pose that 0x60 carries
  * @param ranges in mm, in the order of the scan
  */
-record LaserReport(Pose odometry, int[] ranges) {
+public record LaserReport(Pose odometry, int[] ranges) {
     private static final int WITH_POSE = 0x60;
     private static final int WITH_REFLECTANCE = 0x61;
     private static final int MOST_IN_A_PACKET = 32;
@@ -21,7 +21,7 @@ record LaserReport(Pose odometry, int[] ranges) {
 
     private static final int ONLY_LASER = 0;
 
-    List<byte[]> withPose() {
+    public List<byte[]> withPose() {
         List<byte[]> packets = new ArrayList<>();
         for (int first = 0; first < ranges.length; first += MOST_IN_A_PACKET) {
             PacketWriter packet = new PacketWriter(WITH_POSE);
@@ -35,7 +35,7 @@ record LaserReport(Pose odometry, int[] ranges) {
     }
 
     /** With word, once, that somebody lifted the robot and put it down elsewhere. */
-    List<byte[]> withReflectance(boolean lifted) {
+    public List<byte[]> withReflectance(boolean lifted) {
         List<byte[]> packets = new ArrayList<>();
         for (int first = 0; first < ranges.length; first += MOST_IN_A_PACKET) {
             PacketWriter packet = new PacketWriter(WITH_REFLECTANCE);

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.report;
 
 import java.util.function.ToIntFunction;
 import majicsim.pioneer.board.Board;
@@ -24,7 +24,7 @@ import majicsim.pioneer.packet.PacketWriter;
  * @param sonarCycleMs the sonar's firing period, 0 to 255
  * @param hostBaud the code of this port's speed, 0 to 4
  */
-record ConfigReport(
+public record ConfigReport(
         String robotName,
         PioneerModel model,
         MotionLimits tops,
@@ -32,12 +32,12 @@ record ConfigReport(
         ToIntFunction<Setting> settings,
         int sonarCycleMs,
         int hostBaud) {
-    static final int SIP_CYCLE_MS = 100;
-    static final int WATCHDOG_MS = 2000;
+    public static final int SIP_CYCLE_MS = 100;
+    public static final int WATCHDOG_MS = 2000;
 
     private static final int TYPE = 0x20;
     private static final String SERIAL_NUMBER = "SIM";
-    static final String VERSION = "S.0";
+    public static final String VERSION = "S.0";
     private static final String BOOT_LOADER = "S.0";
     private static final int PWM_MAX = 400;
     private static final int AUTOBAUD_AUTOMATIC = 2;
@@ -46,7 +46,7 @@ record ConfigReport(
     private static final int LOW_CHARGE_PERCENT = 20;
     private static final int SHUTDOWN_CHARGE_PERCENT = 5;
 
-    static byte[] of(Board board) {
+    public static byte[] of(Board board) {
         Settings settings = board.devices().settings();
         return new ConfigReport(
                         board.name(),
