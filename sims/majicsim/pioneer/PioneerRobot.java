@@ -6,6 +6,7 @@ import majicsim.net.Firmware;
 import majicsim.net.Line;
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.model.PioneerModel;
+import majicsim.pioneer.serial.SerialWire;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

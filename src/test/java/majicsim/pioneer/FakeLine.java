@@ -9,7 +9,7 @@ public final class FakeLine implements Line {
     private final List<byte[]> messages = new ArrayList<>();
     private boolean open = true;
     /** The speed at the client's end; 0 as on a network. */
-    int baud;
+    public int baud;
 
     @Override
     public String peer() {

@@ -5,7 +5,7 @@ import java.util.TreeMap;
 
 /** Reads a SIP by the sheet's offsets (8), written apart from the encoder it tests. */
 public record SipView(byte[] packet) {
-    static boolean isSip(byte[] packet) {
+    public static boolean isSip(byte[] packet) {
         return (packet[3] & 0xF0) == 0x30;
     }
 

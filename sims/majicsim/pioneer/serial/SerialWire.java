@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.serial;
 
 import java.util.function.Consumer;
 import majicsim.net.Line;
@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  * The controller's serial port as its line to the client (ARCOS sheet 1): it carries bytes no faster than its speed, and a
  * client at another speed reads and writes rubbish. In an exact lab it takes no time. It cannot be hung up.
  */
-final class SerialWire implements Line {
+public final class SerialWire implements Line {
     private static final System.Logger LOG = System.getLogger(SerialWire.class.getName());
 
     private final HostBaud speed;
@@ -20,7 +20,7 @@ final class SerialWire implements Line {
     private @Nullable Line plug;
 
     /** Bytes from the client go to {@code robot}. */
-    SerialWire(HostBaud speed, boolean takesTime, Consumer<byte[]> robot) {
+    public SerialWire(HostBaud speed, boolean takesTime, Consumer<byte[]> robot) {
         this.speed = speed;
         this.takesTime = takesTime;
         this.robot = robot;
@@ -28,12 +28,12 @@ final class SerialWire implements Line {
     }
 
     /** The client's end is put in. */
-    void plugIn(Line line) {
+    public void plugIn(Line line) {
         plug = line;
     }
 
     /** The client wrote. */
-    void arrive(byte[] bytes) {
+    public void arrive(byte[] bytes) {
         byte[] heard = SerialBits.heard(bytes, clientBaud(), speed.bitsPerSecond());
         if (!takesTime) {
             robot.accept(heard);
@@ -42,7 +42,7 @@ final class SerialWire implements Line {
         }
     }
 
-    void step(long nanos) {
+    public void step(long nanos) {
         toRobot.step(nanos, speed.bitsPerSecond());
         toClient.step(nanos, speed.bitsPerSecond());
     }

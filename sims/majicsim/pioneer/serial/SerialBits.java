@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.serial;
 
 import java.io.ByteArrayOutputStream;
 

@@ -1,9 +1,12 @@
-package majicsim.pioneer;
+package majicsim.pioneer.serial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import majicsim.net.Firmware;
+import majicsim.pioneer.FakeLine;
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import majicsim.pioneer.packet.Hex;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

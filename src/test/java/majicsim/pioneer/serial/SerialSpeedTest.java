@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.serial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import majicsim.net.Firmware;
+import majicsim.pioneer.FakeLine;
+import majicsim.pioneer.PioneerRobot;
+import majicsim.pioneer.Rig;
 import majicsim.pioneer.packet.Hex;
 import majicsim.pioneer.packet.Packet;
 import majicsim.pioneer.packet.PacketReader;

@@ -1,0 +1,7 @@
+/**
+ * The serial line between client and controller: its speed, and what bytes become at a wrong one.
+ */
+@NullMarked
+package majicsim.pioneer.serial;
+
+import org.jspecify.annotations.NullMarked;
