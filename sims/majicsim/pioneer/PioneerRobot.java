@@ -7,6 +7,7 @@ import majicsim.net.Line;
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.serial.SerialWire;
+import majicsim.pioneer.session.Session;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

@@ -66,7 +66,10 @@ class ArchitectureTest {
                                         majicsim.pioneer.model majicsim.pioneer.motion \
                                         majicsim.pioneer.devices majicsim.pioneer.ranging \
                                         majicsim.pioneer.board majicsim.pioneer.report \
-                                        majicsim.pioneer.serial
+                                        majicsim.pioneer.serial majicsim.pioneer.session
+            majicsim.pioneer.session  : majicsim.net majicsim.world majicsim.pioneer.board \
+                                        majicsim.pioneer.devices majicsim.pioneer.model majicsim.pioneer.motion \
+                                        majicsim.pioneer.packet majicsim.pioneer.ranging majicsim.pioneer.report
             majicsim.pioneer.serial   : majicsim.net majicsim.pioneer.devices
             majicsim.pioneer.report   : majicsim.world majicsim.pioneer.board majicsim.pioneer.devices \
                                         majicsim.pioneer.model majicsim.pioneer.motion majicsim.pioneer.packet \

@@ -4,28 +4,28 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Reads a laser packet by the sheet's layout (11.8), written apart from the encoder it tests. */
-record LaserView(byte[] packet) {
-    static boolean isLaser(byte[] packet) {
+public record LaserView(byte[] packet) {
+    public static boolean isLaser(byte[] packet) {
         return packet[3] == 0x60 || packet[3] == 0x61;
     }
 
-    int type() {
+    public int type() {
         return packet[3];
     }
 
-    List<Integer> pose() {
+    public List<Integer> pose() {
         return List.of((int) (short) uint(4), (int) (short) uint(6), (int) (short) uint(8));
     }
 
-    int total() {
+    public int total() {
         return uint(head());
     }
 
-    int first() {
+    public int first() {
         return uint(head() + 2);
     }
 
-    List<Integer> ranges() {
+    public List<Integer> ranges() {
         List<Integer> ranges = new ArrayList<>();
         int size = type() == 0x61 ? 5 : 2;
         for (int i = 0; i < (packet[head() + 4] & 0xFF); i++) {
@@ -34,7 +34,7 @@ record LaserView(byte[] packet) {
         return ranges;
     }
 
-    int flags() {
+    public int flags() {
         return packet[packet.length - 3] & 0xFF;
     }
 

@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import majicsim.pioneer.Handshake;
 import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.model.PioneerModel;
 import majicsim.pioneer.motion.Limits;
 import majicsim.pioneer.motion.MotionLimits;
 import majicsim.pioneer.packet.Hex;
 import majicsim.pioneer.ranging.SonarReading;
+import majicsim.pioneer.session.Handshake;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 

@@ -1,10 +1,12 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import majicsim.pioneer.LaserView;
+import majicsim.pioneer.Rig;
 import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.packet.Argument;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 /**
  * The vendor's client still asks for the simulated laser by the numbers of a much older simulator, 36, 37, 38 and then 35

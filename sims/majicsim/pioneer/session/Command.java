@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import java.util.Arrays;
 import java.util.Map;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -7,6 +7,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
 import java.util.stream.Stream;
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import majicsim.pioneer.devices.Tone;
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;

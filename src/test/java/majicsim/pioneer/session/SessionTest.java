@@ -1,9 +1,11 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import majicsim.pioneer.Rig;
+import majicsim.pioneer.SipView;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

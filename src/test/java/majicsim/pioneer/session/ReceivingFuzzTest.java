@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import majicsim.pioneer.Rig;
 import majicsim.pioneer.packet.Hex;
 import majicsim.pioneer.packet.Packet;
 import majicsim.pioneer.packet.PacketReader;

@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import java.util.List;
 import java.util.Locale;
@@ -18,7 +18,7 @@ import majicsim.pioneer.report.Reports;
  * One client's conversation with the board: handshake, commands, watchdog, the packets every 100 ms, and the end
  * (ARCOS sheet 4, 5). On a network line the end hangs up; on a serial line it waits for the next handshake.
  */
-final class Session {
+public final class Session {
     private static final System.Logger LOG = System.getLogger(Session.class.getName());
     private static final long SIP_CYCLE_NANOS = ConfigReport.SIP_CYCLE_MS * 1_000_000L;
     /** How long the rest of a packet may take (ARCOS sheet 14.1). */
@@ -39,7 +39,7 @@ final class Session {
     private long sinceSipNanos;
     private long sinceBytesNanos;
 
-    Session(Line line, Board board, boolean hangsUp) {
+    public Session(Line line, Board board, boolean hangsUp) {
         this.line = line;
         this.board = board;
         this.hangsUp = hangsUp;
@@ -75,26 +75,26 @@ final class Session {
         return simulation;
     }
 
-    boolean isOn(Line other) {
+    public boolean isOn(Line other) {
         return line == other;
     }
 
     /** Whether a client has shaken hands and not closed since. */
-    boolean isUnderWay() {
+    public boolean isUnderWay() {
         return handshake.isComplete();
     }
 
     /** Whether it is over for good and its line closed. */
-    boolean hasEnded() {
+    public boolean hasEnded() {
         return ended;
     }
 
     /** Whether nobody has been heard for so long that the watchdog has stopped the robot. */
-    boolean isAbandoned() {
+    public boolean isAbandoned() {
         return watchdog.hasBarked();
     }
 
-    void received(byte[] bytes) {
+    public void received(byte[] bytes) {
         trace("<", bytes);
         if (!board.isListening()) {
             return;
@@ -104,7 +104,7 @@ final class Session {
     }
 
     /** Lets time pass: watchdog, and a SIP each cycle. */
-    void step(long nanos) {
+    public void step(long nanos) {
         sinceBytesNanos += nanos;
         if (reader.hasFragment() && sinceBytesNanos >= FRAGMENT_NANOS) {
             handle(reader.giveUpFragment());
@@ -133,7 +133,7 @@ final class Session {
     }
 
     /** CLOSE, or the client is gone: stop, motors off, no more packets. */
-    void close() {
+    public void close() {
         forgetClient();
         board.endSession();
         if (hangsUp) {
@@ -147,7 +147,7 @@ final class Session {
     }
 
     /** RESET, or the button for it: tells the client, forgets it, and starts anew (ARCOS sheet 11.6). */
-    void restart() {
+    public void restart() {
         send(new PacketWriter(RESTARTED).toBytes());
         forgetClient();
         board.restart();

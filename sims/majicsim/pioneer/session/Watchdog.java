@@ -1,4 +1,4 @@
-package majicsim.pioneer;
+package majicsim.pioneer.session;
 
 import majicsim.pioneer.report.ConfigReport;
 
