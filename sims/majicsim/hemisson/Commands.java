@@ -8,9 +8,8 @@ import java.util.function.IntUnaryOperator;
  * odd commands get the odd replies of the real firmware.
  */
 final class Commands implements Interpreter {
-    static final String EOL = "\r\n";
-    static final String GREETING_END =
-            " , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30" + EOL + "E-Mail : info@hemisson.com" + EOL + EOL;
+    static final String GREETING_END = " , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30" + Reply.EOL
+            + "E-Mail : info@hemisson.com" + Reply.EOL + Reply.EOL;
     private static final String GREETING = "HemiOS V1.50" + GREETING_END;
     private static final String UNKNOWN = "Unknown Command ?!";
 
@@ -140,7 +139,7 @@ final class Commands implements Interpreter {
     private Reply setPin() {
         int pin = buffer.digit(2);
         if (!Pins.exists(pin)) {
-            return Reply.line("2" + EOL + UNKNOWN);
+            return Reply.line("2" + Reply.EOL + UNKNOWN);
         }
         board.pins.write(pin, buffer.isOn(4));
         return Reply.line("2");

@@ -22,7 +22,7 @@ public final class HemissonRobot implements Firmware {
     /** From reset to the first character of the greeting (sheet 3). */
     private static final double BOOT_SECONDS = 0.005;
 
-    private static final String INTERNAL_MODE = "D\u00e9marrage en mode Interne" + Commands.EOL;
+    private static final String INTERNAL_MODE = "D\u00e9marrage en mode Interne" + Reply.EOL;
 
     private final Body body;
     private final CommandBuffer buffer;

@@ -10,6 +10,7 @@ package majicsim.hemisson;
  * @param measuringSeconds before the first character, paced or not
  */
 record Reply(String text, double thinkingSeconds, double scanningSeconds, double measuringSeconds) {
+    static final String EOL = "\r\n";
     static final Reply NONE = of("");
 
     static Reply of(String text) {
@@ -18,7 +19,7 @@ record Reply(String text, double thinkingSeconds, double scanningSeconds, double
 
     /** A reply of one line. */
     static Reply line(String text) {
-        return of(text + Commands.EOL);
+        return of(text + EOL);
     }
 
     Reply thinking(double seconds) {
