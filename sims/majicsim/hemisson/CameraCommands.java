@@ -1,5 +1,9 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.modules.I2cBus;
+import majicsim.hemisson.modules.LinearCamera;
+import majicsim.hemisson.modules.ModuleKind;
+
 /** The linear camera's commands in the RoadNarrows dialect: {@code A,L,...}. */
 final class CameraCommands implements ModuleCommandSet {
     private static final int ZONES = 3;

@@ -1,6 +1,7 @@
 package majicsim.hemisson;
 
 import java.util.Set;
+import majicsim.hemisson.modules.ModuleKind;
 
 /**
  * What kind of Hemisson stands in a lab, and how true to its weaknesses it is. Immutable.

@@ -2,6 +2,8 @@ package majicsim.hemisson;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
+import majicsim.hemisson.modules.I2cBus;
+import majicsim.hemisson.modules.Modules;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
 import majicsim.world.Body;

@@ -3,6 +3,7 @@ package majicsim.hemisson;
 import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
+import majicsim.hemisson.modules.ModuleKind;
 
 /** Reads the words of a model, one after the other. */
 final class ModelWords {

@@ -4,6 +4,9 @@ import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import majicsim.hemisson.modules.I2cBus;
+import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.modules.Voice;
 
 /**
  * HemiOS 1.50-RNe (sheet 10): replies repeat their arguments, mistakes are refused by number, and modules are spoken to by command A.

@@ -1,6 +1,8 @@
 package majicsim.hemisson;
 
 import java.util.Map;
+import majicsim.hemisson.modules.I2cBus;
+import majicsim.hemisson.modules.ModuleKind;
 
 /** Command A of the RoadNarrows dialect: finds the module that is meant, and repeats what it was told before the module's answer. */
 final class RoadNarrowsModules {

@@ -1,5 +1,9 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.modules.I2cBus;
+import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.modules.Ultrasonic;
+
 /** The ultrasonic sensor's commands in the RoadNarrows dialect: {@code A,U,...}. */
 final class UltrasonicCommands implements ModuleCommandSet {
     private static final int ADDRESS = ModuleKind.ULTRASONIC.address();

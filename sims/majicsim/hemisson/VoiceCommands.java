@@ -1,6 +1,9 @@
 package majicsim.hemisson;
 
 import java.util.Arrays;
+import majicsim.hemisson.modules.I2cBus;
+import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.modules.Voice;
 
 /** The text-to-speech module's commands in the RoadNarrows dialect: {@code A,T,...}. */
 final class VoiceCommands implements ModuleCommandSet {

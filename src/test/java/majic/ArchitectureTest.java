@@ -81,7 +81,8 @@ class ArchitectureTest {
             majicsim.pioneer.motion   : majicsim.world majicsim.pioneer.model
             majicsim.pioneer.model    :
             majicsim.pioneer.packet   :
-            majicsim.hemisson         : majicsim.world majicsim.net
+            majicsim.hemisson         : majicsim.world majicsim.net majicsim.hemisson.modules
+            majicsim.hemisson.modules : majicsim.world
             """);
 
     private static Map<String, Set<String>> table(String rows) {

@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.util.Set;
 import majicsim.hemisson.Dialect;
 import majicsim.hemisson.HemissonOptions;
-import majicsim.hemisson.ModuleKind;
+import majicsim.hemisson.modules.ModuleKind;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

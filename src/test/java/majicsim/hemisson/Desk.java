@@ -11,12 +11,12 @@ import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
 /** A Hemisson and its client in one thread: what it answers is there at once, or after a step. In text, ␍ and ␊ are CR and LF. */
-final class Desk implements Line {
+public final class Desk implements Line {
     static final Pose START = new Pose(-2000, -2000, 0);
     private static final double STEP_SECONDS = 0.004;
 
     final World world = new World(Room.standard());
-    final HemissonRobot robot;
+    public final HemissonRobot robot;
     private final StringBuilder heard = new StringBuilder();
 
     /** With the sheet's made-up sensor values. */
@@ -31,7 +31,7 @@ final class Desk implements Line {
     }
 
     /** With eyes that see the standard room, without noise. */
-    static Desk inTheRoom(HemissonOptions options) {
+    public static Desk inTheRoom(HemissonOptions options) {
         return new Desk(options, null, Noise.exact());
     }
 
@@ -43,14 +43,14 @@ final class Desk implements Line {
     }
 
     /** Sends one command with its CR, waits a lab step, and returns the answer without its line end. */
-    String ask(String command) {
+    public String ask(String command) {
         String answer = say(command + "␍");
         String all = answer + after(STEP_SECONDS);
         return all.endsWith("␍␊") ? all.substring(0, all.length() - 2) : all;
     }
 
     /** Time goes by in lab steps; returns what was said meanwhile. */
-    String after(double seconds) {
+    public String after(double seconds) {
         for (long i = Math.round(seconds / STEP_SECONDS); i > 0; i--) {
             world.step(STEP_SECONDS);
             robot.step(STEP_SECONDS);

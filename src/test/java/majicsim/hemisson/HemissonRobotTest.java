@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import majicsim.hemisson.modules.ModuleKind;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.code_intelligence.jazzer.junit.FuzzTest;
 import java.nio.charset.StandardCharsets;
 import java.util.EnumSet;
+import majicsim.hemisson.modules.ModuleKind;
 
 /**
  * Whatever bytes come from a client: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see

@@ -1,10 +1,12 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.EnumSet;
 import java.util.List;
 import java.util.stream.IntStream;
+import majicsim.hemisson.Desk;
+import majicsim.hemisson.HemissonOptions;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 

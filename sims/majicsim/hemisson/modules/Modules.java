@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 import java.util.List;
 import java.util.Set;
@@ -7,19 +7,19 @@ import majicsim.world.Body;
 import majicsim.world.World;
 
 /** All modules there are, of which some sit on the bus. */
-final class Modules {
+public final class Modules {
     final LinearCamera camera;
     final Ultrasonic ultrasonic;
-    final Voice voice = new Voice();
-    final Lcd lcd = new Lcd();
-    final GeneralIo io = new GeneralIo();
+    public final Voice voice = new Voice();
+    public final Lcd lcd = new Lcd();
+    public final GeneralIo io = new GeneralIo();
 
-    Modules(World world, Body body) {
+    public Modules(World world, Body body) {
         camera = new LinearCamera(world, body);
         ultrasonic = new Ultrasonic(world, body);
     }
 
-    List<? extends I2cModule> fitted(Set<ModuleKind> kinds) {
+    public List<? extends I2cModule> fitted(Set<ModuleKind> kinds) {
         return Stream.of(camera, ultrasonic, voice, lcd, io)
                 .filter(module -> kinds.contains(module.kind()))
                 .toList();

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 /** The 256 registers of a module. */
 final class Registers {

@@ -1,14 +1,14 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 /** General input and output HemGenIO: five analogue inputs, twelve digital lines that are inputs until they are written. */
-final class GeneralIo implements I2cModule {
+public final class GeneralIo implements I2cModule {
     static final int ANALOGUE = 0x10;
-    static final int ANALOGUES = 5;
+    public static final int ANALOGUES = 5;
 
     private static final int DIGITAL = 0x20;
     private static final int DIGITALS_IN_ROW = 10;
     private static final int DIGITAL_ROW_TWO = 0x30;
-    static final int DIGITALS = 12;
+    public static final int DIGITALS = 12;
 
     private final Registers registers = new Registers();
 
@@ -36,16 +36,16 @@ final class GeneralIo implements I2cModule {
     }
 
     /** Somebody puts a voltage on an analogue input, 0 to 255. */
-    void analogue(int channel, int value) {
+    public void analogue(int channel, int value) {
         registers.set(ANALOGUE + channel, value);
     }
 
     /** Somebody puts a level on a digital line. */
-    void digital(int line, boolean high) {
+    public void digital(int line, boolean high) {
         registers.set(registerOf(line), high ? 1 : 0);
     }
 
-    boolean isHigh(int line) {
+    public boolean isHigh(int line) {
         return registers.at(registerOf(line)) != 0;
     }
 

@@ -1,16 +1,16 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Text to speech: register 00 takes a stored phrase (1 to 30), or a text and then the word to speak it; it reads FF meanwhile. */
-final class Voice implements I2cModule {
-    static final int COMMAND = 0x00;
-    static final int VERSION_REGISTER = 0x01;
-    static final int SPEAK = 0x40;
-    static final int PHRASES = 30;
-    static final int BUSY = 0xFF;
+public final class Voice implements I2cModule {
+    public static final int COMMAND = 0x00;
+    public static final int VERSION_REGISTER = 0x01;
+    public static final int SPEAK = 0x40;
+    public static final int PHRASES = 30;
+    public static final int BUSY = 0xFF;
 
     private static final int VERSION = 7;
     private static final int TEXT_BEGINS = 4;
@@ -58,7 +58,7 @@ final class Voice implements I2cModule {
     }
 
     /** What was said, oldest first; stored phrases as "phrase 1" and so on. */
-    List<String> said() {
+    public List<String> said() {
         return List.copyOf(said);
     }
 

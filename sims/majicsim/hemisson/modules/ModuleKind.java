@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 /** An extension module that may sit on the I²C bus (sheet 9). */
 public enum ModuleKind {
@@ -24,12 +24,12 @@ public enum ModuleKind {
     }
 
     /** Its write address, even, 02 to FC. */
-    int address() {
+    public int address() {
         return address;
     }
 
     /** How the RoadNarrows dialect calls it (sheet 10). */
-    char letter() {
+    public char letter() {
         return letter;
     }
 

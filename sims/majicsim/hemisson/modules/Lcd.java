@@ -1,10 +1,10 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 import java.util.Arrays;
 import java.util.List;
 
 /** The display HemLcd: two lines of 16 characters, written by Y with its count in front, and three keys. */
-final class Lcd implements I2cModule {
+public final class Lcd implements I2cModule {
     static final int KEYS = 0x10;
 
     private static final int VERSION = 1;
@@ -52,11 +52,11 @@ final class Lcd implements I2cModule {
     }
 
     /** Somebody holds some of its keys: bits 0 to 2. */
-    void press(int newKeys) {
+    public void press(int newKeys) {
         keys = newKeys;
     }
 
-    List<String> shown() {
+    public List<String> shown() {
         return List.of(new String(lines[0]), new String(lines[1]));
     }
 

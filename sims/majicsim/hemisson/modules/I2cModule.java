@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 /** An extension module on the I²C bus (sheet 9). */
 interface I2cModule {

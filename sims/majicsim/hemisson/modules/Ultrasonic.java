@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 import java.util.Arrays;
 import java.util.List;
@@ -8,17 +8,17 @@ import majicsim.world.Hit;
 import majicsim.world.World;
 
 /** The ultrasonic sensor HemUltraSonicSensor, an SRF08: a command in register 00 pings, 65 ms later up to 17 echoes stand at 02. */
-final class Ultrasonic implements I2cModule {
-    static final int COMMAND = 0x00;
-    static final int LIGHT = 0x01;
-    static final int FIRST_ECHO = 0x02;
-    static final int RANGE = 0x02;
-    static final int INCHES = 0x50;
-    static final int CENTIMETRES = 0x51;
-    static final int MICROSECONDS = 0x52;
-    static final int ECHOES = 17;
-    static final double PING_SECONDS = 0.065;
-    static final int RANGE_STEP_MM = 43;
+public final class Ultrasonic implements I2cModule {
+    public static final int COMMAND = 0x00;
+    public static final int LIGHT = 0x01;
+    public static final int FIRST_ECHO = 0x02;
+    public static final int RANGE = 0x02;
+    public static final int INCHES = 0x50;
+    public static final int CENTIMETRES = 0x51;
+    public static final int MICROSECONDS = 0x52;
+    public static final int ECHOES = 17;
+    public static final double PING_SECONDS = 0.065;
+    public static final int RANGE_STEP_MM = 43;
 
     private static final int FARTHEST_MM = 6000;
     private static final int NEAREST_MM = 30;

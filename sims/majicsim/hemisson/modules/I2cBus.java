@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 import java.util.List;
 import java.util.Optional;
@@ -7,18 +7,18 @@ import java.util.Optional;
  * The modules by address. Failures are not reported: an absent module, or one that has not woken up yet, reads 255, and writing to it
  * does nothing (sheet 4.5).
  */
-final class I2cBus {
+public final class I2cBus {
     private static final int NOBODY = 0xFF;
 
     private final List<? extends I2cModule> modules;
     private double sincePowerUpSeconds = Double.POSITIVE_INFINITY;
 
-    I2cBus(List<? extends I2cModule> modules) {
+    public I2cBus(List<? extends I2cModule> modules) {
         this.modules = List.copyOf(modules);
     }
 
     /** Those that answer, by address. */
-    List<ModuleKind> awake() {
+    public List<ModuleKind> awake() {
         return modules.stream()
                 .map(I2cModule::kind)
                 .filter(this::isAwake)
@@ -26,20 +26,20 @@ final class I2cBus {
                 .toList();
     }
 
-    int read(int address, int register, int index) {
+    public int read(int address, int register, int index) {
         return find(address).map(module -> module.read(register, index)).orElse(NOBODY);
     }
 
-    void write(int address, int register, int... bytes) {
+    public void write(int address, int register, int... bytes) {
         find(address).ifPresent(module -> module.write(register & 0xFF, bytes));
     }
 
-    void step(double seconds) {
+    public void step(double seconds) {
         sincePowerUpSeconds += seconds;
         modules.forEach(module -> module.step(seconds));
     }
 
-    void powerCycle() {
+    public void powerCycle() {
         sincePowerUpSeconds = 0;
     }
 

@@ -1,18 +1,18 @@
-package majicsim.hemisson;
+package majicsim.hemisson.modules;
 
 import majicsim.world.Body;
 import majicsim.world.Hit;
 import majicsim.world.World;
 
 /** The linear camera HemLinCam: 102 pixels from left to right, brighter the nearer and paler the wall and the longer the exposure. */
-final class LinearCamera implements I2cModule {
-    static final int VERSION_REGISTER = 0x00;
-    static final int PIXELS = 0x10;
-    static final int THRESHOLDED = 0x11;
-    static final int THRESHOLD = 0x20;
-    static final int EXPOSURE = 0x21;
-    static final int LED = 0x30;
-    static final int PIXEL_COUNT = 102;
+public final class LinearCamera implements I2cModule {
+    public static final int VERSION_REGISTER = 0x00;
+    public static final int PIXELS = 0x10;
+    public static final int THRESHOLDED = 0x11;
+    public static final int THRESHOLD = 0x20;
+    public static final int EXPOSURE = 0x21;
+    public static final int LED = 0x30;
+    public static final int PIXEL_COUNT = 102;
 
     private static final int VERSION = 1;
     private static final int POWER_UP_THRESHOLD = 128;
