@@ -1,6 +1,6 @@
 package majicsim;
 
-import majicsim.hemisson.HemissonOptions;
+import majicsim.hemisson.options.HemissonOptions;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Room;
 

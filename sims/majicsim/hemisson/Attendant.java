@@ -3,6 +3,7 @@ package majicsim.hemisson;
 import java.util.List;
 import majicsim.hemisson.modules.GeneralIo;
 import majicsim.hemisson.modules.Modules;
+import majicsim.hemisson.options.HemissonOptions;
 
 /**
  * What a person beside the robot can do to it, and see and hear of it. Works with or without a client connected; what is done to a

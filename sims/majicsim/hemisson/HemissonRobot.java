@@ -4,6 +4,8 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.Modules;
+import majicsim.hemisson.options.Dialect;
+import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
 import majicsim.world.Body;

@@ -1,5 +1,7 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.options.HemissonOptions;
+
 /** What the firmware does beside answering; taken from the switches at start-up (sheet 7). */
 enum RunMode {
     /** The serial line and the TV remote drive. */

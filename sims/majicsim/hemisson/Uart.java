@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Collection;
 import java.util.Iterator;
 import java.util.List;
+import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 

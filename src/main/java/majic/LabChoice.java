@@ -6,7 +6,7 @@ import java.util.Iterator;
 import java.util.Map;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
-import majicsim.hemisson.HemissonOptions;
+import majicsim.hemisson.options.HemissonOptions;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Room;
 import org.jspecify.annotations.Nullable;

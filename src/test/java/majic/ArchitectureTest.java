@@ -81,7 +81,9 @@ class ArchitectureTest {
             majicsim.pioneer.motion   : majicsim.world majicsim.pioneer.model
             majicsim.pioneer.model    :
             majicsim.pioneer.packet   :
-            majicsim.hemisson         : majicsim.world majicsim.net majicsim.hemisson.modules
+            majicsim.hemisson         : majicsim.world majicsim.net majicsim.hemisson.modules \
+                                        majicsim.hemisson.options
+            majicsim.hemisson.options : majicsim.hemisson.modules
             majicsim.hemisson.modules : majicsim.world
             """);
 

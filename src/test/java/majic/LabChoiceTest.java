@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.util.Set;
-import majicsim.hemisson.Dialect;
-import majicsim.hemisson.HemissonOptions;
 import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.options.Dialect;
+import majicsim.hemisson.options.HemissonOptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

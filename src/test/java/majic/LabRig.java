@@ -23,7 +23,7 @@ import majic.script.Line;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majicsim.LabOptions;
-import majicsim.hemisson.HemissonOptions;
+import majicsim.hemisson.options.HemissonOptions;
 
 /**
  * A stepped lab, a team and a session on it, for one test. The thread that makes it lives by the lab's clock: time goes on

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Set;
 import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.options.HemissonOptions;
 import org.junit.jupiter.api.Test;
 
 /** Sheet 4.2: a buffer of 80 bytes, never cleared, that lies across the sensor tables. */

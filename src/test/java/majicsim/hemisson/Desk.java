@@ -2,6 +2,7 @@ package majicsim.hemisson;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Line;
 import majicsim.world.Body;
 import majicsim.world.Noise;

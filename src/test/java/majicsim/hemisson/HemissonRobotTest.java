@@ -8,6 +8,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.options.HemissonOptions;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;

@@ -6,6 +6,8 @@ import com.code_intelligence.jazzer.junit.FuzzTest;
 import java.nio.charset.StandardCharsets;
 import java.util.EnumSet;
 import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.options.Dialect;
+import majicsim.hemisson.options.HemissonOptions;
 
 /**
  * Whatever bytes come from a client: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see

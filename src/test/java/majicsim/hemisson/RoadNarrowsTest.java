@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.EnumSet;
 import java.util.Set;
 import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.options.Dialect;
+import majicsim.hemisson.options.HemissonOptions;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -6,7 +6,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.stream.IntStream;
 import majicsim.hemisson.Desk;
-import majicsim.hemisson.HemissonOptions;
+import majicsim.hemisson.options.HemissonOptions;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.options;
 
 import java.util.Set;
 import majicsim.hemisson.modules.ModuleKind;

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.options;
 
 /** Whose firmware a Hemisson runs. */
 public enum Dialect {
