@@ -1,5 +1,7 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.uart.Reply;
+
 /**
  * The commands {@code Q}, {@code S}, {@code U} and {@code X}, by which K-Team's BotStudio loads, starts and watches a program. Their
  * answers have no line end, and {@code S} and {@code U} take the bytes behind their CR raw (sheet 15). The program memory is erased:

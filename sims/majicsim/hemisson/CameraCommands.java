@@ -3,6 +3,7 @@ package majicsim.hemisson;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.LinearCamera;
 import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.uart.Reply;
 
 /** The linear camera's commands in the RoadNarrows dialect: {@code A,L,...}. */
 final class CameraCommands implements ModuleCommandSet {

@@ -3,6 +3,7 @@ package majicsim.hemisson;
 import java.util.Locale;
 import java.util.function.IntUnaryOperator;
 import majicsim.hemisson.modules.I2cBus;
+import majicsim.hemisson.uart.Reply;
 
 /**
  * The commands of HemiOS 1.50 and their replies (sheet 4.3). Nothing is parsed: each command looks at fixed positions of the buffer, so

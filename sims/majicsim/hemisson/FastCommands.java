@@ -1,5 +1,7 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.uart.Reply;
+
 /** The binary commands {@code !}, {@code &} and {@code *} (sheet 4.3). Their bytes travel as Latin-1 characters. */
 final class FastCommands {
     private static final char VERSION = 1;

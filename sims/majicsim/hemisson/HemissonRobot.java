@@ -6,6 +6,8 @@ import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.Modules;
 import majicsim.hemisson.options.Dialect;
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.hemisson.uart.Reply;
+import majicsim.hemisson.uart.Uart;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
 import majicsim.world.Body;

@@ -1,5 +1,7 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.uart.Reply;
+
 /** The commands of one module in the RoadNarrows dialect. */
 interface ModuleCommandSet {
     /** Carries one out; the answer is what follows behind the repeated command, with its comma and without its line end. */

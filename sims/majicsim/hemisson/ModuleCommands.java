@@ -2,6 +2,7 @@ package majicsim.hemisson;
 
 import java.util.Locale;
 import majicsim.hemisson.modules.I2cBus;
+import majicsim.hemisson.uart.Reply;
 
 /** The commands that reach the I²C bus: J, R, W, Y. */
 final class ModuleCommands {

@@ -1,6 +1,7 @@
 package majicsim.hemisson;
 
 import java.util.Locale;
+import majicsim.hemisson.uart.Reply;
 
 /** Error replies of the RoadNarrows dialect (sheet 10); the words behind the number are ours. */
 enum Refusal {

@@ -7,6 +7,7 @@ import java.util.regex.Pattern;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.modules.Voice;
+import majicsim.hemisson.uart.Reply;
 
 /**
  * HemiOS 1.50-RNe (sheet 10): replies repeat their arguments, mistakes are refused by number, and modules are spoken to by command A.

@@ -3,6 +3,7 @@ package majicsim.hemisson;
 import java.util.Map;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.ModuleKind;
+import majicsim.hemisson.uart.Reply;
 
 /** Command A of the RoadNarrows dialect: finds the module that is meant, and repeats what it was told before the module's answer. */
 final class RoadNarrowsModules {

@@ -3,6 +3,7 @@ package majicsim.hemisson;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.modules.Ultrasonic;
+import majicsim.hemisson.uart.Reply;
 
 /** The ultrasonic sensor's commands in the RoadNarrows dialect: {@code A,U,...}. */
 final class UltrasonicCommands implements ModuleCommandSet {

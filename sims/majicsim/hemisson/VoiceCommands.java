@@ -4,6 +4,7 @@ import java.util.Arrays;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.modules.Voice;
+import majicsim.hemisson.uart.Reply;
 
 /** The text-to-speech module's commands in the RoadNarrows dialect: {@code A,T,...}. */
 final class VoiceCommands implements ModuleCommandSet {

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 
 /** A Hemisson and its client in one thread: what it answers is there at once, or after a step. In text, ␍ and ␊ are CR and LF. */
 public final class Desk implements Line {
-    static final Pose START = new Pose(-2000, -2000, 0);
+    public static final Pose START = new Pose(-2000, -2000, 0);
     private static final double STEP_SECONDS = 0.004;
 
     final World world = new World(Room.standard());
@@ -21,7 +21,7 @@ public final class Desk implements Line {
     private final StringBuilder heard = new StringBuilder();
 
     /** With the sheet's made-up sensor values. */
-    Desk(HemissonOptions options) {
+    public Desk(HemissonOptions options) {
         this(options, Desk::madeUp, Noise.exact());
     }
 
@@ -37,7 +37,7 @@ public final class Desk implements Line {
     }
 
     /** Sends all of it in one go; returns what was answered at once. */
-    String say(String text) {
+    public String say(String text) {
         byte[] bytes = text.replace('␍', '\r').replace('␊', '\n').getBytes(StandardCharsets.ISO_8859_1);
         robot.received(this, bytes);
         return take();
@@ -60,7 +60,7 @@ public final class Desk implements Line {
     }
 
     /** Time goes by in one small step, finer than the lab's. */
-    String tick(double seconds) {
+    public String tick(double seconds) {
         robot.step(seconds);
         return take();
     }

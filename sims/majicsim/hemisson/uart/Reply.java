@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.uart;
 
 /**
  * What the firmware answers, and how long it takes over it. Times are those of a line at its true speed; without pacing only
@@ -9,28 +9,28 @@ package majicsim.hemisson;
  * @param scanningSeconds between the first character and the others
  * @param measuringSeconds before the first character, paced or not
  */
-record Reply(String text, double thinkingSeconds, double scanningSeconds, double measuringSeconds) {
-    static final String EOL = "\r\n";
-    static final Reply NONE = of("");
+public record Reply(String text, double thinkingSeconds, double scanningSeconds, double measuringSeconds) {
+    public static final String EOL = "\r\n";
+    public static final Reply NONE = of("");
 
-    static Reply of(String text) {
+    public static Reply of(String text) {
         return new Reply(text, 0, 0, 0);
     }
 
     /** A reply of one line. */
-    static Reply line(String text) {
+    public static Reply line(String text) {
         return of(text + EOL);
     }
 
-    Reply thinking(double seconds) {
+    public Reply thinking(double seconds) {
         return new Reply(text, seconds, scanningSeconds, measuringSeconds);
     }
 
-    Reply scanning(double seconds) {
+    public Reply scanning(double seconds) {
         return new Reply(text, thinkingSeconds, seconds, measuringSeconds);
     }
 
-    Reply measuring(double seconds) {
+    public Reply measuring(double seconds) {
         return new Reply(text, thinkingSeconds, scanningSeconds, seconds);
     }
 }

@@ -1,10 +1,11 @@
-package majicsim.hemisson;
+package majicsim.hemisson.uart;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Locale;
 import java.util.Set;
+import majicsim.hemisson.Desk;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.options.HemissonOptions;
 import org.junit.jupiter.api.Test;

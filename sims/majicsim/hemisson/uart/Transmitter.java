@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.uart;
 
 /** The chip's transmitter holds two characters: the one that is leaving and the next. */
 final class Transmitter {

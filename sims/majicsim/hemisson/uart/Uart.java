@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.uart;
 
 import java.util.ArrayDeque;
 import java.util.Collection;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * wait outside until they are taken, as behind a serial server. With pacing a character takes 88 µs, both ways, and everything happens
  * at its own time within a step of the lab; without it all happens at once.
  */
-final class Uart {
+public final class Uart {
     static final double CHARACTER_SECONDS = 88e-6;
 
     /** From a character's arrival, or the end of the interrupt before, until the interrupt takes it. */
@@ -36,13 +36,13 @@ final class Uart {
     private boolean deaf;
 
     /** Overrun without pacing would deafen a client that sends its next command right after a reply that came too early. */
-    Uart(HemissonOptions options) {
+    public Uart(HemissonOptions options) {
         overrun = options.hasOverrun();
         timed = options.isPaced() || overrun;
         transmitter = new Transmitter(timed ? CHARACTER_SECONDS : 0);
     }
 
-    void arrive(Line from, byte[] bytes) {
+    public void arrive(Line from, byte[] bytes) {
         for (byte b : bytes) {
             lastArrival = timed ? Math.max(now, lastArrival) + CHARACTER_SECONDS : now;
             if (!deaf) {
@@ -52,13 +52,12 @@ final class Uart {
     }
 
     /** The firmware looks at its receiver only once a step; nothing but two characters can wait for it. */
-    void lookRarely(boolean rarely) {
+    public void lookRarely(boolean rarely) {
         lookingRarely = rarely;
     }
 
     /** The next character that the firmware takes by now; null if there is none. */
-    @Nullable
-    Arrival next(boolean inStep) {
+    public @Nullable Arrival next(boolean inStep) {
         if (lookingRarely && !inStep) {
             return null;
         }
@@ -77,37 +76,37 @@ final class Uart {
     }
 
     /** Whether the interrupt that took the last character finds one more in the receiver. */
-    boolean hasMore() {
+    public boolean hasMore() {
         Arrival next = waiting.peek();
         return isBounded() && next != null && next.seconds() <= takenAt;
     }
 
     /** Answers the command whose last character was taken last. */
-    void reply(Line to, Reply reply) {
+    public void reply(Line to, Reply reply) {
         send(List.of(to), reply);
     }
 
     /** Says something to all lines, by itself. */
-    void say(Collection<Line> lines, String text) {
+    public void say(Collection<Line> lines, String text) {
         send(lines, Reply.of(text));
     }
 
     /** The firmware does something else for a while; what is said then, follows it. */
-    void busyFor(double seconds) {
+    public void busyFor(double seconds) {
         freeAt += seconds;
     }
 
-    void step(double seconds) {
+    public void step(double seconds) {
         now += seconds;
         outbox.sendUntil(now);
     }
 
-    boolean isDeaf() {
+    public boolean isDeaf() {
         return deaf;
     }
 
     /** Switched off and on. */
-    void powerCycle() {
+    public void powerCycle() {
         deaf = false;
         waiting.clear();
         outbox.clear();
@@ -146,5 +145,5 @@ final class Uart {
         return overrun || lookingRarely;
     }
 
-    record Arrival(Line from, char character, double seconds) {}
+    public record Arrival(Line from, char character, double seconds) {}
 }

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.uart;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
