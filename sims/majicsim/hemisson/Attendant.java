@@ -1,6 +1,10 @@
 package majicsim.hemisson;
 
 import java.util.List;
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.Motors;
+import majicsim.hemisson.board.Pins;
+import majicsim.hemisson.board.WorldEyes;
 import majicsim.hemisson.modules.GeneralIo;
 import majicsim.hemisson.modules.Modules;
 import majicsim.hemisson.options.HemissonOptions;

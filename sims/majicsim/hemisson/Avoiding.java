@@ -1,5 +1,9 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.Motors;
+
 /** Drives ahead and turns away from what is near in front or beside it; that side's LED is lit. */
 final class Avoiding implements Behaviour {
     /** As in the factory firmware (sheet 6). */

@@ -1,5 +1,8 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.uart.Reply;
 
 /**

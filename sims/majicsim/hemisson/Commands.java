@@ -2,6 +2,13 @@ package majicsim.hemisson;
 
 import java.util.Locale;
 import java.util.function.IntUnaryOperator;
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.CommandBuffer;
+import majicsim.hemisson.board.Eyes;
+import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.Motors;
+import majicsim.hemisson.board.Pins;
+import majicsim.hemisson.board.Power;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.uart.Reply;
 

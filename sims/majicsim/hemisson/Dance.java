@@ -1,5 +1,8 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.Motors;
+
 /** Swings to and fro, 0.9 s each way, at the speeds that the factory firmware was seen to set (sheet, appendix). */
 final class Dance implements Behaviour {
     private static final double FIGURE_SECONDS = 0.9;

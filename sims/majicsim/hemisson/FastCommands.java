@@ -1,5 +1,11 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.CommandBuffer;
+import majicsim.hemisson.board.Eyes;
+import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.Motors;
+import majicsim.hemisson.board.Power;
 import majicsim.hemisson.uart.Reply;
 
 /** The binary commands {@code !}, {@code &} and {@code *} (sheet 4.3). Their bytes travel as Latin-1 characters. */

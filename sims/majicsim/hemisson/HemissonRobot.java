@@ -2,6 +2,14 @@ package majicsim.hemisson;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.CommandBuffer;
+import majicsim.hemisson.board.Eyes;
+import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.Motors;
+import majicsim.hemisson.board.Power;
+import majicsim.hemisson.board.TvRemote;
+import majicsim.hemisson.board.WorldEyes;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.Modules;
 import majicsim.hemisson.options.Dialect;

@@ -1,5 +1,9 @@
 package majicsim.hemisson;
 
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.Motors;
+
 /** Looks for black tape straight ahead, then keeps both ground sensors over it; off the tape it turns to where it saw it last. */
 final class LineFollowing implements Behaviour {
     private static final int BLACK_BELOW = 90;

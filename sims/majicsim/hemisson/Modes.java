@@ -1,6 +1,9 @@
 package majicsim.hemisson;
 
 import java.util.Map;
+import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.Motors;
 
 /** The running mode and what it does. */
 final class Modes {

@@ -1,6 +1,7 @@
 package majicsim.hemisson;
 
 import java.util.Locale;
+import majicsim.hemisson.board.CommandBuffer;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.uart.Reply;
 

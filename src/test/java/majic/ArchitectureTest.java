@@ -82,7 +82,9 @@ class ArchitectureTest {
             majicsim.pioneer.model    :
             majicsim.pioneer.packet   :
             majicsim.hemisson         : majicsim.world majicsim.net majicsim.hemisson.modules \
-                                        majicsim.hemisson.options majicsim.hemisson.uart
+                                        majicsim.hemisson.options majicsim.hemisson.uart \
+                                        majicsim.hemisson.board
+            majicsim.hemisson.board   : majicsim.world
             majicsim.hemisson.uart    : majicsim.net majicsim.hemisson.options
             majicsim.hemisson.options : majicsim.hemisson.modules
             majicsim.hemisson.modules : majicsim.world

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.locks.ReentrantLock;
+import majicsim.hemisson.board.Eyes;
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Clients;
 import majicsim.net.Faults;

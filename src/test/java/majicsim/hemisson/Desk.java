@@ -2,6 +2,7 @@ package majicsim.hemisson;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import majicsim.hemisson.board.Eyes;
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Line;
 import majicsim.world.Body;

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.board;
 
 import majicsim.world.Body;
 import majicsim.world.Noise;
@@ -7,7 +7,7 @@ import majicsim.world.Noise;
  * Two motors without encoders: a value sets a pulse width at once and stays (sheet 5). There is no watchdog, and a blocked robot's
  * values are still what was asked.
  */
-final class Motors {
+public final class Motors {
     /** Wheel speed by value; the curve of the manual. */
     private static final double[] MM_PER_SEC = {0, 3, 18, 42, 64, 86, 109, 134, 156, 184};
 
@@ -25,7 +25,7 @@ final class Motors {
     private int right;
     private boolean lifted;
 
-    Motors(Body body, Noise noise, double mismatchPercent) {
+    public Motors(Body body, Noise noise, double mismatchPercent) {
         this.body = body;
         double half = mismatchPercent / 200;
         leftFactor = noise.uniform(1 - MISMATCH, 1 + MISMATCH) * (1 - half);
@@ -33,14 +33,14 @@ final class Motors {
     }
 
     /** Signed bytes; the driver's limit of 9 is not the robot's. */
-    void set(int leftValue, int rightValue) {
+    public void set(int leftValue, int rightValue) {
         left = (byte) leftValue;
         right = (byte) rightValue;
         roll();
     }
 
     /** Somebody holds the robot in the air, where its wheels turn and it does not move. */
-    void lift(boolean up) {
+    public void lift(boolean up) {
         lifted = up;
         roll();
     }
@@ -56,11 +56,11 @@ final class Motors {
                 (leftMmPerSec + rightMmPerSec) / 2, Math.toDegrees((rightMmPerSec - leftMmPerSec) / WHEEL_DISTANCE_MM));
     }
 
-    int left() {
+    public int left() {
         return left;
     }
 
-    int right() {
+    public int right() {
         return right;
     }
 

@@ -1,7 +1,7 @@
-package majicsim.hemisson;
+package majicsim.hemisson.board;
 
 /** What a command may do to the whole robot. */
-interface Power {
+public interface Power {
     /** Sets the motors, unless the running mode holds them. */
     void drive(int left, int right);
 

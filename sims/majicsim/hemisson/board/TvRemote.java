@@ -1,7 +1,7 @@
-package majicsim.hemisson;
+package majicsim.hemisson.board;
 
 /** What the keys of a TV remote do in remote control mode (sheet 8). */
-final class TvRemote {
+public final class TvRemote {
     private static final int[][] SPEEDS = {
         {5, 10}, {10, 10}, {10, 5}, {-10, 10}, {0, 0}, {10, -10}, {-5, -10}, {-10, -10}, {-10, -5}
     };
@@ -9,7 +9,7 @@ final class TvRemote {
     private TvRemote() {}
 
     /** Speeds left and right of keys 1 to 9; other keys drive nothing. */
-    static void drive(int key, Motors motors) {
+    public static void drive(int key, Motors motors) {
         if (key >= 1 && key <= SPEEDS.length) {
             motors.set(SPEEDS[key - 1][0], SPEEDS[key - 1][1]);
         }

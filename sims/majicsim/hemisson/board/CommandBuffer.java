@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.board;
 
 import java.util.Arrays;
 
@@ -7,8 +7,8 @@ import java.util.Arrays;
  * command left there, and in K-Team's firmware its pointer sticks for good when it reaches the end. The sensor tables lie in the same
  * memory, from the 51st character on: a longer command shows in them, and they may spoil it.
  */
-final class CommandBuffer {
-    static final int SIZE = 80;
+public final class CommandBuffer {
+    public static final int SIZE = 80;
     static final char END = '\r';
 
     /** Where the sensor tables begin. */
@@ -22,12 +22,12 @@ final class CommandBuffer {
     private boolean overflowed;
 
     /** A buffer that sticks when it is full, or else only spoils that one command. */
-    CommandBuffer(boolean sticks) {
+    public CommandBuffer(boolean sticks) {
         this.sticks = sticks;
     }
 
     /** Takes one character. */
-    void put(char c) {
+    public void put(char c) {
         last = c;
         if (fill < SIZE) {
             memory[fill++] = c;
@@ -35,7 +35,7 @@ final class CommandBuffer {
     }
 
     /** Whether the character put last ends a command; if so, the next one begins another. */
-    boolean takeCommand() {
+    public boolean takeCommand() {
         if (last != END || isStuck()) {
             return false;
         }
@@ -45,17 +45,17 @@ final class CommandBuffer {
         return true;
     }
 
-    boolean isStuck() {
+    public boolean isStuck() {
         return sticks && fill == SIZE;
     }
 
     /** Whether the command that has ended was too long to fit; never in a buffer that sticks. */
-    boolean hasOverflowed() {
+    public boolean hasOverflowed() {
         return overflowed;
     }
 
     /** The command that has ended, without its end. */
-    String text() {
+    public String text() {
         return new String(memory, 0, length);
     }
 
@@ -64,7 +64,7 @@ final class CommandBuffer {
         return new String(memory, from, count);
     }
 
-    char at(int position) {
+    public char at(int position) {
         return memory[position];
     }
 
@@ -74,20 +74,20 @@ final class CommandBuffer {
     }
 
     /** The character minus 48, whatever it is, as a signed byte. */
-    int digit(int position) {
+    public int digit(int position) {
         return (byte) (memory[position] - '0');
     }
 
     /** Two hex digits; a lower-case letter in the low place is misread as the firmware does: 0a is 2A. */
-    int hex(int position) {
+    public int hex(int position) {
         return (nibble(position) * 16 + nibble(position + 1)) & 0xFF;
     }
 
-    boolean isOn(int position) {
+    public boolean isOn(int position) {
         return memory[position] != '0';
     }
 
-    void clear() {
+    public void clear() {
         Arrays.fill(memory, '\0');
         fill = 0;
     }

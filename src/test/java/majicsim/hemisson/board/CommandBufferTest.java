@@ -1,8 +1,9 @@
-package majicsim.hemisson;
+package majicsim.hemisson.board;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Set;
+import majicsim.hemisson.Desk;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.options.HemissonOptions;
 import org.junit.jupiter.api.Test;

@@ -1,10 +1,10 @@
-package majicsim.hemisson;
+package majicsim.hemisson.board;
 
 /**
  * The firmware's two sensor tables, which lie in the command buffer's memory and are refreshed every 41 ms (sheet 4.2, 4.6, 6). Proximity is ambient minus lit, modulo 256, never above the
  * ambient value; ground left subtracts from the ambient value of ground right, a slip of the real firmware.
  */
-final class InfraRed {
+public final class InfraRed {
     private static final double ROUND_SECONDS = 0.041;
     private static final int GROUND_RIGHT = 6;
     private static final int GROUND_LEFT = 7;
@@ -23,14 +23,14 @@ final class InfraRed {
     private double sinceSeconds;
     private boolean fresh;
 
-    InfraRed(Eyes eyes, CommandBuffer memory) {
+    public InfraRed(Eyes eyes, CommandBuffer memory) {
         this.eyes = eyes;
         this.memory = memory;
         refresh();
     }
 
     /** True when a round has just ended. */
-    boolean step(double seconds) {
+    public boolean step(double seconds) {
         sinceSeconds += seconds;
         if (sinceSeconds < ROUND_SECONDS - HAIR) {
             return false;
@@ -40,28 +40,28 @@ final class InfraRed {
         return true;
     }
 
-    int proximity(int sensor) {
+    public int proximity(int sensor) {
         return memory.at(PROXIMITY + PLACES[sensor]);
     }
 
-    int ambient(int sensor) {
+    public int ambient(int sensor) {
         return memory.at(AMBIENT + PLACES[sensor]);
     }
 
     /** Both tables as they lie in the memory: proximity, then ambient. */
-    String tables() {
+    public String tables() {
         return memory.text(PROXIMITY, Eyes.COUNT) + memory.text(AMBIENT, Eyes.COUNT);
     }
 
     /** Whether the tables were refreshed since this was last asked. */
-    boolean takeFresh() {
+    public boolean takeFresh() {
         boolean was = fresh;
         fresh = false;
         return was;
     }
 
     /** A new round: everything is looked at. */
-    void refresh() {
+    public void refresh() {
         eyes.look(ambient, response);
         for (int i = 0; i < Eyes.COUNT; i++) {
             int lit = Math.max(0, ambient[i] - response[i]);

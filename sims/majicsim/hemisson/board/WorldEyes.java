@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.board;
 
 import majicsim.world.Body;
 import majicsim.world.Hit;
@@ -8,7 +8,7 @@ import majicsim.world.Pose;
 import majicsim.world.World;
 
 /** Infra-red sensors that look into the world: six around, a beam of some 30° each, and two at the ground. */
-final class WorldEyes implements Eyes {
+public final class WorldEyes implements Eyes {
     private static final double[] LOOKS_TO_DEG = {0, -38, 38, -90, 90, 180};
 
     /** Sheet 6; the rear one drawn in to the rim of the disc that stands for the body. */
@@ -41,7 +41,7 @@ final class WorldEyes implements Eyes {
     private final Noise noise;
     private int ambientReading;
 
-    WorldEyes(World world, Body body, Noise noise, int ambientReading) {
+    public WorldEyes(World world, Body body, Noise noise, int ambientReading) {
         this.world = world;
         this.body = body;
         this.noise = noise;
@@ -61,7 +61,7 @@ final class WorldEyes implements Eyes {
     }
 
     /** The light of the room changes. */
-    void ambient(int reading) {
+    public void ambient(int reading) {
         ambientReading = reading;
     }
 
@@ -91,7 +91,7 @@ final class WorldEyes implements Eyes {
         return strongest;
     }
 
-    static double curve(double distanceMm) {
+    public static double curve(double distanceMm) {
         for (int i = 1; i < CURVE_MM.length; i++) {
             if (distanceMm <= CURVE_MM[i]) {
                 double part = (distanceMm - CURVE_MM[i - 1]) / (CURVE_MM[i] - CURVE_MM[i - 1]);

@@ -1,7 +1,7 @@
-package majicsim.hemisson;
+package majicsim.hemisson.board;
 
 /** What the eight infra-red sensors see, before the firmware computes with it; in the order of command N (sheet 6). */
-interface Eyes {
+public interface Eyes {
     /** Number of sensors. */
     int COUNT = 8;
 

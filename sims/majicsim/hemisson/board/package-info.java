@@ -1,0 +1,8 @@
+/**
+ * The board without firmware: motors, eyes, switches, battery, remote control receiver and the memory of the
+ * controller.
+ */
+@NullMarked
+package majicsim.hemisson.board;
+
+import org.jspecify.annotations.NullMarked;
