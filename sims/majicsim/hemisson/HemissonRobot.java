@@ -2,6 +2,8 @@ package majicsim.hemisson;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
+import majicsim.hemisson.behaviour.Modes;
+import majicsim.hemisson.behaviour.RunMode;
 import majicsim.hemisson.board.Board;
 import majicsim.hemisson.board.CommandBuffer;
 import majicsim.hemisson.board.Eyes;

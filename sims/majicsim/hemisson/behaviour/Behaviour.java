@@ -1,7 +1,7 @@
-package majicsim.hemisson;
+package majicsim.hemisson.behaviour;
 
 /** What a running mode does by itself. It sets speeds and LEDs again and again, past whatever a client commands. */
-interface Behaviour {
+public interface Behaviour {
     /** The mode begins. */
     default void begin() {}
 

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.behaviour;
 
 import majicsim.hemisson.board.Board;
 import majicsim.hemisson.board.Motors;

@@ -1,9 +1,10 @@
-package majicsim.hemisson;
+package majicsim.hemisson.behaviour;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Set;
 import java.util.TreeSet;
+import majicsim.hemisson.Desk;
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;

@@ -1,9 +1,9 @@
-package majicsim.hemisson;
+package majicsim.hemisson.behaviour;
 
 import majicsim.hemisson.options.HemissonOptions;
 
 /** What the firmware does beside answering; taken from the switches at start-up (sheet 7). */
-enum RunMode {
+public enum RunMode {
     /** The serial line and the TV remote drive. */
     REMOTE,
     /** It drives about and keeps off obstacles. */
@@ -29,12 +29,12 @@ enum RunMode {
     }
 
     /** Whether speeds stay 0. */
-    boolean holdsMotors() {
+    public boolean holdsMotors() {
         return this == BOTSTUDIO || this == OTHER;
     }
 
     /** Whether the greeting has a fourth line. */
-    boolean isInternal() {
+    public boolean isInternal() {
         return this != REMOTE && this != BOTSTUDIO;
     }
 }

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.behaviour;
 
 import java.util.Map;
 import majicsim.hemisson.board.Board;
@@ -6,14 +6,14 @@ import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
 
 /** The running mode and what it does. */
-final class Modes {
+public final class Modes {
     private static final Behaviour IDLE = new Behaviour() {};
 
     private final Map<RunMode, Behaviour> behaviours;
     private RunMode mode = RunMode.REMOTE;
     private Behaviour behaviour = IDLE;
 
-    Modes(Motors motors, Board board, InfraRed infraRed) {
+    public Modes(Motors motors, Board board, InfraRed infraRed) {
         behaviours = Map.of(
                 RunMode.AVOIDING, new Avoiding(motors, board, infraRed),
                 RunMode.LINE, new LineFollowing(motors, board, infraRed),
@@ -21,17 +21,17 @@ final class Modes {
     }
 
     /** The processor starts and looks at the switches. */
-    void start(String switches) {
+    public void start(String switches) {
         mode = RunMode.of(switches);
         behaviour = behaviours.getOrDefault(mode, IDLE);
         behaviour.begin();
     }
 
-    RunMode mode() {
+    public RunMode mode() {
         return mode;
     }
 
-    Behaviour behaviour() {
+    public Behaviour behaviour() {
         return behaviour;
     }
 }
