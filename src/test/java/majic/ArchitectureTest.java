@@ -83,7 +83,9 @@ class ArchitectureTest {
             majicsim.pioneer.packet   :
             majicsim.hemisson         : majicsim.world majicsim.net majicsim.hemisson.modules \
                                         majicsim.hemisson.options majicsim.hemisson.uart \
-                                        majicsim.hemisson.board majicsim.hemisson.behaviour
+                                        majicsim.hemisson.board majicsim.hemisson.behaviour \
+                                        majicsim.hemisson.firmware
+            majicsim.hemisson.firmware: majicsim.hemisson.board majicsim.hemisson.modules majicsim.hemisson.uart
             majicsim.hemisson.behaviour: majicsim.hemisson.board majicsim.hemisson.options
             majicsim.hemisson.board   : majicsim.world
             majicsim.hemisson.uart    : majicsim.net majicsim.hemisson.options

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.ModuleKind;

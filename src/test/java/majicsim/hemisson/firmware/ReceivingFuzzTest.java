@@ -1,10 +1,11 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
 import java.nio.charset.StandardCharsets;
 import java.util.EnumSet;
+import majicsim.hemisson.Desk;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.options.Dialect;
 import majicsim.hemisson.options.HemissonOptions;

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import java.util.Arrays;
 import majicsim.hemisson.modules.I2cBus;

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 /** A module command that is answered by an error of the RoadNarrows dialect. */
 final class RefusedException extends Exception {

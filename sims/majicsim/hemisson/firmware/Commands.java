@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import java.util.Locale;
 import java.util.function.IntUnaryOperator;
@@ -16,7 +16,7 @@ import majicsim.hemisson.uart.Reply;
  * The commands of HemiOS 1.50 and their replies (sheet 4.3). Nothing is parsed: each command looks at fixed positions of the buffer, so
  * odd commands get the odd replies of the real firmware.
  */
-final class Commands implements Interpreter {
+public final class Commands implements Interpreter {
     static final String GREETING_END = " , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30" + Reply.EOL
             + "E-Mail : info@hemisson.com" + Reply.EOL + Reply.EOL;
     private static final String GREETING = "HemiOS V1.50" + GREETING_END;
@@ -34,7 +34,7 @@ final class Commands implements Interpreter {
     private final BotStudio botStudio;
     private final Power power;
 
-    Commands(
+    public Commands(
             CommandBuffer buffer,
             Motors motors,
             InfraRed infraRed,

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import majicsim.hemisson.board.Board;
 import majicsim.hemisson.board.CommandBuffer;

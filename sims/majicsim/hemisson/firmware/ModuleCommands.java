@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import java.util.Locale;
 import majicsim.hemisson.board.CommandBuffer;

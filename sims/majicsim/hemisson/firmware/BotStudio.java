@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import majicsim.hemisson.board.Board;
 import majicsim.hemisson.board.InfraRed;
@@ -10,7 +10,7 @@ import majicsim.hemisson.uart.Reply;
  * answers have no line end, and {@code S} and {@code U} take the bytes behind their CR raw (sheet 15). The program memory is erased:
  * a program started there sets the right motor to 63.
  */
-final class BotStudio {
+public final class BotStudio {
     private static final int ADDRESS_BYTES = 2;
     private static final int FIRST_PAGE = 0x18;
     private static final int LAST_PAGE = 0x1A;
@@ -27,7 +27,7 @@ final class BotStudio {
     private int addressBytes;
     private int programBytes;
 
-    BotStudio(Motors motors, Board board, InfraRed infraRed) {
+    public BotStudio(Motors motors, Board board, InfraRed infraRed) {
         this.motors = motors;
         this.board = board;
         this.infraRed = infraRed;
@@ -61,16 +61,16 @@ final class BotStudio {
         return Reply.of("x");
     }
 
-    boolean isTakingBytes() {
+    public boolean isTakingBytes() {
         return addressBytes > 0 || programBytes > 0;
     }
 
     /** The next byte of what S or U wait for. */
-    Reply take(char c) {
+    public Reply take(char c) {
         return addressBytes > 0 ? takeAddress(c) : takeProgram(c);
     }
 
-    void reset() {
+    public void reset() {
         addressBytes = 0;
         programBytes = 0;
         forget();

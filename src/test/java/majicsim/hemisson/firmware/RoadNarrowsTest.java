@@ -1,9 +1,10 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.EnumSet;
 import java.util.Set;
+import majicsim.hemisson.Desk;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.options.Dialect;
 import majicsim.hemisson.options.HemissonOptions;

@@ -1,4 +1,4 @@
-package majicsim.hemisson;
+package majicsim.hemisson.firmware;
 
 import java.util.Locale;
 import java.util.regex.MatchResult;
@@ -16,7 +16,7 @@ import majicsim.hemisson.uart.Reply;
  * HemiOS 1.50-RNe (sheet 10): replies repeat their arguments, mistakes are refused by number, and modules are spoken to by command A.
  * Whatever the sheet does not tell of is answered as K-Team's firmware does.
  */
-final class RoadNarrows implements Interpreter {
+public final class RoadNarrows implements Interpreter {
     private static final String GREETING = "HemiOS V1.50-RNe" + Commands.GREETING_END;
     private static final Pattern SPEEDS = Pattern.compile("D,(-?\\d+),(-?\\d+)");
     private static final Pattern BUZZER = Pattern.compile("H,([01])");
@@ -30,7 +30,7 @@ final class RoadNarrows implements Interpreter {
     private final I2cBus bus;
     private final RoadNarrowsModules modules;
 
-    RoadNarrows(CommandBuffer buffer, Commands stock, Motors motors, I2cBus bus, Power power) {
+    public RoadNarrows(CommandBuffer buffer, Commands stock, Motors motors, I2cBus bus, Power power) {
         this.buffer = buffer;
         this.stock = stock;
         this.motors = motors;
