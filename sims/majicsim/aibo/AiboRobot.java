@@ -2,6 +2,7 @@ package majicsim.aibo;
 
 import majicsim.aibo.urbi.Functions;
 import majicsim.aibo.urbi.Kernel;
+import majicsim.aibo.urbi.Server;
 import majicsim.aibo.urbi.Stick;
 import majicsim.aibo.urbi.Value;
 import majicsim.net.Firmware;
@@ -33,7 +34,7 @@ public final class AiboRobot implements Firmware {
     private final Speaker speaker;
     private final Microphone microphone;
     private double stepMs = 4;
-    private double nextCycleMs = Kernel.CYCLE_MS;
+    private double nextCycleMs = Server.CYCLE_MS;
 
     /**
      * Puts a dog into a room.
@@ -47,7 +48,7 @@ public final class AiboRobot implements Firmware {
         body = Body.box("aibo", FRONT_MM, REAR_MM, HALF_WIDTH_MM, start);
         world.add(body);
         kernel = new Kernel(own.fork("random"));
-        devices = new Devices(kernel.variables(), kernel.groups());
+        devices = new Devices(kernel.memory().variables(), kernel.memory().groups());
         attitude = new Attitude(devices.legs());
         gait = new Gait(body, devices.legs(), attitude, own.fork("gait"));
         Head head = new Head(world, body, devices.joints(), attitude);
@@ -115,7 +116,7 @@ public final class AiboRobot implements Firmware {
         devices.joints().values().forEach(joint -> joint.step(seconds));
         battery.drain(seconds);
         if (kernel.nowMs() >= nextCycleMs - ROUNDING_MS) {
-            nextCycleMs += Kernel.CYCLE_MS;
+            nextCycleMs += Server.CYCLE_MS;
             camera.cycle();
             kernel.cycle();
         }
@@ -123,7 +124,7 @@ public final class AiboRobot implements Firmware {
     }
 
     private void install() {
-        sensors.install(kernel.variables());
+        sensors.install(kernel.memory().variables());
         Functions functions = kernel.functions();
         functions.lasting("robot.walk", 1, GaitTask.function(gait, false));
         functions.lasting("robot.turn", 1, GaitTask.function(gait, true));
@@ -134,6 +135,7 @@ public final class AiboRobot implements Firmware {
         speaker.install();
         microphone.install();
         camera.install();
-        new Stick(StickScript.program(kernel.groups().leaves("hardware")), StickScript.CLIENT).insertInto(kernel);
+        new Stick(StickScript.program(kernel.memory().groups().leaves("hardware")), StickScript.CLIENT)
+                .insertInto(kernel);
     }
 }

@@ -90,7 +90,7 @@ final class Camera {
         Variable variable = new Variable("camera." + name, Value.of(start));
         variable.limit(min, max);
         fields.put(name, variable);
-        kernel.variables().put(variable);
+        kernel.memory().variables().put(variable);
     }
 
     private int get(String name) {
@@ -103,7 +103,7 @@ final class Camera {
     }
 
     private void put(String name, Variable.Hardware hardware) {
-        kernel.variables().put(new Variable(name, Value.VOID, hardware));
+        kernel.memory().variables().put(new Variable(name, Value.VOID, hardware));
     }
 
     private record Shot(long number, CameraSettings settings, Picture picture) {}

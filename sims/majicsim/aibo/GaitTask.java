@@ -1,8 +1,9 @@
 package majicsim.aibo;
 
 import majicsim.aibo.urbi.Context;
+import majicsim.aibo.urbi.Evaluator;
 import majicsim.aibo.urbi.Functions;
-import majicsim.aibo.urbi.Kernel;
+import majicsim.aibo.urbi.Server;
 import majicsim.aibo.urbi.Task;
 
 /**
@@ -22,7 +23,7 @@ final class GaitTask extends Task {
         super(context);
         this.gait = gait;
         this.turn = turn;
-        double late = gait.noise().isExact() || ms == 0 ? 0 : gait.noise().uniform(0, 2 * Kernel.CYCLE_MS);
+        double late = gait.noise().isExact() || ms == 0 ? 0 : gait.noise().uniform(0, 2 * Server.CYCLE_MS);
         durationMs = Math.abs(ms) + late;
         cyclesPerMs = Math.signum(ms) / Math.max(1, Math.abs(cycleMs));
     }
@@ -32,7 +33,7 @@ final class GaitTask extends Task {
         String word = turn ? "turn" : "walk";
         return (context, arguments) -> {
             double ms = arguments.get(0).number();
-            double cycleMs = context.number("robot." + word + "speed");
+            double cycleMs = new Evaluator(context).number("robot." + word + "speed");
             return new GaitTask(context, gait, turn, ms, cycleMs).under(word);
         };
     }
@@ -69,7 +70,7 @@ final class GaitTask extends Task {
         }
         boolean over = elapsedMs() >= durationMs;
         if (!over) {
-            gait.swing(this, context.kernel().pass());
+            gait.swing(this, context.server().pass());
         }
         return over;
     }

@@ -35,7 +35,7 @@ final class Microphone {
     }
 
     void install() {
-        kernel.variables().put(new Variable("micro.val", Value.VOID, this::heard));
+        kernel.memory().variables().put(new Variable("micro.val", Value.VOID, this::heard));
     }
 
     /** Somebody whistles from now on. */

@@ -34,9 +34,9 @@ final class Speaker {
             }
         });
         val.blend(Blend.MIX);
-        kernel.variables().put(val);
-        kernel.variables().put(new Variable("speaker.playing", Value.of(0), () -> Value.of(remainMs() > 0)));
-        kernel.variables().put(new Variable("speaker.remain", Value.of(0), () -> Value.of(remainMs())));
+        kernel.memory().variables().put(val);
+        kernel.memory().variables().put(new Variable("speaker.playing", Value.of(0), () -> Value.of(remainMs() > 0)));
+        kernel.memory().variables().put(new Variable("speaker.remain", Value.of(0), () -> Value.of(remainMs())));
         kernel.functions().builtIn("speaker.play", arguments -> Value.of(play(name(arguments))));
         kernel.functions().builtIn("loadwav", arguments -> load(name(arguments)));
     }

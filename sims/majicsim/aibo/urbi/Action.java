@@ -5,19 +5,46 @@ import org.jspecify.annotations.Nullable;
 
 /** A command that does one thing: an answer, an assignment, a word to the server (URBI sheet, sections 5 to 9). */
 sealed interface Action extends Statement {
+    /**
+     * One method for each kind of these commands.
+     *
+     * @param <R> what becomes of a command
+     */
+    interface Visitor<R> {
+        R evaluate(Evaluate command);
+
+        R assign(Assign command);
+
+        R change(Change command);
+
+        R assignProperty(AssignProperty command);
+
+        R assignBinary(AssignBinary command);
+
+        R power(Power command);
+
+        R control(Control command);
+
+        R reach(Reach command);
+
+        R echo(Echo command);
+
+        R command(Command command);
+    }
+
     /** An expression, whose value is the reply. */
     record Evaluate(Expr expr) implements Action {
         @Override
-        public Task start(Context context) {
-            return Prepared.calling(context, List.of(expr), values -> Effects.reply(context, values.get(0)));
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.evaluate(this);
         }
     }
 
     /** An assignment with its modifiers. */
     record Assign(Name target, Expr value, List<Modifier> modifiers, boolean declares) implements Action {
         @Override
-        public Task start(Context context) {
-            return Assigning.start(context, this);
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.assign(this);
         }
 
         /** The same for another variable. */
@@ -29,16 +56,16 @@ sealed interface Action extends Statement {
     /** {@code x += v}, {@code x -= v}, {@code x++}, {@code x--}: sign is 1 or -1. */
     record Change(Name target, int sign, Expr amount) implements Action {
         @Override
-        public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> Effects.change(context, this));
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.change(this);
         }
     }
 
     /** {@code x->rangemin = v}. */
     record AssignProperty(Name target, String property, Expr value) implements Action {
         @Override
-        public Task start(Context context) {
-            return Properties.assigning(context, this);
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.assignProperty(this);
         }
 
         /** The same for another variable. */
@@ -54,48 +81,48 @@ sealed interface Action extends Statement {
         }
 
         @Override
-        public Task start(Context context) {
-            return Task.done(context);
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.assignBinary(this);
         }
     }
 
     /** {@code dev on}, {@code dev off}, {@code dev switch} (null). */
     record Power(Name device, @Nullable Double load) implements Action {
         @Override
-        public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> Effects.power(context, this));
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.power(this);
         }
     }
 
     /** {@code stop}, {@code freeze}, {@code unfreeze}, {@code block}, {@code unblock} with a tag. */
     record Control(String word, String tag) implements Action {
         @Override
-        public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> TagControl.apply(context, this));
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.control(this);
         }
     }
 
     /** {@code disconnect} or {@code killall} with a connection's name. */
     record Reach(String word, String connection) implements Action {
         @Override
-        public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> SystemCommands.reach(context, this));
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.reach(this);
         }
     }
 
     /** {@code echo}. */
     record Echo(Expr value, List<Modifier> options) implements Action {
         @Override
-        public Task start(Context context) {
-            return new Prepared(context, List.of(value), values -> Effects.echo(context, values.get(0), options));
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.echo(this);
         }
     }
 
     /** A command of one word, such as {@code ping}. */
     record Command(String word) implements Action {
         @Override
-        public Task start(Context context) {
-            return new Prepared(context, List.of(), values -> SystemCommands.run(context, word));
+        public <R> R accept(Statement.Visitor<R> visitor) {
+            return visitor.command(this);
         }
     }
 }

@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** An assignment of a number under way: at once, or along a trajectory; it heeds the variable's blend mode. */
-final class AssignTask extends Task {
+final class AssignTask extends Task implements Variable.Motion {
     private final Variable variable;
     private final Course course;
     private @Nullable Trajectory trajectory;
@@ -35,14 +35,14 @@ final class AssignTask extends Task {
         Modifiers modifiers = course.aim().modifiers();
         double elapsedMs = elapsedMs() - beganMs;
         if (elapsedMs >= modifiers.get("timelimit", Double.POSITIVE_INFINITY)) {
-            variable.submit(now(), context.kernel().pass());
+            variable.submit(now(), context.server().pass());
             return true;
         }
         return modifiers.isAdaptive() ? pursue(elapsedMs) : follow(way, elapsedMs);
     }
 
     private boolean follow(Trajectory way, double elapsedMs) {
-        variable.submit(way.curve().at(elapsedMs), context.kernel().pass());
+        variable.submit(way.curve().at(elapsedMs), context.server().pass());
         Variable phase = course.aim().modifiers().phase();
         if (phase != null) {
             phase.write(Value.of(way.phase().at(elapsedMs)));
@@ -53,7 +53,7 @@ final class AssignTask extends Task {
     private boolean pursue(double elapsedMs) {
         Pursuit pursuit = new Pursuit(
                 variable.properties().clip(course.aim().target()), course.aim().modifiers());
-        variable.submit(pursuit.next(now(), elapsedMs), context.kernel().pass());
+        variable.submit(pursuit.next(now(), elapsedMs), context.server().pass());
         return pursuit.isThere(now(), variable.properties().number("delta"));
     }
 
@@ -68,13 +68,18 @@ final class AssignTask extends Task {
         variable.motions().remove(this);
     }
 
+    @Override
+    public void cancel() {
+        kill();
+    }
+
     private boolean isDiscarded() {
         return variable.properties().blend() == Blend.DISCARD
                 && !variable.motions().isEmpty();
     }
 
     private boolean isQueued() {
-        List<Task> motions = variable.motions();
+        List<Variable.Motion> motions = variable.motions();
         if (variable.properties().blend() != Blend.QUEUE) {
             return false;
         }
@@ -85,9 +90,9 @@ final class AssignTask extends Task {
     }
 
     private Trajectory begin() {
-        List<Task> motions = variable.motions();
+        List<Variable.Motion> motions = variable.motions();
         if (variable.properties().blend() == Blend.CANCEL) {
-            List.copyOf(motions).forEach(Task::kill);
+            List.copyOf(motions).forEach(Variable.Motion::cancel);
         }
         if (!motions.contains(this)) {
             motions.add(this);

@@ -30,13 +30,13 @@ final class Assigning {
         Value value = values.get(0);
         Modifiers modifiers = Modifiers.NONE;
         if (value instanceof Value.Text text) {
-            value = Budget.checked(Value.of(Modifiers.compose(text.text(), assignment.modifiers(), rest)));
+            value = MemoryLimits.checked(Value.of(Modifiers.compose(text.text(), assignment.modifiers(), rest)));
         } else {
             modifiers = Modifiers.of(context, assignment.modifiers(), rest);
         }
-        context.kernel().variables().admit(value, context.kernel().pass());
+        context.variables().admit(value, context.server().pass());
         if (isLocal(context, assignment)) {
-            context.kernel().variables().declare(context, assignment.target().text(), value);
+            context.variables().declare(context.scope(), assignment.target().text(), value);
             return null;
         }
         return write(context, assignment, value, modifiers);
@@ -44,9 +44,9 @@ final class Assigning {
 
     private static @Nullable Task write(Context context, Action.Assign assignment, Value value, Modifiers modifiers)
             throws Failure {
-        Variables variables = context.kernel().variables();
+        Variables variables = context.variables();
         boolean make = assignment.declares() || !variables.isStrict();
-        Variable variable = variables.target(context, assignment.target(), make);
+        Variable variable = new Evaluator(context).target(assignment.target(), make);
         if (!make) {
             checkType(variable, value);
         }

@@ -7,10 +7,6 @@ final class BothTask extends Task {
     private final Task left;
     private final Task right;
 
-    BothTask(Context context, Statement left, Statement right) {
-        this(context, left.start(context), right.start(context));
-    }
-
     BothTask(Context context, Task left, Task right) {
         super(context);
         this.left = left;

@@ -13,13 +13,15 @@ final class Broadcast {
 
     /** Gives what runs in place of the command, or null if the name is no group's. */
     static @Nullable Task of(Context context, Name name, Function<Name, Statement> command) throws Failure {
-        List<Name> members = context.kernel().variables().members(context, name);
+        Evaluator evaluator = new Evaluator(context);
+        List<String> members = context.variables().members(context.scope(), evaluator.key(name));
         if (members == null) {
             return null;
         }
         List<Task> tasks = members.stream()
+                .map(member -> Name.of(member).withSuffix(name.suffix()))
                 .map(member -> new Statement.Tagged(context.tag(), context.flags(), command.apply(member)))
-                .map(each -> each.start(context))
+                .map(each -> context.start(each))
                 .toList();
         return new Substitute(context, BothTask.of(Substitute.context(context), tasks));
     }

@@ -2,19 +2,13 @@ package majicsim.aibo.urbi;
 
 /** What the programs of all clients together may use, so that none of them can hold the kernel up. */
 final class Budget {
-    static final String OUT_OF_MEMORY = "Out of memory";
-
     /** Far more than a useful program calls in 32 ms. */
     private static final int CALLS_A_PASS = 2000;
 
     private static final int RUNS = 1000;
 
-    /** A string or a list is not made heavier than this: programs double them. */
-    private static final long HEAVIEST_VALUE = 256 * 1024;
-
     private static final int MOST_RUNNING = 4000;
     private static final int CHARACTERS_A_CALL = 256;
-    private static final int MOST_NAMES = 20_000;
 
     private long pass = -1;
     private int calls;
@@ -64,21 +58,6 @@ final class Budget {
         }
         runs++;
         return true;
-    }
-
-    /** The value that an expression has made, if it is not too heavy. */
-    static Value checked(Value made) throws Failure {
-        if (made.weight() > HEAVIEST_VALUE) {
-            throw Failure.inExpression(OUT_OF_MEMORY);
-        }
-        return made;
-    }
-
-    /** Refuses one more name where programs have made so many groups, functions or the like already. */
-    static void checkNames(int count) throws Failure {
-        if (count >= MOST_NAMES) {
-            throw Failure.of(OUT_OF_MEMORY);
-        }
     }
 
     void giveRunBack() {

@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import java.util.function.DoubleSupplier;
 import java.util.function.DoubleUnaryOperator;
 import majicsim.world.Noise;
 
@@ -8,12 +9,11 @@ import majicsim.world.Noise;
 final class BuiltIns {
     private BuiltIns() {}
 
-    static void install(Kernel kernel, Noise noise) {
-        Functions functions = kernel.functions();
+    static void install(Functions functions, Noise noise, DoubleSupplier timestampMs) {
         mathematics(functions);
         strings(functions);
         lists(functions);
-        functions.builtIn("time", arguments -> Value.of(kernel.timestampMs()));
+        functions.builtIn("time", arguments -> Value.of(timestampMs.getAsDouble()));
         functions.builtIn("cpuload", arguments -> Value.of(0.12));
         functions.builtIn("freemem", arguments -> Value.of(19_000_000));
         functions.builtIn("random", arguments -> random(number(arguments, 0), noise));

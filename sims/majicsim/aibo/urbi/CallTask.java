@@ -17,9 +17,9 @@ final class CallTask extends Task {
     }
 
     static CallTask of(Context context, Expr.Call call, Evaluator evaluator) throws Failure {
-        Functions functions = context.kernel().functions();
+        Functions functions = context.functions();
         Frame frame = functions.frame(context, call.function());
-        boolean allowed = context.kernel().budget().takeCall(context.kernel().pass());
+        boolean allowed = context.server().budget().takeCall(context.server().pass());
         if (context.depth() > MAX_DEPTH || !allowed) {
             throw Failure.of("CPU Overload");
         }
@@ -44,7 +44,7 @@ final class CallTask extends Task {
 
     @Override
     protected void ended() {
-        context.kernel().variables().drop(frame);
+        context.variables().drop(frame);
     }
 
     @Override

@@ -88,7 +88,7 @@ final class CommandStream extends Task {
     }
 
     private void begin(Step step) {
-        Task task = step.statement().start(context);
+        Task task = context.start(step.statement());
         if (!step.background() && !asksForBackground(step.statement())) {
             foreground = task;
             return;

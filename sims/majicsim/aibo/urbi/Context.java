@@ -28,27 +28,37 @@ public record Context(Connection connection, @Nullable Frame frame, String tag, 
     }
 
     /**
-     * The kernel it runs in.
+     * The server that runs it.
      *
      * @return the one of its connection
      */
-    public Kernel kernel() {
-        return connection.kernel();
+    public Server server() {
+        return connection.server();
     }
 
-    /**
-     * What a shared variable holds.
-     *
-     * @param name with a dot
-     * @return its number
-     * @throws Failure if there is none, or no number in it
-     */
-    public double number(String name) throws Failure {
-        return new Evaluator(this).variable(Name.of(name)).number();
+    Memory memory() {
+        return server().memory();
+    }
+
+    Variables variables() {
+        return memory().variables();
+    }
+
+    Functions functions() {
+        return server().functions();
+    }
+
+    Scope scope() {
+        return new Scope(connection.id(), frame);
+    }
+
+    /** A run of a command inside this one; nothing happens before its first step. */
+    Task start(Statement statement) {
+        return server().start(this, statement);
     }
 
     double nowMs() {
-        return kernel().nowMs();
+        return server().nowMs();
     }
 
     /** Whether the function that this is a part of has returned, so that nothing further of it may run. */

@@ -32,7 +32,7 @@ final class CountedLoop extends Task {
             if (turnsLeft < 1) {
                 return true;
             }
-            turn = body.start(context);
+            turn = context.start(body);
         }
         if (turn.step()) {
             turn = null;

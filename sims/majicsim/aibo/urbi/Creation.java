@@ -16,11 +16,11 @@ final class Creation extends Task {
 
     /** Makes the object; gives its constructor's run, or null if there is none to call. */
     static @Nullable Task start(Context context, Definition.New creation, List<Value> arguments) throws Failure {
-        Kernel kernel = context.kernel();
+        Memory memory = context.memory();
         String object = new Evaluator(context).key(creation.object());
-        kernel.objects().inherit(object, creation.parent());
+        memory.objects().inherit(object, creation.parent());
         Name init = Name.of(object + ".init");
-        boolean calls = kernel.functions().takesTime(context, init) || !arguments.isEmpty();
+        boolean calls = context.functions().takesTime(context, init) || !arguments.isEmpty();
         if (!creation.constructs() || !calls) {
             return null;
         }
@@ -48,7 +48,7 @@ final class Creation extends Task {
 
     private static void fail(Context context, String object) {
         context.info("Error: Constructor failed, objet deleted");
-        context.kernel().objects().remove(object);
+        context.memory().objects().remove(object);
     }
 
     @Override

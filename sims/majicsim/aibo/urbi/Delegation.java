@@ -16,7 +16,7 @@ final class Delegation {
                 .toList();
         return new Prepared(context, named, values -> {
             String meant = values.get(0).text();
-            for (Connection each : context.kernel().audience(context.connection(), meant)) {
+            for (Connection each : context.server().audience(context.connection(), meant)) {
                 hand(each, command);
             }
             return null;
@@ -28,6 +28,6 @@ final class Delegation {
                 .filter(flag -> !flag.name().equals(FLAG))
                 .toList();
         Statement.Tagged plain = new Statement.Tagged(command.tag(), rest, command.body());
-        connection.stream().adopt(plain.start(connection.context()));
+        connection.adopt(connection.context().start(plain));
     }
 }

@@ -23,7 +23,7 @@ final class Effects {
         String operator = change.sign() > 0 ? "+" : "-";
         Expr sum = new Expr.Binary(operator, new Expr.Variable(change.target()), change.amount());
         Statement assignment = new Action.Assign(change.target(), sum, List.of(), false);
-        return new Substitute(context, assignment.start(Substitute.context(context)));
+        return Substitute.of(context, assignment);
     }
 
     static Task power(Context context, Action.Power power) throws Failure {
@@ -32,16 +32,16 @@ final class Effects {
             return all;
         }
         String load = new Evaluator(context).key(power.device()) + ".load";
-        Variable now = context.kernel().variables().find(context, load);
+        Variable now = context.variables().find(context.scope(), load);
         boolean opposite = now == null || !now.read().isTrue();
         Value wanted = power.load() == null ? Value.of(opposite) : Value.of(power.load());
         Statement assignment = new Action.Assign(Name.of(load), new Expr.Constant(wanted), List.of(), false);
-        return new Substitute(context, assignment.start(Substitute.context(context)));
+        return Substitute.of(context, assignment);
     }
 
     static @Nullable Task choose(Context context, Flow.If choice, Value test) {
         Statement chosen = test.isTrue() ? choice.then() : choice.otherwise();
-        return chosen == null ? null : chosen.start(context);
+        return chosen == null ? null : context.start(chosen);
     }
 
     static @Nullable Task giveBack(Context context, List<Value> values) {
@@ -56,10 +56,12 @@ final class Effects {
         boolean lasts = emit.durationMs() != null;
         double durationMs = lasts ? values.get(values.size() - 1).number() : 0;
         List<Value> arguments = values.subList(0, emit.arguments().size());
-        Kernel kernel = context.kernel();
-        Budget.checkNames(kernel.events().count());
-        kernel.events()
-                .emit(kernel.variables().fullName(context, key), new Events.Event(List.copyOf(arguments), durationMs));
+        Memory memory = context.memory();
+        MemoryLimits.checkNames(memory.events().count());
+        memory.events()
+                .emit(
+                        memory.variables().fullName(context.scope(), key),
+                        new Events.Event(List.copyOf(arguments), durationMs));
         return null;
     }
 
@@ -70,7 +72,7 @@ final class Effects {
                 audience = option.value().value(new Evaluator(context)).join();
             }
         }
-        for (Connection connection : context.kernel().audience(context.connection(), audience)) {
+        for (Connection connection : context.server().audience(context.connection(), audience)) {
             connection.send(context.tag(), "*** " + value.show());
         }
         return null;

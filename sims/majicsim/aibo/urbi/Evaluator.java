@@ -6,14 +6,19 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** Gives expressions their values on behalf of one command; all it changes are the names that take an event's arguments. */
-final class Evaluator {
+public final class Evaluator implements Expr.Evaluation {
     /** Stands before each index in the name of a variable. */
     private static final String INDEX = "__";
 
     private final Context context;
     private final @Nullable Map<Expr.Variable, Value> fixed;
 
-    Evaluator(Context context) {
+    /**
+     * Evaluates for one command.
+     *
+     * @param context of the command
+     */
+    public Evaluator(Context context) {
         this(context, null);
     }
 
@@ -32,7 +37,8 @@ final class Evaluator {
     }
 
     /** The value that a static variable had when the command read it first (URBI sheet, section 21). */
-    Value fixed(Expr.Variable expr) throws Failure {
+    @Override
+    public Value fixed(Expr.Variable expr) throws Failure {
         Value known = fixed == null ? null : fixed.get(expr);
         if (known != null) {
             return known;
@@ -44,16 +50,17 @@ final class Evaluator {
         return value;
     }
 
-    Value variable(Name name) throws Failure {
+    @Override
+    public Value variable(Name name) throws Failure {
         String key = key(name);
-        Kernel kernel = context.kernel();
-        if (kernel.variables().find(context, key) == null) {
-            String full = kernel.variables().fullName(context, key);
-            if (kernel.events().isKnown(full)) {
-                return Value.of(kernel.events().current(full) != null);
+        Memory memory = context.memory();
+        if (memory.variables().find(context.scope(), key) == null) {
+            String full = memory.variables().fullName(context.scope(), key);
+            if (memory.events().isKnown(full)) {
+                return Value.of(memory.events().current(full) != null);
             }
-            if (kernel.objects().contains(key)) {
-                return new Value.Obj(kernel.variables().fields(key));
+            if (memory.objects().contains(key)) {
+                return new Value.Obj(memory.variables().fields(key));
             }
             Value.Items list = indexed(key);
             if (list != null) {
@@ -63,44 +70,50 @@ final class Evaluator {
         return suffixed(known(key, Failure.of()), name.suffix());
     }
 
-    Value property(Expr.Property property) throws Failure {
+    @Override
+    public Value property(Expr.Property property) throws Failure {
         String key = key(property.name());
         return known(key, Failure.inExpression()).properties().read(property.property());
     }
 
-    Value items(Expr.Items list) throws Failure {
-        return Budget.checked(new Value.Items(values(list.parts())));
+    @Override
+    public Value items(Expr.Items list) throws Failure {
+        return MemoryLimits.checked(new Value.Items(values(list.parts())));
     }
 
-    Value members(String group) {
-        List<String> leaves = context.kernel().groups().leaves(group);
+    @Override
+    public Value members(String group) {
+        List<String> leaves = context.memory().groups().leaves(group);
         return new Value.Items(leaves.stream().map(Value::of).toList());
     }
 
-    Value binary(Expr.Binary expr) throws Failure {
+    @Override
+    public Value binary(Expr.Binary expr) throws Failure {
         return Operators.apply(
                 expr.operator(), expr.left().value(this), expr.right().value(this));
     }
 
-    Value unary(Expr.Unary expr) throws Failure {
+    @Override
+    public Value unary(Expr.Unary expr) throws Failure {
         Value operand = expr.operand().value(this);
         return expr.operator().equals("!") ? Value.of(!operand.isTrue()) : Value.of(-operand.number());
     }
 
-    Value call(Expr.Call call) throws Failure {
-        String event = context.kernel().variables().fullName(context, key(call.function()));
-        if (context.kernel().events().isKnown(event)) {
-            return Value.of(matches(context.kernel().events().current(event), call.parts()));
+    @Override
+    public Value call(Expr.Call call) throws Failure {
+        String event = context.variables().fullName(context.scope(), key(call.function()));
+        if (context.memory().events().isKnown(event)) {
+            return Value.of(matches(context.memory().events().current(event), call.parts()));
         }
-        String function = context.kernel().functions().key(context, call.function());
+        String function = context.functions().key(context, call.function());
         boolean asksOfName = function.equals("isdef") || function.equals("isvoid");
         if (asksOfName && call.parts().size() == 1 && call.parts().get(0) instanceof Expr.Variable variable) {
             return about(function, variable.name());
         }
-        if (context.kernel().functions().takesTime(context, call.function())) {
+        if (context.functions().takesTime(context, call.function())) {
             throw Failure.inExpression("Custom function call in expressions not allowed in kernel 1");
         }
-        return context.kernel().functions().builtIn(context, call.function(), values(call.parts()));
+        return context.functions().builtIn(context, call.function(), values(call.parts()));
     }
 
     /** The key under which a name's variable is stored. */
@@ -115,6 +128,22 @@ final class Evaluator {
         return key.toString();
     }
 
+    /**
+     * What a shared variable holds.
+     *
+     * @param name with a dot
+     * @return its number
+     * @throws Failure if there is none, or no number in it
+     */
+    public double number(String name) throws Failure {
+        return variable(Name.of(name)).number();
+    }
+
+    /** The variable that an assignment to that name writes; with {@code make} it comes to be if it is not there. */
+    Variable target(Name name, boolean make) throws Failure {
+        return context.variables().target(context.scope(), key(name), make);
+    }
+
     /** Whether an event is seen whose arguments fit; a name among them takes the value that came. */
     private boolean matches(Events.@Nullable Event event, List<Expr> pattern) throws Failure {
         if (event == null || event.arguments().size() != pattern.size()) {
@@ -123,7 +152,7 @@ final class Evaluator {
         for (int i = 0; i < pattern.size(); i++) {
             Value came = event.arguments().get(i);
             if (pattern.get(i) instanceof Expr.Variable variable) {
-                context.kernel().variables().assign(context, key(variable.name()), came);
+                context.variables().assign(context.scope(), key(variable.name()), came);
             } else if (!pattern.get(i).value(this).equals(came)) {
                 return false;
             }
@@ -132,16 +161,16 @@ final class Evaluator {
     }
 
     private Value about(String function, Name name) throws Failure {
-        Variable variable = context.kernel().variables().find(context, key(name));
+        Variable variable = context.variables().find(context.scope(), key(name));
         boolean isVoid = variable == null || variable.read() instanceof Value.Void;
-        boolean isDefined = variable != null || context.kernel().functions().takesTime(context, name);
+        boolean isDefined = variable != null || context.functions().takesTime(context, name);
         return Value.of(function.equals("isdef") ? isDefined : isVoid);
     }
 
     /** The list that the last index of a name reaches into: to the kernel, {@code l[0]} is the name {@code l__0} first. */
     private Value.@Nullable Items indexed(String key) {
         int index = key.lastIndexOf(INDEX);
-        Variable variable = index < 1 ? null : context.kernel().variables().find(context, key.substring(0, index));
+        Variable variable = index < 1 ? null : context.variables().find(context.scope(), key.substring(0, index));
         return variable != null && variable.read() instanceof Value.Items list ? list : null;
     }
 
@@ -156,10 +185,9 @@ final class Evaluator {
     }
 
     private Variable known(String key, Failure rest) throws Failure {
-        Variable variable = context.kernel().variables().find(context, key);
+        Variable variable = context.variables().find(context.scope(), key);
         if (variable == null) {
-            throw rest.after(
-                    "Unknown identifier: " + context.kernel().variables().wantedName(context, key));
+            throw rest.after("Unknown identifier: " + context.variables().wantedName(context.scope(), key));
         }
         return variable;
     }

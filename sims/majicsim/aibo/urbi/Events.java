@@ -25,19 +25,25 @@ final class Events {
         private @Nullable Event current;
         private double endMs;
 
-        private void turn(double nowMs) {
+        private void turn(double nowMs, double cycleMs) {
             if (current != null && nowMs >= endMs) {
                 current = null;
             } else if (current == null && !waiting.isEmpty()) {
                 Event next = waiting.remove();
                 current = next;
-                endMs = nowMs + Math.max(next.durationMs(), Kernel.CYCLE_MS);
+                endMs = nowMs + Math.max(next.durationMs(), cycleMs);
             }
         }
     }
 
+    private final double cycleMs;
     private final Set<String> declared = new HashSet<>();
     private final Map<String, Channel> channels = new HashMap<>();
+
+    /** @param cycleMs how long an event is seen at least */
+    Events(double cycleMs) {
+        this.cycleMs = cycleMs;
+    }
 
     void declare(String name) {
         declared.add(name);
@@ -67,7 +73,7 @@ final class Events {
 
     /** To be called once a cycle, before any handler looks. */
     void turn(double nowMs) {
-        channels.values().forEach(channel -> channel.turn(nowMs));
+        channels.values().forEach(channel -> channel.turn(nowMs, cycleMs));
     }
 
     void remove(String name) {

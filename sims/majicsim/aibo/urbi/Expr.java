@@ -4,8 +4,27 @@ import java.util.List;
 
 /** What can be evaluated to a value. */
 sealed interface Expr {
+    /** What an expression needs to have a value: one method for each kind that is not its own value. */
+    interface Evaluation {
+        Value fixed(Variable variable) throws Failure;
+
+        Value variable(Name name) throws Failure;
+
+        Value property(Property property) throws Failure;
+
+        Value items(Items list) throws Failure;
+
+        Value members(String group) throws Failure;
+
+        Value binary(Binary binary) throws Failure;
+
+        Value unary(Unary unary) throws Failure;
+
+        Value call(Call call) throws Failure;
+    }
+
     /** Its value; every call to a function that takes time must have been made before. */
-    Value value(Evaluator evaluator) throws Failure;
+    Value value(Evaluation evaluation) throws Failure;
 
     /** The expressions directly inside this one. */
     default List<Expr> parts() {
@@ -25,7 +44,7 @@ sealed interface Expr {
         }
 
         @Override
-        public Value value(Evaluator evaluator) {
+        public Value value(Evaluation evaluation) {
             return value;
         }
     }
@@ -42,8 +61,8 @@ sealed interface Expr {
         }
 
         @Override
-        public Value value(Evaluator evaluator) throws Failure {
-            return isStatic ? evaluator.fixed(this) : evaluator.variable(name);
+        public Value value(Evaluation evaluation) throws Failure {
+            return isStatic ? evaluation.fixed(this) : evaluation.variable(name);
         }
 
         @Override
@@ -55,32 +74,32 @@ sealed interface Expr {
     /** A property of a variable, {@code x->rangemin}. */
     record Property(Name name, String property) implements Expr {
         @Override
-        public Value value(Evaluator evaluator) throws Failure {
-            return evaluator.property(this);
+        public Value value(Evaluation evaluation) throws Failure {
+            return evaluation.property(this);
         }
     }
 
     /** A list. */
     record Items(List<Expr> parts) implements Expr {
         @Override
-        public Value value(Evaluator evaluator) throws Failure {
-            return evaluator.items(this);
+        public Value value(Evaluation evaluation) throws Failure {
+            return evaluation.items(this);
         }
     }
 
     /** The members of a group, {@code group g}. */
     record Members(String group) implements Expr {
         @Override
-        public Value value(Evaluator evaluator) throws Failure {
-            return evaluator.members(group);
+        public Value value(Evaluation evaluation) throws Failure {
+            return evaluation.members(group);
         }
     }
 
     /** An operator between two expressions. */
     record Binary(String operator, Expr left, Expr right) implements Expr {
         @Override
-        public Value value(Evaluator evaluator) throws Failure {
-            return evaluator.binary(this);
+        public Value value(Evaluation evaluation) throws Failure {
+            return evaluation.binary(this);
         }
 
         @Override
@@ -92,8 +111,8 @@ sealed interface Expr {
     /** Minus or not. */
     record Unary(String operator, Expr operand) implements Expr {
         @Override
-        public Value value(Evaluator evaluator) throws Failure {
-            return evaluator.unary(this);
+        public Value value(Evaluation evaluation) throws Failure {
+            return evaluation.unary(this);
         }
 
         @Override
@@ -110,16 +129,16 @@ sealed interface Expr {
         }
 
         @Override
-        public Value value(Evaluator evaluator) throws Failure {
-            return evaluator.call(this);
+        public Value value(Evaluation evaluation) throws Failure {
+            return evaluation.call(this);
         }
     }
 
     /** A test that counts only when it has held for a time, {@code test ~ 2s}. */
     record Soft(Expr test, Expr holdMs) implements Expr {
         @Override
-        public Value value(Evaluator evaluator) throws Failure {
-            return test.value(evaluator);
+        public Value value(Evaluation evaluation) throws Failure {
+            return test.value(evaluation);
         }
 
         @Override

@@ -19,6 +19,13 @@ record Flag(String name, @Nullable Expr argument) {
         return false;
     }
 
+    /** The command in front of which this flag of an older version stands now, or null for a flag of today. */
+    @Nullable
+    String successor() {
+        String form = SUCCESSORS.get(name);
+        return form == null ? null : form.substring(0, form.indexOf('('));
+    }
+
     /** What the kernel advises to use in place of a flag, or null for a flag of today. */
     @Nullable
     String warning() {
@@ -26,18 +33,5 @@ record Flag(String name, @Nullable Expr argument) {
         return successor == null
                 ? null
                 : "Warning: +" + name + " flag is obsolete. Use " + successor + " command instead.";
-    }
-
-    /** The command with the condition of an older flag, which is still kept. */
-    static Statement conditional(List<Flag> flags, Statement body) {
-        Statement conditional = body;
-        for (Flag flag : flags) {
-            String successor = SUCCESSORS.get(flag.name());
-            if (successor != null && flag.argument() != null) {
-                String word = successor.substring(0, successor.indexOf('('));
-                conditional = new Flow.Watched(word, flag.argument(), conditional);
-            }
-        }
-        return conditional;
     }
 }

@@ -30,7 +30,7 @@ final class ForeachTask extends Task {
             if (!assign(item)) {
                 return true;
             }
-            turn = loop.body().start(context);
+            turn = context.start(loop.body());
         }
         if (turn.step()) {
             turn = null;
@@ -40,7 +40,7 @@ final class ForeachTask extends Task {
 
     private boolean assign(Value item) {
         try {
-            context.kernel().variables().assign(context, loop.variable(), item);
+            context.variables().assign(context.scope(), loop.variable(), item);
             return true;
         } catch (Failure failure) {
             context.report(failure);

@@ -3,6 +3,7 @@ package majicsim.aibo.urbi;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /** The functions of the server: built-in ones, those of the hardware, and those that programs define. */
@@ -38,10 +39,10 @@ public final class Functions {
 
     private final Map<String, BuiltIn> builtIns = new HashMap<>();
     private final Map<String, Entry> lasting = new HashMap<>();
-    private final Objects objects;
+    private final ObjectTable objects;
     private long framesMade;
 
-    Functions(Objects objects) {
+    Functions(ObjectTable objects) {
         this.objects = objects;
     }
 
@@ -71,13 +72,13 @@ public final class Functions {
         if (lasting.containsKey(name)) {
             throw Failure.of("function " + name + " already exists");
         }
-        Budget.checkNames(lasting.size());
+        MemoryLimits.checkNames(lasting.size());
         List<String> parameters = definition.parameters();
         Lasting body = (call, arguments) -> {
             for (int i = 0; i < parameters.size(); i++) {
-                call.kernel().variables().declare(call, parameters.get(i), arguments.get(i));
+                call.variables().declare(call.scope(), parameters.get(i), arguments.get(i));
             }
-            return definition.body().start(call.inner(Parser.NO_TAG));
+            return call.inner(Statement.NO_TAG).start(definition.body());
         };
         lasting.put(name, new Entry(name, parameters.size(), false, body));
     }
@@ -149,7 +150,7 @@ public final class Functions {
         }
         return objects.places(fullName(context, function.text())).stream()
                 .map(lasting::get)
-                .filter(java.util.Objects::nonNull)
+                .filter(Objects::nonNull)
                 .findFirst()
                 .orElse(null);
     }
@@ -160,7 +161,7 @@ public final class Functions {
     }
 
     private static String fullName(Context context, String written) {
-        String name = Objects.resolve(context, written);
+        String name = ObjectTable.resolve(context.scope(), written);
         return name.indexOf('.') >= 0 ? name : context.connection().id() + "." + name;
     }
 }

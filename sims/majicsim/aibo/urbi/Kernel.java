@@ -3,8 +3,6 @@ package majicsim.aibo.urbi;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import java.util.function.Consumer;
 import majicsim.net.Line;
 import majicsim.world.Noise;
@@ -14,28 +12,21 @@ import org.jspecify.annotations.Nullable;
  * The URBI kernel: connections, variables, functions and the cycle in which everything runs. Its time is given from outside, in
  * milliseconds of the lab.
  */
-public final class Kernel {
-    /** The cycle of the ERS-7 (URBI sheet, section 3). */
-    public static final double CYCLE_MS = 32;
-
+public final class Kernel implements Server {
     /** How long the server is up already when the lab starts: the stick's scripts took that long. */
     private static final double BOOT_MS = 4000;
 
     private static final long FIRST_ID = 138_240_016;
     private static final long ID_STEP = 5_264;
 
-    private final Groups groups = new Groups();
-    private final Objects objects = new Objects();
-    private final Variables variables = new Variables(groups, objects);
-    private final Functions functions = new Functions(objects);
-    private final Events events = new Events();
+    private final Memory memory = new Memory(CYCLE_MS);
+    private final Functions functions = new Functions(memory.objects());
     private final Tags tags = new Tags();
     private final Restart restart = new Restart(this);
-    private final List<Connection> connections = new ArrayList<>();
-    private final Connection own;
+    private final List<ClientConnection> connections = new ArrayList<>();
+    private final ClientConnection own;
     private final Budget budget = new Budget();
-    private Consumer<Connection> greeting = connection -> {};
-    private Map<String, Set<String>> systemGroups = Map.of();
+    private Consumer<ClientConnection> greeting = connection -> {};
     private String startScript = "";
     private double nowMs;
     private long pass;
@@ -47,82 +38,59 @@ public final class Kernel {
      * @param noise what {@code random} draws from
      */
     public Kernel(Noise noise) {
-        own = new Connection(this, newId(), null);
+        own = new ClientConnection(this, newId(), null);
         connections.add(own);
-        BuiltIns.install(this, noise);
+        BuiltIns.install(functions, noise, this::timestampMs);
     }
 
-    /**
-     * The groups of variables.
-     *
-     * @return the same object always
-     */
-    public Groups groups() {
-        return groups;
+    @Override
+    public Memory memory() {
+        return memory;
     }
 
-    /**
-     * The variables, to which the hardware adds its own before {@link Stick#insertInto}.
-     *
-     * @return the same object always
-     */
-    public Variables variables() {
-        return variables;
-    }
-
-    /**
-     * The functions, to which the hardware adds its own.
-     *
-     * @return the same object always
-     */
+    @Override
     public Functions functions() {
         return functions;
     }
 
-    Objects objects() {
-        return objects;
-    }
-
-    Events events() {
-        return events;
-    }
-
-    Tags tags() {
+    @Override
+    public Tags tags() {
         return tags;
     }
 
-    Restart restart() {
-        return restart;
-    }
-
-    Budget budget() {
+    @Override
+    public Budget budget() {
         return budget;
     }
 
-    List<Connection> connections() {
+    @Override
+    public List<Connection> connections() {
         return List.copyOf(connections);
     }
 
-    /**
-     * What time it is.
-     *
-     * @return lab time since the robot was made, ms
-     */
+    @Override
     public double nowMs() {
         return nowMs;
     }
 
-    double timestampMs() {
+    @Override
+    public double timestampMs() {
         return Math.floor(BOOT_MS + nowMs);
     }
 
-    /**
-     * The present run through the commands: a cycle, or the bytes of a client that just came.
-     *
-     * @return its number, from 0
-     */
+    @Override
     public long pass() {
         return pass;
+    }
+
+    @Override
+    public Task start(Context context, Statement statement) {
+        return statement.accept(new Starter(context));
+    }
+
+    @Override
+    public void reset() {
+        restart.order();
     }
 
     /**
@@ -135,14 +103,13 @@ public final class Kernel {
     }
 
     /** What runs in each new connection, as the stick's CLIENT.INI does. */
-    void greet(Consumer<Connection> newcomer) {
+    void greet(Consumer<ClientConnection> newcomer) {
         greeting = newcomer;
     }
 
     /** Runs the stick's start script; what is there before it, is there after every reset. */
     void boot(String program) {
-        variables.seal();
-        systemGroups = groups.copy();
+        memory.seal();
         startScript = program;
         load(program);
     }
@@ -154,12 +121,9 @@ public final class Kernel {
 
     /** Stops everything in every connection and forgets what programs made. */
     void forget() {
-        connections().forEach(each -> each.stream().clear());
-        variables.forget();
+        connections().forEach(Connection::clear);
+        memory.forget();
         functions.forget();
-        groups.restore(systemGroups);
-        objects.clear();
-        events.removeAllOf("");
         tags.clear();
     }
 
@@ -175,9 +139,9 @@ public final class Kernel {
      * @param line the client's, open
      */
     public void connect(Line line) {
-        Connection connection = new Connection(this, newId(), line);
+        ClientConnection connection = new ClientConnection(this, newId(), line);
         connections.add(connection);
-        variables.putSystem(new Variable(connection.id() + ".connectionID", Value.of(connection.id())));
+        memory.variables().putSystem(new Variable(connection.id() + ".connectionID", Value.of(connection.id())));
         for (String text : Banner.lines()) {
             connection.send("start", text.isEmpty() ? "***" : "*** " + text);
         }
@@ -194,7 +158,7 @@ public final class Kernel {
      */
     public void received(Line line, byte[] bytes) {
         pass++;
-        Connection connection = find(line);
+        ClientConnection connection = find(line);
         if (connection != null) {
             connection.received(bytes);
             flush();
@@ -207,18 +171,16 @@ public final class Kernel {
      * @param line the client's, closed
      */
     public void disconnected(Line line) {
-        Connection connection = find(line);
+        ClientConnection connection = find(line);
         if (connection != null) {
-            connection.stream().kill();
-            remove(connection);
+            connection.end();
         }
     }
 
-    void remove(Connection connection) {
+    void remove(ClientConnection connection) {
         if (connections.remove(connection)) {
-            variables.removeAllOf(connection.id());
+            memory.removeAllOf(connection.id());
             functions.removeAllOf(connection.id());
-            events.removeAllOf(connection.id() + ".");
         }
     }
 
@@ -227,24 +189,25 @@ public final class Kernel {
         pass++;
         budget.beginCycle();
         restart.step();
-        events.turn(nowMs);
-        for (Connection connection : connections()) {
+        memory.events().turn(nowMs);
+        for (ClientConnection connection : List.copyOf(connections)) {
             connection.cycle();
         }
-        for (Variable variable : variables.all()) {
+        for (Variable variable : memory.variables().all()) {
             variable.sample(CYCLE_MS / 1000);
         }
         flush();
     }
 
-    /** Who is meant by a name: nobody named is the speaker alone, otherwise all, other, or one by its own. */
-    List<Connection> audience(Connection speaker, String named) throws Failure {
+    @Override
+    public List<Connection> audience(Connection speaker, String named) throws Failure {
         List<Connection> meant = switch (named) {
             case "" -> List.of(speaker);
             case "all" -> connections();
-            case "other" -> connections.stream().filter(each -> each != speaker).toList();
+            case "other" ->
+                connections().stream().filter(each -> each != speaker).toList();
             default ->
-                connections.stream().filter(each -> each.id().equals(named)).toList();
+                connections().stream().filter(each -> each.id().equals(named)).toList();
         };
         if (meant.isEmpty()) {
             throw Failure.of(named + ": no such connection");
@@ -252,19 +215,11 @@ public final class Kernel {
         return meant;
     }
 
-    /** The client's connection of that name. */
-    Connection client(String id) throws Failure {
-        return connections.stream()
-                .filter(each -> each != own && each.id().equals(id))
-                .findFirst()
-                .orElseThrow(() -> Failure.of(id + ": no such connection"));
-    }
-
     private void flush() {
-        connections().forEach(Connection::flush);
+        List.copyOf(connections).forEach(ClientConnection::flush);
     }
 
-    private @Nullable Connection find(Line line) {
+    private @Nullable ClientConnection find(Line line) {
         return connections.stream()
                 .filter(each -> each.line() == line)
                 .findFirst()

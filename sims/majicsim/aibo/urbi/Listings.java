@@ -9,8 +9,7 @@ import java.util.Map;
 final class Listings {
     private Listings() {}
 
-    static List<String> variables(Kernel kernel, boolean usersOnly) {
-        Variables variables = kernel.variables();
+    static List<String> variables(Variables variables, boolean usersOnly) {
         return variables.all().stream()
                 .filter(variable -> !usersOnly || !variables.isSystem(variable.name()))
                 .map(variable -> variable.name() + " = " + brief(variable.read()))
@@ -32,7 +31,7 @@ final class Listings {
     /** The tags of what runs in a connection, outermost first. */
     static List<String> commands(Connection connection) {
         List<String> lines = new ArrayList<>();
-        collect(connection.stream(), "", lines);
+        collect(connection.commands(), "", lines);
         return lines;
     }
 

@@ -19,7 +19,7 @@ final class LoopTask extends Task {
             if (!holds()) {
                 return true;
             }
-            turn = loop.step() == null ? loop.body().start(context) : new ThenTask(context, loop.body(), loop.step());
+            turn = turn();
         }
         if (turn.step()) {
             turn = null;
@@ -30,6 +30,11 @@ final class LoopTask extends Task {
     @Override
     protected List<Task> parts() {
         return turn == null ? List.of() : List.of(turn);
+    }
+
+    private Task turn() {
+        Task body = context.start(loop.body());
+        return loop.step() == null ? body : new ThenTask(context, body, context.start(loop.step()));
     }
 
     private boolean holds() {

@@ -85,7 +85,7 @@ record Modifiers(Map<String, Double> numbers, @Nullable Variable phase) {
 
     private static Variable variable(Context context, Modifier modifier) throws Failure {
         if (modifier.value() instanceof Expr.Variable named) {
-            return context.kernel().variables().target(context, named.name(), true);
+            return new Evaluator(context).target(named.name(), true);
         }
         throw Failure.of("a variable is expected for the 'getphase' modificator");
     }

@@ -20,10 +20,10 @@ final class Operators {
 
     private static Value plus(Value left, Value right) throws Failure {
         if (left instanceof Value.Items list) {
-            return Budget.checked(list.plus(right));
+            return MemoryLimits.checked(list.plus(right));
         }
         if (left instanceof Value.Text || right instanceof Value.Text) {
-            return Budget.checked(Value.of(left.join() + right.join()));
+            return MemoryLimits.checked(Value.of(left.join() + right.join()));
         }
         return Value.of(left.number() + right.number());
     }

@@ -6,9 +6,6 @@ import java.util.Set;
 
 /** Turns one command as the splitter cut it into a tree: separators, tags and flags (URBI sheet, sections 3 and 7). */
 final class Parser {
-    /** The tag of a command that has none. */
-    static final String NO_TAG = "notag";
-
     /** A command that runs needs more stack than an operator. */
     private static final int LEVELS_A_COMMAND = 5;
 
@@ -47,10 +44,10 @@ final class Parser {
     /** One command with its tag, if it has one. */
     Statement tagged() throws SyntaxError {
         tokens.deeper(LEVELS_A_COMMAND);
-        String tag = NO_TAG;
+        String tag = Statement.NO_TAG;
         List<Flag> flags = List.of();
         if (atTag()) {
-            tag = tokens.atName() ? tokens.next().text() : NO_TAG;
+            tag = tokens.atName() ? tokens.next().text() : Statement.NO_TAG;
             flags = flags();
             tokens.expect(":");
         }

@@ -73,7 +73,7 @@ final class Prepared extends Task {
         if (call == null
                 && calls
                 && exprs.get(0) instanceof Expr.Call first
-                && context.kernel().functions().takesTime(context, first.function())) {
+                && context.functions().takesTime(context, first.function())) {
             call = CallTask.of(context, first, new Evaluator(context));
         }
         return call == null || call.step();

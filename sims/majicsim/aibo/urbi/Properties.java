@@ -1,7 +1,6 @@
 package majicsim.aibo.urbi;
 
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 
@@ -22,31 +21,6 @@ final class Properties {
     private final Map<String, Double> numbers = new HashMap<>(DEFAULTS);
     private Blend blend = Blend.NORMAL;
     private String unit = "";
-
-    static Task assigning(Context context, Action.AssignProperty assignment) {
-        return new Prepared(context, List.of(), values -> {
-            Task all = Broadcast.of(context, assignment.target(), assignment::to);
-            return all == null ? single(context, assignment) : all;
-        });
-    }
-
-    private static Task single(Context context, Action.AssignProperty assignment) throws Failure {
-        Variables variables = context.kernel().variables();
-        String key = new Evaluator(context).key(assignment.target());
-        Variable variable = variables.find(context, key);
-        if (variable == null) {
-            throw Failure.of("Variable " + variables.wantedName(context, key) + " does not exist");
-        }
-        String property = assignment.property();
-        if (property.equals("blend") && assignment.value() instanceof Expr.Variable word) {
-            variable.properties().write(property, blendMode(context, word.name()));
-            return Task.done(context);
-        }
-        return new Prepared(context, List.of(assignment.value()), values -> {
-            variable.properties().write(property, values.get(0));
-            return null;
-        });
-    }
 
     Value read(String property) throws Failure {
         if (property.equals("blend")) {
@@ -110,15 +84,7 @@ final class Properties {
         return Objects.requireNonNull(numbers.get(property), property);
     }
 
-    private static Value blendMode(Context context, Name word) throws Failure {
-        if (Blend.named(word.text()) == null) {
-            String name = context.kernel().variables().wantedName(context, word.text());
-            throw Failure.of("Unknown identifier: " + name, "Invalid blend mode.");
-        }
-        return Value.of(word.text());
-    }
-
-    private void write(String property, Value value) throws Failure {
+    void write(String property, Value value) throws Failure {
         if (property.equals("blend")) {
             Blend mode = value instanceof Value.Text text ? Blend.named(text.text()) : null;
             if (mode == null) {

@@ -25,8 +25,8 @@ final class Pursuit {
     private double stride(double way, double elapsedMs) {
         if (modifiers.has("time")) {
             double leftMs = Math.abs(modifiers.get("time", 0)) - elapsedMs;
-            return leftMs <= Kernel.CYCLE_MS ? way : way * Kernel.CYCLE_MS / leftMs;
+            return leftMs <= Server.CYCLE_MS ? way : way * Server.CYCLE_MS / leftMs;
         }
-        return Math.abs(modifiers.get("speed", 0)) * Kernel.CYCLE_MS / 1000;
+        return Math.abs(modifiers.get("speed", 0)) * Server.CYCLE_MS / 1000;
     }
 }

@@ -16,10 +16,10 @@ final class Runs {
     }
 
     void start(Statement body) {
-        if (!context.kernel().budget().takeRun()) {
+        if (!context.server().budget().takeRun()) {
             return;
         }
-        Task run = body.start(context);
+        Task run = context.start(body);
         running.add(run);
         run.step();
     }
@@ -31,7 +31,7 @@ final class Runs {
         for (Task run : List.copyOf(running)) {
             if (run.isOver()) {
                 running.remove(run);
-                context.kernel().budget().giveRunBack();
+                context.server().budget().giveRunBack();
             }
         }
     }
@@ -42,7 +42,7 @@ final class Runs {
 
     /** To be called when their owner ends, after they were killed with it. */
     void release() {
-        running.forEach(run -> context.kernel().budget().giveRunBack());
+        running.forEach(run -> context.server().budget().giveRunBack());
         running.clear();
     }
 }

@@ -2,7 +2,10 @@ package majicsim.aibo.urbi;
 
 import java.util.List;
 
-/** A command of the language, as the parser understood it; the kinds that hold others together stand here. */
+/**
+ * A command of the language as the parser read it; the kinds that hold other commands are declared here. A statement does nothing by
+ * itself: a {@link Visitor} decides what becomes of it.
+ */
 sealed interface Statement
         permits Action,
                 Definition,
@@ -12,48 +15,78 @@ sealed interface Statement
                 Statement.Block,
                 Statement.Both,
                 Statement.Then {
-    /** A new run of this command; nothing happens before its first step. */
-    Task start(Context context);
+    /** The tag of a command that has none. */
+    String NO_TAG = "notag";
+
+    /**
+     * One method for each kind of command.
+     *
+     * @param <R> what becomes of a command
+     */
+    interface Visitor<R> extends Action.Visitor<R>, Flow.Visitor<R>, Definition.Visitor<R> {
+        R empty(Empty command);
+
+        R tagged(Tagged command);
+
+        R block(Block command);
+
+        R both(Both command);
+
+        R then(Then command);
+    }
+
+    /** Calls the visitor's method for this kind of command. */
+    <R> R accept(Visitor<R> visitor);
 
     /** Nothing, as between two semicolons. */
     record Empty() implements Statement {
         @Override
-        public Task start(Context context) {
-            return Task.done(context);
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.empty(this);
         }
     }
 
-    /** A command with its tag ({@code notag} if it has none) and flags. */
+    /** A command with its tag ({@link #NO_TAG} if it has none) and flags. */
     record Tagged(String tag, List<Flag> flags, Statement body) implements Statement {
+        /** The command inside the conditions of its obsolete flags, which still take effect. */
+        Statement conditional() {
+            Statement conditional = body;
+            for (Flag flag : flags) {
+                String word = flag.successor();
+                if (word != null && flag.argument() != null) {
+                    conditional = new Flow.Watched(word, flag.argument(), conditional);
+                }
+            }
+            return conditional;
+        }
+
         @Override
-        public Task start(Context context) {
-            return Flag.in(flags, "connection")
-                    ? Delegation.start(context.inner(tag), this)
-                    : new TaggedTask(context.inner(tag, flags), flags, body);
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.tagged(this);
         }
     }
 
     /** {@code { … }}. */
     record Block(List<Step> steps) implements Statement {
         @Override
-        public Task start(Context context) {
-            return new CommandStream(context, steps);
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.block(this);
         }
     }
 
     /** {@code a & b}. */
     record Both(Statement left, Statement right) implements Statement {
         @Override
-        public Task start(Context context) {
-            return new BothTask(context, left, right);
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.both(this);
         }
     }
 
     /** {@code a | b}. */
     record Then(Statement left, Statement right) implements Statement {
         @Override
-        public Task start(Context context) {
-            return new ThenTask(context, left, right);
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.then(this);
         }
     }
 }

@@ -46,7 +46,7 @@ public final class Stick {
 
     /** Runs CLIENT.INI in a connection, from the next cycle on and beside what the client sends (URBI sheet, section 2). */
     private void greet(Connection connection) {
-        connection.stream().adopt(program(connection.context(), files.getOrDefault(CLIENT, "")));
+        connection.adopt(program(connection.context(), files.getOrDefault(CLIENT, "")));
     }
 
     private Task load(Context context, List<Value> arguments) throws Failure {
@@ -74,7 +74,7 @@ public final class Stick {
     }
 
     private static Task run(Context context, String text) throws Failure {
-        if (!context.kernel().budget().takeText(context.kernel().pass(), text.length())) {
+        if (!context.server().budget().takeText(context.server().pass(), text.length())) {
             throw Failure.of("CPU Overload");
         }
         return program(context, text);
@@ -84,7 +84,7 @@ public final class Stick {
         byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
         List<Step> steps =
                 CommandReader.all(bytes, problem -> context.connection().send("error", "!!! " + problem));
-        return new CommandStream(context.inner(Parser.NO_TAG), steps);
+        return new CommandStream(context.inner(Statement.NO_TAG), steps);
     }
 
     private static String shown(Value value) throws Failure {

@@ -17,6 +17,11 @@ final class Substitute extends Task {
         command = new TaggedTask(body.context, context.flags(), body);
     }
 
+    /** The command that runs in place of the given one. */
+    static Substitute of(Context given, Statement command) {
+        return new Substitute(given, context(given).start(command));
+    }
+
     /** The context for the body of a substitute. */
     static Context context(Context given) {
         return given.inner(TAG, given.flags());

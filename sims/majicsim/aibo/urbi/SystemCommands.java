@@ -8,20 +8,19 @@ final class SystemCommands {
     private SystemCommands() {}
 
     static @Nullable Task run(Context context, String word) {
-        Kernel kernel = context.kernel();
         switch (word) {
-            case "ping" -> context.info("pong time=" + (long) context.kernel().timestampMs());
+            case "ping" -> context.info("pong time=" + (long) context.server().timestampMs());
             case "quit" -> context.connection().quit();
-            case "connections" -> kernel.connections().forEach(each -> context.info(each.describe()));
+            case "connections" -> context.server().connections().forEach(each -> context.info(each.describe()));
             case "devices" -> context.info("devices is deprecated. Use 'group objects' instead.");
             case "motoron" -> renamed(context, "motor on");
             case "motoroff" -> renamed(context, "motor off");
-            case "group" -> list(context, Listings.groups(kernel.groups()));
-            case "def" -> list(context, kernel.functions().listing());
-            case "alias" -> list(context, Listings.aliases(kernel.variables().aliases()));
-            case "vars", "uservars" -> list(context, Listings.variables(kernel, word.equals("uservars")));
+            case "group" -> list(context, Listings.groups(context.memory().groups()));
+            case "def" -> list(context, context.functions().listing());
+            case "alias" -> list(context, Listings.aliases(context.variables().aliases()));
+            case "vars", "uservars" -> list(context, Listings.variables(context.variables(), word.equals("uservars")));
             case "commands" -> list(context, Listings.commands(context.connection()));
-            case "strict", "unstrict" -> kernel.variables().strict(word.equals("strict"));
+            case "strict", "unstrict" -> context.variables().strict(word.equals("strict"));
             case "stopall" -> stopAll(context);
             case "reset" -> reset(context);
             case "noop" -> {
@@ -44,16 +43,16 @@ final class SystemCommands {
 
     private static void reset(Context context) {
         context.info("Reset in progress");
-        context.kernel().restart().order();
+        context.server().reset();
     }
 
     /** {@code disconnect} and {@code killall}: they close or clear another connection. */
     static @Nullable Task reach(Context context, Action.Reach reach) throws Failure {
-        Connection other = context.kernel()
+        Connection other = context.server()
                 .audience(context.connection(), named(context, reach.connection()))
                 .get(0);
         if (reach.word().equals("killall")) {
-            other.stream().clear();
+            other.clear();
         } else {
             other.quit();
         }
@@ -63,12 +62,12 @@ final class SystemCommands {
     /** The name of a connection as written, or what a shared variable of that name says. */
     private static String named(Context context, String written) {
         Variable variable =
-                written.indexOf('.') < 0 ? null : context.kernel().variables().find(context, written);
+                written.indexOf('.') < 0 ? null : context.variables().find(context.scope(), written);
         return variable == null ? written : variable.read().join();
     }
 
     private static void stopAll(Context context) {
-        context.kernel().connections().forEach(each -> each.stream().clear());
+        context.server().connections().forEach(each -> each.clear());
         context.info("All commands cleared");
     }
 }

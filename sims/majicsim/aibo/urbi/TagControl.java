@@ -11,31 +11,31 @@ final class TagControl {
 
     static @Nullable Task apply(Context context, Action.Control control) throws Failure {
         String tag = control.tag();
-        Kernel kernel = context.kernel();
-        boolean refused = tag.equals(Parser.NO_TAG) && !control.word().equals("stop");
+        Server server = context.server();
+        boolean refused = tag.equals(Statement.NO_TAG) && !control.word().equals("stop");
         if (refused) {
             throw Failure.of("cannot " + control.word() + " '" + tag + "'");
         }
         switch (control.word()) {
-            case "stop" -> each(kernel, tag, Task::kill);
+            case "stop" -> each(server, tag, Task::kill);
             case "freeze" -> {
-                kernel.tags().freeze(tag);
-                each(kernel, tag, Task::freeze);
+                server.tags().freeze(tag);
+                each(server, tag, Task::freeze);
             }
             case "unfreeze" -> {
-                kernel.tags().unfreeze(tag);
-                each(kernel, tag, Task::thaw);
+                server.tags().unfreeze(tag);
+                each(server, tag, Task::thaw);
             }
-            case "block" -> kernel.tags().block(tag);
-            default -> kernel.tags().unblock(tag);
+            case "block" -> server.tags().block(tag);
+            default -> server.tags().unblock(tag);
         }
         return null;
     }
 
-    private static void each(Kernel kernel, String tag, Consumer<Task> action) {
+    private static void each(Server server, String tag, Consumer<Task> action) {
         List<Task> found = new ArrayList<>();
-        for (Connection connection : kernel.connections()) {
-            collect(connection.stream(), tag, found);
+        for (Connection connection : server.connections()) {
+            collect(connection.commands(), tag, found);
         }
         found.forEach(action);
     }

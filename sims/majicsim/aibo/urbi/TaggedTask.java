@@ -8,10 +8,6 @@ final class TaggedTask extends Task {
     private final List<Flag> flags;
     private boolean begun;
 
-    TaggedTask(Context context, List<Flag> flags, Statement body) {
-        this(context, flags, Flag.conditional(flags, body).start(context));
-    }
-
     TaggedTask(Context context, List<Flag> flags, Task body) {
         super(context);
         this.flags = flags;
@@ -25,10 +21,10 @@ final class TaggedTask extends Task {
     @Override
     protected boolean advance() {
         boolean first = !begun;
-        if (first && context.kernel().tags().isBlocked(tag())) {
+        if (first && context.server().tags().isBlocked(tag())) {
             return true;
         }
-        if (first && context.kernel().tags().isFrozen(tag())) {
+        if (first && context.server().tags().isFrozen(tag())) {
             return false;
         }
         if (first) {
@@ -46,7 +42,7 @@ final class TaggedTask extends Task {
 
     /** A command that is not over at once may find that there are too many of its kind already. */
     private boolean mayGoOn(boolean isNew) {
-        Budget budget = context.kernel().budget();
+        Budget budget = context.server().budget();
         if (isNew && budget.isCrowded()) {
             context.connection().overloaded();
             return false;

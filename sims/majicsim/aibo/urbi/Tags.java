@@ -17,7 +17,7 @@ final class Tags {
     }
 
     void block(String tag) throws Failure {
-        Budget.checkNames(blocked.size());
+        MemoryLimits.checkNames(blocked.size());
         blocked.add(tag);
     }
 
@@ -26,7 +26,7 @@ final class Tags {
     }
 
     void freeze(String tag) throws Failure {
-        Budget.checkNames(frozen.size());
+        MemoryLimits.checkNames(frozen.size());
         frozen.add(tag);
     }
 

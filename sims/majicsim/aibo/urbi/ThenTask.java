@@ -7,10 +7,10 @@ final class ThenTask extends Task {
     private final Task first;
     private final Task second;
 
-    ThenTask(Context context, Statement first, Statement second) {
+    ThenTask(Context context, Task first, Task second) {
         super(context);
-        this.first = first.start(context);
-        this.second = second.start(context);
+        this.first = first;
+        this.second = second;
     }
 
     @Override

@@ -43,11 +43,18 @@ public final class Variable {
         }
     }
 
+    /** An assignment that takes time. */
+    @FunctionalInterface
+    interface Motion {
+        /** Ends it where it is. */
+        void cancel();
+    }
+
     private final String name;
     private final Properties properties = new Properties();
     private final Derivative profile = new Derivative();
     private final Derivative measured = new Derivative();
-    private final List<Task> motions = new ArrayList<>();
+    private final List<Motion> motions = new ArrayList<>();
     private final @Nullable Hardware hardware;
     private Value target;
     private long lastPass = -1;
@@ -127,7 +134,7 @@ public final class Variable {
     }
 
     /** The assignments with modifiers that are under way on it. */
-    List<Task> motions() {
+    List<Motion> motions() {
         return motions;
     }
 

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,12 +27,12 @@ public final class Variables {
     private final Map<String, String> secondNames = new HashMap<>();
     private final Map<String, Variable> system = new LinkedHashMap<>();
     private final Groups groups;
-    private final Objects objects;
+    private final ObjectTable objects;
     private boolean strict;
     private long weight;
     private long weighedInPass = -1;
 
-    Variables(Groups groups, Objects objects) {
+    Variables(Groups groups, ObjectTable objects) {
         this.groups = groups;
         this.objects = objects;
     }
@@ -89,14 +90,14 @@ public final class Variables {
     }
 
     @Nullable
-    Variable find(Context context, String key) {
-        Variable local = context.frame() == null ? null : context.frame().local(key);
+    Variable find(Scope scope, String key) {
+        Variable local = scope.frame() == null ? null : scope.frame().local(key);
         if (local != null) {
             return local;
         }
-        return objects.places(fullName(context, key)).stream()
+        return objects.places(fullName(scope, key)).stream()
                 .map(all::get)
-                .filter(java.util.Objects::nonNull)
+                .filter(Objects::nonNull)
                 .findFirst()
                 .orElse(null);
     }
@@ -111,13 +112,13 @@ public final class Variables {
         secondNames.put(name, device);
     }
 
-    String fullName(Context context, String written) {
-        String key = firstName(Objects.resolve(context, written));
+    String fullName(Scope scope, String written) {
+        String key = firstName(ObjectTable.resolve(scope, written));
         String alias = aliases.get(key);
         if (alias != null) {
             return alias;
         }
-        return key.indexOf('.') >= 0 ? key : context.connection().id() + "." + key;
+        return key.indexOf('.') >= 0 ? key : scope.connectionId() + "." + key;
     }
 
     private String firstName(String key) {
@@ -127,18 +128,18 @@ public final class Variables {
     }
 
     /** The name under which a variable is made that is not there: a bare name in a function is the function's own. */
-    String wantedName(Context context, String written) {
-        Frame frame = context.frame();
-        return frame != null && isOwn(context, written) ? frame.scope() + "." + written : fullName(context, written);
+    String wantedName(Scope scope, String written) {
+        Frame frame = scope.frame();
+        return frame != null && isOwn(scope, written) ? frame.scope() + "." + written : fullName(scope, written);
     }
 
-    private boolean isOwn(Context context, String written) {
-        return fullName(context, written).startsWith(context.connection().id() + ".") && written.indexOf('.') < 0;
+    private boolean isOwn(Scope scope, String written) {
+        return fullName(scope, written).startsWith(scope.connectionId() + ".") && written.indexOf('.') < 0;
     }
 
     /** Makes a local variable of the function that runs, in place of one of the same name. */
-    void declare(Context context, String name, Value value) throws Failure {
-        Frame frame = java.util.Objects.requireNonNull(context.frame());
+    void declare(Scope scope, String name, Value value) throws Failure {
+        Frame frame = Objects.requireNonNull(scope.frame());
         checkCount();
         Variable variable = new Variable(frame.scope() + "." + name, value);
         put(variable);
@@ -152,7 +153,7 @@ public final class Variables {
 
     private void checkCount() throws Failure {
         if (all.size() >= MAX_COUNT) {
-            throw Failure.of(Budget.OUT_OF_MEMORY);
+            throw Failure.of(MemoryLimits.OUT_OF_MEMORY);
         }
     }
 
@@ -166,20 +167,20 @@ public final class Variables {
     }
 
     /** The variable of that name itself and not one it inherits, made if need be. */
-    private Variable obtain(Context context, String key, boolean make) throws Failure {
-        Variable local = context.frame() == null ? null : context.frame().local(key);
-        Variable found = local == null ? all.get(fullName(context, key)) : local;
+    private Variable obtain(Scope scope, String key, boolean make) throws Failure {
+        Variable local = scope.frame() == null ? null : scope.frame().local(key);
+        Variable found = local == null ? all.get(fullName(scope, key)) : local;
         if (found != null) {
             return found;
         }
         if (!make) {
-            throw Failure.of("Unknown identifier: " + wantedName(context, key));
+            throw Failure.of("Unknown identifier: " + wantedName(scope, key));
         }
         checkCount();
-        Variable made = new Variable(wantedName(context, key), Value.VOID);
+        Variable made = new Variable(wantedName(scope, key), Value.VOID);
         put(made);
-        if (context.frame() != null && isOwn(context, key)) {
-            context.frame().add(key, made);
+        if (scope.frame() != null && isOwn(scope, key)) {
+            scope.frame().add(key, made);
         }
         return made;
     }
@@ -197,13 +198,13 @@ public final class Variables {
         }
         weight += value.weight();
         if (weight > MAX_WEIGHT) {
-            throw Failure.of(Budget.OUT_OF_MEMORY);
+            throw Failure.of(MemoryLimits.OUT_OF_MEMORY);
         }
     }
 
-    void assign(Context context, String key, Value value) throws Failure {
-        Variable found = find(context, key);
-        (found == null ? obtain(context, key, true) : found).write(value);
+    void assign(Scope scope, String key, Value value) throws Failure {
+        Variable found = find(scope, key);
+        (found == null ? obtain(scope, key, true) : found).write(value);
     }
 
     /**
@@ -211,23 +212,20 @@ public final class Variables {
      *
      * @param make whether it may be made if it is not there; else it is an error that it is not
      */
-    Variable target(Context context, Name name, boolean make) throws Failure {
-        return obtain(context, new Evaluator(context).key(name), make);
+    Variable target(Scope scope, String key, boolean make) throws Failure {
+        return obtain(scope, key, make);
     }
 
-    /** The members that a name reaches if it is a group's, with its field and suffix; null for any other name. */
+    /** The members that a name reaches if it is a group's, with its field; null for any other name. */
     @Nullable
-    List<Name> members(Context context, Name name) throws Failure {
-        String key = new Evaluator(context).key(name);
+    List<String> members(Scope scope, String key) {
         int dot = key.indexOf('.');
         String head = dot < 0 ? key : key.substring(0, dot);
         String field = dot < 0 ? "" : key.substring(dot);
-        if (!groups.contains(head) || find(context, key) != null) {
+        if (!groups.contains(head) || find(scope, key) != null) {
             return null;
         }
-        return groups.leaves(head).stream()
-                .map(leaf -> Name.of(leaf + field).withSuffix(name.suffix()))
-                .toList();
+        return groups.leaves(head).stream().map(leaf -> leaf + field).toList();
     }
 
     /** Replaces a variable by a plain one; hardware behind it is cut off (URBI sheet, section 5). */
@@ -236,8 +234,8 @@ public final class Variables {
     }
 
     /** Forgets a variable; false if there was none. */
-    boolean remove(Context context, String key) {
-        return all.remove(fullName(context, key)) != null;
+    boolean remove(Scope scope, String key) {
+        return all.remove(fullName(scope, key)) != null;
     }
 
     /** The fields of an object by their names, those of itself. */

@@ -22,7 +22,7 @@ final class WatchedTask extends Task {
 
     private WatchedTask(Context context, Statement body, Watch watch) {
         super(context);
-        this.body = body.start(context);
+        this.body = context.start(body);
         this.watch = watch;
     }
 

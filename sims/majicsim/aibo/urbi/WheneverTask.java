@@ -21,7 +21,7 @@ final class WheneverTask extends Task {
         boolean now = test.holds();
         if (run == null) {
             Statement body = now ? handler.body() : handler.otherwise();
-            run = body == null ? null : body.start(context);
+            run = body == null ? null : context.start(body);
         }
         if (run != null && run.step()) {
             run = null;

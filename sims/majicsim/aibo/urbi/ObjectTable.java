@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Set;
 
 /** The classes and objects of programs, which the kernel does not tell apart: each may inherit from others (URBI sheet, section 10). */
-final class Objects {
+final class ObjectTable {
     private static final String SELF = "self.";
     private static final String LOCAL = "local.";
 
@@ -39,7 +39,7 @@ final class Objects {
         if (!contains(parent)) {
             throw Failure.of("Unkown object " + parent);
         }
-        Budget.checkNames(count());
+        MemoryLimits.checkNames(count());
         define(name);
         if (lineage(parent).contains(name)
                 || !parents.getOrDefault(name, Set.of()).add(parent)) {
@@ -59,11 +59,11 @@ final class Objects {
     }
 
     /** A name as written, with the connection's own name for {@code local} and that of the object that runs for {@code self}. */
-    static String resolve(Context context, String name) {
+    static String resolve(Scope scope, String name) {
         if (name.startsWith(LOCAL)) {
-            return context.connection().id() + name.substring(LOCAL.length() - 1);
+            return scope.connectionId() + name.substring(LOCAL.length() - 1);
         }
-        Frame frame = context.frame();
+        Frame frame = scope.frame();
         boolean own = frame != null && !frame.self().isEmpty() && name.startsWith(SELF);
         return own && frame != null ? frame.self() + name.substring(SELF.length() - 1) : name;
     }

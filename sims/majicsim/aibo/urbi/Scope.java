@@ -1,0 +1,11 @@
+package majicsim.aibo.urbi;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a name is looked up first. Immutable.
+ *
+ * @param connectionId the connection to which bare names belong
+ * @param frame the call that runs, with its local variables; null outside of one
+ */
+record Scope(String connectionId, @Nullable Frame frame) {}

@@ -1,0 +1,42 @@
+package majicsim.aibo.urbi;
+
+import java.util.List;
+
+/** The URBI server as the commands that run in it see it: its time, what it stores, and its connections. */
+public interface Server {
+    /** The cycle of the ERS-7 (URBI sheet, section 3). */
+    double CYCLE_MS = 32;
+
+    /** Lab time since the robot was made, ms. */
+    double nowMs();
+
+    /** The time in front of each reply, ms. */
+    double timestampMs();
+
+    /** The number of the present run through the commands, from 0: a cycle, or bytes that a client has just sent. */
+    long pass();
+
+    /** What programs have given names to. */
+    Memory memory();
+
+    /** The functions, to which the hardware adds its own. */
+    Functions functions();
+
+    /** The tags that are blocked or frozen. */
+    Tags tags();
+
+    /** What programs may still use. */
+    Budget budget();
+
+    /** All connections, the server's own first. */
+    List<Connection> connections();
+
+    /** The connections that a name means: the speaker's own for no name, otherwise all, other, or one by its own name. */
+    List<Connection> audience(Connection speaker, String named) throws Failure;
+
+    /** A run of a command; nothing happens before its first step. */
+    Task start(Context context, Statement statement);
+
+    /** Resets the server from the next cycle on. */
+    void reset();
+}

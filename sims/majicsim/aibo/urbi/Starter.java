@@ -1,0 +1,207 @@
+package majicsim.aibo.urbi;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Makes the run of a command, one method for each kind (URBI sheet, sections 3 to 10). */
+final class Starter implements Statement.Visitor<Task> {
+    private final Context context;
+
+    /** @param context of the runs that it makes */
+    Starter(Context context) {
+        this.context = context;
+    }
+
+    private Task doing(Prepared.Continuation effect) {
+        return new Prepared(context, List.of(), effect);
+    }
+
+    private Task with(Expr expr, Prepared.Continuation effect) {
+        return new Prepared(context, List.of(expr), effect);
+    }
+
+    @Override
+    public Task empty(Statement.Empty command) {
+        return Task.done(context);
+    }
+
+    @Override
+    public Task tagged(Statement.Tagged command) {
+        if (Flag.in(command.flags(), "connection")) {
+            return Delegation.start(context.inner(command.tag()), command);
+        }
+        Context inner = context.inner(command.tag(), command.flags());
+        return new TaggedTask(inner, command.flags(), inner.start(command.conditional()));
+    }
+
+    @Override
+    public Task block(Statement.Block command) {
+        return new CommandStream(context, command.steps());
+    }
+
+    @Override
+    public Task both(Statement.Both command) {
+        return new BothTask(context, context.start(command.left()), context.start(command.right()));
+    }
+
+    @Override
+    public Task then(Statement.Then command) {
+        return new ThenTask(context, context.start(command.left()), context.start(command.right()));
+    }
+
+    @Override
+    public Task evaluate(Action.Evaluate command) {
+        return Prepared.calling(context, List.of(command.expr()), values -> Effects.reply(context, values.get(0)));
+    }
+
+    @Override
+    public Task assign(Action.Assign command) {
+        return Assigning.start(context, command);
+    }
+
+    @Override
+    public Task change(Action.Change command) {
+        return doing(values -> Effects.change(context, command));
+    }
+
+    @Override
+    public Task assignProperty(Action.AssignProperty command) {
+        return PropertyAssignment.start(context, command);
+    }
+
+    /** Does nothing: the command runs when its bytes are filled in. */
+    @Override
+    public Task assignBinary(Action.AssignBinary command) {
+        return Task.done(context);
+    }
+
+    @Override
+    public Task power(Action.Power command) {
+        return doing(values -> Effects.power(context, command));
+    }
+
+    @Override
+    public Task control(Action.Control command) {
+        return doing(values -> TagControl.apply(context, command));
+    }
+
+    @Override
+    public Task reach(Action.Reach command) {
+        return doing(values -> SystemCommands.reach(context, command));
+    }
+
+    @Override
+    public Task echo(Action.Echo command) {
+        return with(command.value(), values -> Effects.echo(context, values.get(0), command.options()));
+    }
+
+    @Override
+    public Task command(Action.Command command) {
+        return doing(values -> SystemCommands.run(context, command.word()));
+    }
+
+    @Override
+    public Task choose(Flow.If command) {
+        return with(command.test(), values -> Effects.choose(context, command, values.get(0)));
+    }
+
+    @Override
+    public Task repeatWhile(Flow.While command) {
+        return new LoopTask(context, command);
+    }
+
+    @Override
+    public Task loop(Flow.Loop command) {
+        return CountedLoop.start(context, command);
+    }
+
+    @Override
+    public Task foreach(Flow.Foreach command) {
+        return with(command.list(), values -> new ForeachTask(context, command, values.get(0)));
+    }
+
+    @Override
+    public Task every(Flow.Every command) {
+        return with(command.periodMs(), values -> new EveryTask(context, command.body(), values.get(0)));
+    }
+
+    @Override
+    public Task pause(Flow.Wait command) {
+        return with(command.ms(), values -> PauseTask.of(context, values.get(0)));
+    }
+
+    @Override
+    public Task waitUntil(Flow.WaitUntil command) {
+        return new WaitUntilTask(context, command.test());
+    }
+
+    @Override
+    public Task watch(Flow.Watched command) {
+        return WatchedTask.start(context, command);
+    }
+
+    @Override
+    public Task at(Flow.At command) {
+        return new AtTask(context, command);
+    }
+
+    @Override
+    public Task whenever(Flow.Whenever command) {
+        return new WheneverTask(context, command);
+    }
+
+    @Override
+    public Task giveBack(Flow.Return command) {
+        List<Expr> value = command.value() == null ? List.of() : List.of(command.value());
+        return new Prepared(context, value, values -> Effects.giveBack(context, values));
+    }
+
+    @Override
+    public Task emit(Flow.Emit command) {
+        List<Expr> exprs = new ArrayList<>(command.arguments());
+        if (command.durationMs() != null) {
+            exprs.add(command.durationMs());
+        }
+        return new Prepared(context, exprs, values -> Effects.emit(context, command, values));
+    }
+
+    @Override
+    public Task declare(Definition.Declare command) {
+        return doing(values -> Definitions.declare(context, command.target()));
+    }
+
+    @Override
+    public Task define(Definition.Define command) {
+        return doing(values -> Definitions.function(context, command));
+    }
+
+    @Override
+    public Task undefine(Definition.Undefine command) {
+        return doing(values -> Definitions.undefine(context, command.name()));
+    }
+
+    @Override
+    public Task group(Definition.Grouping command) {
+        return doing(values -> Definitions.group(context, command));
+    }
+
+    @Override
+    public Task alias(Definition.Alias command) {
+        return doing(values -> Definitions.alias(context, command));
+    }
+
+    @Override
+    public Task event(Definition.Event command) {
+        return doing(values -> Definitions.event(context, command));
+    }
+
+    @Override
+    public Task classOf(Definition.ClassOf command) {
+        return doing(values -> Definitions.classOf(context, command));
+    }
+
+    @Override
+    public Task create(Definition.New command) {
+        return new Prepared(context, command.arguments(), values -> Creation.start(context, command, values));
+    }
+}
