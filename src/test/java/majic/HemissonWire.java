@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
 import majic.bot.TimeSource;
+import majic.hemisson.line.Conversation;
 import org.slf4j.LoggerFactory;
 
 /** Records what a Hemisson's driver writes and hears, and when by the lab's clock, from what it logs of that. */
@@ -23,7 +24,7 @@ final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoClos
         }
     }
 
-    private final Logger logger = (Logger) LoggerFactory.getLogger("majic.hemisson.Conversation");
+    private final Logger logger = (Logger) LoggerFactory.getLogger(Conversation.class);
     private final Level before = logger.getLevel();
     private final List<Said> all = new CopyOnWriteArrayList<>();
     private final TimeSource time;
