@@ -63,12 +63,13 @@ final class LineServer implements AutoCloseable {
      * @param session whose team is commanded
      * @param tokens makes the token of a port, which each client has to send first; null if none is needed
      * @return the server, accepting clients
+     * @throws IllegalArgumentException if the address is not a loopback address; the message says so
      * @throws IOException if the port is taken, or the token cannot be written
      */
     static LineServer open(InetSocketAddress address, Session session, @Nullable TokenMaker tokens) throws IOException {
         if (address.isUnresolved() || !address.getAddress().isLoopbackAddress()) {
-            throw new UsageException("--listen " + address.getHostString()
-                    + ": only this machine may command the robots;" + " use 127.0.0.1");
+            throw new IllegalArgumentException(
+                    address.getHostString() + ": only this machine may command the robots; use 127.0.0.1");
         }
         ServerSocketChannel socket = bind(address);
         try {

@@ -70,9 +70,17 @@ final class StartOptions {
         Program program = new Program(folder, simulated);
         program.closeWhenProgramEnds();
         if (listen != null) {
-            tell(program.listen(address(listen), open));
+            tell(listen(program, address(listen)));
         }
         return program;
+    }
+
+    private LineServer listen(Program program, InetSocketAddress address) throws IOException {
+        try {
+            return program.listen(address, open);
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--listen " + e.getMessage());
+        }
     }
 
     /** On the standard error, since the standard output is for answers. */

@@ -321,7 +321,7 @@ class LineServerTest {
     @Test
     void onlyThisMachineMayCommandTheRobots() {
         assertThatThrownBy(() -> LineServer.open(new InetSocketAddress("0.0.0.0", 0), session, null))
-                .isInstanceOf(UsageException.class)
+                .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("127.0.0.1");
     }
 }

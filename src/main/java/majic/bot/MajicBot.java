@@ -614,7 +614,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     protected final void lost(LinkLost cause) {
         if (life.lose(cause, () -> helm.lost(cause))) {
             news();
-            Member.of(this).ifPresent(member -> member.linkLost(String.valueOf(cause.getMessage())));
+            place().ifPresent(there -> there.linkLost(String.valueOf(cause.getMessage())));
             listeners.deliver();
         }
     }

@@ -332,8 +332,9 @@ public final class Member implements TeamPlace {
         }
     }
 
-    /** After a lost link nothing resumes by itself, not even when somebody has connected the robot again. */
-    void linkLost(String reason) {
+    /** After a lost link nothing resumes by itself, not even when the robot is connected again. */
+    @Override
+    public void linkLost(String reason) {
         Loan ended;
         synchronized (this) {
             ended = tenure.loan();

@@ -8,4 +8,11 @@ public interface TeamPlace {
      * @return 1 to the size of the team
      */
     int number();
+
+    /**
+     * Ends what a script, an act or a person by hand does with the robot, after the connection was lost. Must not wait.
+     *
+     * @param reason how the connection was lost, one sentence
+     */
+    void linkLost(String reason);
 }
