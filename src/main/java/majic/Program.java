@@ -16,10 +16,10 @@ import majic.bot.BotFactory;
 import majic.bot.Settings;
 import majic.bot.ShutdownHook;
 import majic.bot.Team;
-import majic.bot.TimeSource;
 import majic.log.SessionLog;
 import majic.script.MajicParser;
 import majic.script.Session;
+import majic.time.TimeSource;
 import majicsim.LabOptions;
 import org.jspecify.annotations.Nullable;
 

@@ -9,6 +9,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
 import majic.bot.TimeSource;
 import majic.hemisson.line.Conversation;
+import majic.time.TimeSource;
 import org.slf4j.LoggerFactory;
 
 /** Records what a Hemisson's driver writes and hears, and when by the lab's clock, from what it logs of that. */

@@ -17,11 +17,11 @@ import majic.bot.Member;
 import majic.bot.Pose;
 import majic.bot.Settings;
 import majic.bot.Team;
-import majic.bot.TimeSource.Membership;
 import majic.log.SessionLog;
 import majic.script.Line;
 import majic.script.MajicParser;
 import majic.script.Session;
+import majic.time.TimeSource.Membership;
 import majicsim.LabOptions;
 import majicsim.hemisson.options.HemissonOptions;
 

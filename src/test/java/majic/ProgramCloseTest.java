@@ -9,7 +9,7 @@ import java.util.concurrent.CountDownLatch;
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
 import majic.bot.MajicBot;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;

@@ -21,7 +21,7 @@ import majic.bot.Pose;
 import majic.bot.Settings;
 import majic.bot.Team;
 import majic.bot.TeamListener;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

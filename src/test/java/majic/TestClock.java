@@ -8,9 +8,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
 import majic.link.Links;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import majicsim.net.LineCount;
 
 /**

@@ -13,8 +13,8 @@ import majic.bot.Member;
 import majic.bot.MotionStopped;
 import majic.bot.Owner;
 import majic.bot.Permit;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

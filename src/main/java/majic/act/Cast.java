@@ -12,8 +12,8 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** The robots that an act commands, by role. They are taken back together, for good. Thread-safe. */

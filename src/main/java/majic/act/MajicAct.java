@@ -11,7 +11,7 @@ import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

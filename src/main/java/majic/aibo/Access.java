@@ -6,9 +6,9 @@ import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.time.Patience;
 
 /** The way from a parameter to the dog: what it reports anyway, questions, and orders whose end it tells. Thread-safe. */
 final class Access {

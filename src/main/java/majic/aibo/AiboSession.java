@@ -6,8 +6,8 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
-import majic.bot.Patience;
 import majic.link.Link;
+import majic.time.Patience;
 import org.jspecify.annotations.Nullable;
 
 /** Everything that lives from one connect to the end of the connection. */

@@ -5,9 +5,9 @@ import majic.bot.BotException;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
-import majic.bot.Patience;
 import majic.bot.Value;
 import majic.driver.ParameterTheme;
+import majic.time.Patience;
 
 /** The dog as a whole: posture, motors, what it is. */
 final class BodyParameters implements ParameterTheme<Dialect> {

@@ -2,7 +2,7 @@ package majic.aibo;
 
 import java.util.function.Supplier;
 import majic.bot.BotException;
-import majic.bot.Signal;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -2,7 +2,7 @@ package majic.aibo;
 
 import java.util.ArrayList;
 import java.util.List;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 
 /** Decodes one connection, and loses patience with a binary that was cut short. Used by the connection's reader. */
 final class UrbiReader {

@@ -2,8 +2,8 @@ package majic.aibo;
 
 import java.util.function.BooleanSupplier;
 import majic.bot.MotionStopped;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
+import majic.time.Signal;
+import majic.time.TimeSource;
 
 /**
  * Where the driver's parts wait and what they measure by.

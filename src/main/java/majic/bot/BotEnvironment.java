@@ -1,5 +1,7 @@
 package majic.bot;
 
+import majic.time.TimeSource;
+
 /**
  * What a robot class needs from around it. Immutable.
  *

@@ -1,5 +1,7 @@
 package majic.bot;
 
+import majic.time.TimeSource;
+
 /**
  * What a robot last said of itself, as far as every robot can. Immutable.
  *

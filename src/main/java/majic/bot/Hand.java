@@ -4,6 +4,7 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**

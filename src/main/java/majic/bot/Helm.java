@@ -5,6 +5,8 @@ import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
+import majic.time.Patience;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**

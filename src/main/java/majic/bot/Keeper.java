@@ -7,6 +7,9 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import majic.time.Patience;
+import majic.time.Signal;
+import majic.time.TimeSource;
 
 /**
  * The one thread of a robot that does things when their time has come: watchdog pulses, the end of a drive that was not

@@ -3,6 +3,7 @@ package majic.bot;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import majic.time.TimeSource;
 
 /** What the rest of MAJIC may know of a simulated lab. Thread-safe. */
 public interface LabAccess {

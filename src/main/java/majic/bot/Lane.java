@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /** Orders to one robot that are carried out one after the other, by a thread of their own. Thread-safe. */

@@ -8,6 +8,9 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import majic.time.Patience;
+import majic.time.Signal;
+import majic.time.TimeSource;
 
 /**
  * The listeners of one robot; one that fails does not keep the others from being called. Events are delivered in their

@@ -6,6 +6,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
 import javax.swing.JComponent;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
+import majic.time.TimeSource;
 
 /**
  * Collects what a {@link Hand} sends to its robot, as commands that do it again: equal drives that follow one another are

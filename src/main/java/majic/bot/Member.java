@@ -3,6 +3,7 @@ package majic.bot;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

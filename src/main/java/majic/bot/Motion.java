@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.util.function.BooleanSupplier;
+import majic.time.Patience;
 
 /**
  * One motion in progress, as its driver sees it. Everything that moves the robot is sent through it and every wait is

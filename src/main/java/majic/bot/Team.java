@@ -11,6 +11,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.function.Consumer;
-import majic.bot.Patience;
 import majic.link.Link;
+import majic.time.Patience;
 
 /**
  * Reads a link on a daemon thread and hands each message to its handler. The thread brings the answers of the robot, so it

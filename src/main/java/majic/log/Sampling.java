@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Member;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
+import majic.time.Signal;
+import majic.time.TimeSource;
 
 /** Takes readings of robots at a steady pace, into the parameter log. Thread-safe. */
 public final class Sampling {

@@ -12,7 +12,6 @@ import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
-import majic.bot.Patience;
 import majic.bot.Pose;
 import majic.bot.Value;
 import majic.link.Link;
@@ -43,6 +42,7 @@ import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.PoseOffset;
 import majic.pioneer.state.Ramps;
+import majic.time.Patience;
 import org.jspecify.annotations.Nullable;
 
 /**

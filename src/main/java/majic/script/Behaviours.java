@@ -19,12 +19,12 @@ import majic.bot.Member;
 import majic.bot.MotionStopped;
 import majic.bot.Order;
 import majic.bot.Permit;
-import majic.bot.Signal;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Wording;
+import majic.time.Signal;
 
 /** Runs behaviours on the robots of a session: finds them, sees that robots and roles fit, ends them. Thread-safe. */
 final class Behaviours {

@@ -7,12 +7,12 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.Member;
-import majic.bot.Signal;
 import majic.bot.StopCount;
 import majic.bot.Team;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
+import majic.time.Signal;
 
 /**
  * Gets checked lines carried out: at once on the caller's thread, beside it, or in their turn behind others. Thread-safe.

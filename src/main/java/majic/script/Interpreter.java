@@ -5,10 +5,10 @@ import java.util.Collection;
 import java.util.List;
 import majic.bot.Answer;
 import majic.bot.Member;
-import majic.bot.TimeSource;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Statement;
 import majic.script.syntax.Token;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** Turns a tree into effects: gives orders, waits, goes round in loops. Throws whatever ends the script. */

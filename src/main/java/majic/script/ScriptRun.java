@@ -7,12 +7,12 @@ import java.util.regex.Pattern;
 import majic.bot.Answer;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.bot.TimeSource;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Parser;
 import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
+import majic.time.TimeSource;
 
 /**
  * One script from its beginning to its end: takes its robots, runs, waits for them, gives them back. When something in

@@ -9,7 +9,7 @@ import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.Settings;
 import majic.bot.SteppedTime;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;

@@ -17,7 +17,7 @@ import majic.bot.Member;
 import majic.bot.MotionStopped;
 import majic.bot.SteppedTime;
 import majic.bot.Team;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -8,7 +8,7 @@ import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

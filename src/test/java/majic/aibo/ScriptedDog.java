@@ -13,8 +13,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import majic.TestClock;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import majicsim.net.LineCount;
 import org.jspecify.annotations.Nullable;
 

@@ -5,7 +5,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import majic.bot.Agenda;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 
 /** What goes on in a scripted dog for a time: gaits, postures, reports. A gait goes by its own name, the rest by its tag. */
 final class ScriptedErrands {

@@ -3,6 +3,8 @@ package majic.bot;
 import java.util.Comparator;
 import java.util.PriorityQueue;
 import java.util.Queue;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

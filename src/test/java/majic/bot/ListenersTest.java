@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 
 /** Who hears what a robot says, and when. */

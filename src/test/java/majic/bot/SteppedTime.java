@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
+import majic.time.Signal;
+import majic.time.TimeSource;
 
 /**
  * A clock for tests that stands still while any of its threads runs, and jumps to the next moment somebody waits for as

@@ -9,7 +9,7 @@ import majic.bot.BotType;
 import majic.bot.Pose;
 import majic.bot.Settings;
 import majic.bot.Team;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

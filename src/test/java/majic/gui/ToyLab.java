@@ -6,7 +6,7 @@ import java.util.Optional;
 import majic.bot.BotAddress;
 import majic.bot.LabAccess;
 import majic.bot.Pose;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 
 /** A lab with one toy in a square room, which can be put anywhere. */
 final class ToyLab implements LabAccess {

@@ -19,7 +19,7 @@ import majic.TestClock;
 import majic.bot.Agenda;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 import majicsim.net.LineCount;
 import org.jspecify.annotations.Nullable;
 

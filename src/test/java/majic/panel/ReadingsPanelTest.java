@@ -7,9 +7,9 @@ import java.util.List;
 import javax.swing.JLabel;
 import majic.bot.FakeBot;
 import majic.bot.MajicBot;
-import majic.bot.TimeSource;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 
 class ReadingsPanelTest {

@@ -12,12 +12,12 @@ import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.function.BooleanSupplier;
 import majic.TestClock;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
 import majic.link.Links;
 import majic.link.Traffic;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -16,8 +16,8 @@ import majic.bot.FakeType;
 import majic.bot.Settings;
 import majic.bot.SteppedTime;
 import majic.bot.Team;
-import majic.bot.TimeSource;
 import majic.log.SessionLog;
+import majic.time.TimeSource;
 
 /** A session with robots that exist only here, on a stepped clock that the test's thread has joined. */
 final class Desk implements AutoCloseable {

@@ -6,7 +6,7 @@ import java.util.Optional;
 import majic.bot.BotAddress;
 import majic.bot.LabAccess;
 import majic.bot.Pose;
-import majic.bot.TimeSource;
+import majic.time.TimeSource;
 
 /** A lab that lends its clock, and has a robot of each type where nobody drove it. */
 record FakeLab(TimeSource time) implements LabAccess {

@@ -3,8 +3,8 @@ package majic.hemisson.line;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
-import majic.bot.Patience;
-import majic.bot.Signal;
+import majic.time.Patience;
+import majic.time.Signal;
 
 /** Waits for what the robot answers, for whoever may wait; never longer than an answer can take. Thread-safe. */
 public final class Answers {

@@ -3,8 +3,8 @@ package majic.hemisson.line;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import majic.bot.TimeSource;
 import majic.link.Link;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

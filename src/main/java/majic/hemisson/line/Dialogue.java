@@ -2,8 +2,8 @@ package majic.hemisson.line;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import majic.bot.TimeSource;
 import majic.hemisson.line.Question.Purpose;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,7 +1,7 @@
 package majic.hemisson.line;
 
 import java.util.function.BooleanSupplier;
-import majic.bot.Signal;
+import majic.time.Signal;
 
 /** How a connection ends: the robot is told to stand, whatever it does, and gets a moment to confirm (sheet 11). */
 final class Farewell {

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import majic.bot.BotException;
-import majic.bot.Signal;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,10 +3,10 @@ package majic.hemisson.line;
 import java.io.IOException;
 import java.util.List;
 import java.util.function.Consumer;
-import majic.bot.TimeSource;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
 import majic.link.Link;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** One connection, from opening to its end: the link, its reader thread and the conversation over it. */

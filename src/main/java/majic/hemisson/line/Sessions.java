@@ -3,9 +3,9 @@ package majic.hemisson.line;
 import java.io.IOException;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.TimeSource;
 import majic.link.Link;
 import majic.link.Links;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** The connections to one robot, one after the other. Thread-safe. */

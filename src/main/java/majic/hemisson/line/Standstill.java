@@ -4,8 +4,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Patience;
-import majic.bot.Signal;
+import majic.time.Patience;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /** Makes the robot stand and waits until it has confirmed that it does. Thread-safe. */

@@ -6,11 +6,11 @@ import java.util.Locale;
 import java.util.function.Function;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
-import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.readings.Access;
+import majic.time.Patience;
 
 /**
  * The ultrasonic module behind the RoadNarrows firmware, which answers when the echoes are in (Hemisson sheet 10). That

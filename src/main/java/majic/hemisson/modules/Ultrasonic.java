@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.function.Function;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
-import majic.bot.Patience;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
 import majic.hemisson.readings.Access;
 import majic.hemisson.readings.Look;
+import majic.time.Patience;
 import org.jspecify.annotations.Nullable;
 
 /**

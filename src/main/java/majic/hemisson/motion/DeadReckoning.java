@@ -4,8 +4,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import majic.bot.BotState;
 import majic.bot.Pose;
-import majic.bot.TimeSource;
 import majic.hemisson.line.Wheels;
+import majic.time.TimeSource;
 
 /** Where the robot should be by what its wheels were told, and what it publishes of that. Thread-safe. */
 public final class DeadReckoning {

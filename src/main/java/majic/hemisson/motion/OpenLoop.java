@@ -2,7 +2,6 @@ package majic.hemisson.motion;
 
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
-import majic.bot.TimeSource;
 import majic.bot.Value;
 import majic.hemisson.line.Answers;
 import majic.hemisson.line.Conversation;
@@ -12,6 +11,7 @@ import majic.hemisson.line.Sessions;
 import majic.hemisson.line.Standstill;
 import majic.hemisson.line.Wheels;
 import majic.hemisson.readings.Proximity;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
 import majic.hemisson.line.Conversation;
 import majic.hemisson.line.ConversationListener;
 import majic.hemisson.line.Exchange;
@@ -18,6 +16,8 @@ import majic.hemisson.line.Wheels;
 import majic.hemisson.readings.Lookout;
 import majic.hemisson.readings.Proximity;
 import majic.hemisson.readings.Senses;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -2,13 +2,13 @@ package majic.hemisson.readings;
 
 import java.util.function.Function;
 import java.util.function.Supplier;
-import majic.bot.Patience;
-import majic.bot.TimeSource;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Answers;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
+import majic.time.Patience;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

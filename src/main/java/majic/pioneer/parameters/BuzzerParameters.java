@@ -2,12 +2,12 @@ package majic.pioneer.parameters;
 
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
-import majic.bot.TimeSource;
 import majic.bot.Value;
 import majic.driver.AssumedSetting;
 import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
+import majic.time.TimeSource;
 
 /** The buzzer. */
 final class BuzzerParameters implements ParameterTheme<Equipment> {

@@ -6,7 +6,6 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Patience;
 import majic.bot.Value;
 import majic.driver.AssumedSetting;
 import majic.pioneer.arcos.Config;
@@ -15,6 +14,7 @@ import majic.pioneer.session.PioneerSession;
 import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
+import majic.time.Patience;
 import org.jspecify.annotations.Nullable;
 
 /** The way from a parameter to the robot: what it said last, and orders it confirms. Over all sessions. Thread-safe. */

@@ -3,10 +3,10 @@ package majic.pioneer.parameters;
 import java.util.List;
 import java.util.function.Consumer;
 import majic.bot.ParameterTable;
-import majic.bot.TimeSource;
 import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PoseOffset;
+import majic.time.TimeSource;
 
 /**
  * The parameters of a Pioneer besides those that every robot has, theme by theme in the order in which people read them.

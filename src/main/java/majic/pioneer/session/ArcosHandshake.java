@@ -2,11 +2,11 @@ package majic.pioneer.session;
 
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.TimeSource;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.FrameEncoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PioneerIdentity;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** SYNC0, SYNC1, SYNC2 with the recoveries of ARCOS sheet 4. Runs on the thread that connects. */

@@ -7,13 +7,13 @@ import java.util.HexFormat;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.TimeSource;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
 import majic.link.Link;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

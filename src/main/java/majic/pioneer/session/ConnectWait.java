@@ -2,7 +2,7 @@ package majic.pioneer.session;
 
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
-import majic.bot.Signal;
+import majic.time.Signal;
 
 /** Waits of the thread that connects: they end as soon as nobody wants the connection any more. */
 final class ConnectWait {

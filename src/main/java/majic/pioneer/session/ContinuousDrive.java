@@ -3,9 +3,9 @@ package majic.pioneer.session;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.bot.MotionFailed;
-import majic.bot.TimeSource;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.PioneerState;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,10 +1,10 @@
 package majic.pioneer.session;
 
 import majic.bot.LinkLost;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.PioneerState;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,8 +4,8 @@ import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
-import majic.bot.TimeSource;
 import majic.pioneer.arcos.ArcosCommand;
+import majic.time.TimeSource;
 
 /** Switches the motors on when something is to move, and says so. For one session. */
 public final class MotorPower {

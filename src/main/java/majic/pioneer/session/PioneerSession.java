@@ -3,8 +3,6 @@ package majic.pioneer.session;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Pose;
-import majic.bot.Signal;
-import majic.bot.TimeSource;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
@@ -19,6 +17,8 @@ import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
 import majic.pioneer.state.Reports;
 import majic.pioneer.state.StateTracker;
+import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -5,10 +5,10 @@ import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionStopped;
-import majic.bot.Patience;
-import majic.bot.Signal;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.PioneerState;
+import majic.time.Patience;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**

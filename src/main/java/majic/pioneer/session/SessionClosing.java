@@ -1,7 +1,7 @@
 package majic.pioneer.session;
 
-import majic.bot.Signal;
 import majic.pioneer.arcos.ArcosCommand;
+import majic.time.Signal;
 
 /** Ends a session in good order (ARCOS sheet 13.1), on any thread; bounded by little over a second. */
 final class SessionClosing {

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.Pose;
-import majic.bot.TimeSource;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Side;
+import majic.time.TimeSource;
 
 /**
  * Makes a session from a closed line: handshake, OPEN, CONFIG, speed of the line, ramps, packets beside the SIPs, sonar

@@ -2,10 +2,10 @@ package majic.pioneer.session;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import majic.bot.TimeSource;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.state.Feed;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,8 +1,8 @@
 package majic.pioneer.session;
 
 import majic.bot.MotionFailed;
-import majic.bot.TimeSource;
 import majic.pioneer.arcos.ArcosCommand;
+import majic.time.TimeSource;
 
 /**
  * The speed and turn rate the robot was last told. Once the robot has gone silent while it moved, they are zero and stay

@@ -1,7 +1,7 @@
 package majic.hemisson.line;
 
-import majic.bot.Signal;
-import majic.bot.TimeSource;
+import majic.time.Signal;
+import majic.time.TimeSource;
 
 /** A clock that a test moves by hand; nobody waits on it. */
 final class HandClock implements TimeSource {

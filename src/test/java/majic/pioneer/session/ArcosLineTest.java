@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import majic.bot.LinkLost;
-import majic.bot.TimeSource;
 import majic.driver.ReplayLink;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Bytes;
@@ -14,6 +13,7 @@ import majic.pioneer.arcos.Packet;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.Ramps;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -1,6 +1,7 @@
-package majic.bot;
+package majic.time;
 
 import java.util.function.BooleanSupplier;
+import majic.bot.BotException;
 
 /** A place where threads wait for something to become true, woken by whoever may have made it so. Thread-safe. */
 public interface Signal {

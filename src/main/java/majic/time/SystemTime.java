@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.time;
 
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;

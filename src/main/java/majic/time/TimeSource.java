@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.time;
 
 /**
  * The clock that drivers, teams, scripts and acts wait and measure by. Against a simulated lab it is the lab's own
