@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
-import majic.bot.LabAccess;
 import majic.bot.Pose;
+import majic.lab.LabAccess;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.Named;
 

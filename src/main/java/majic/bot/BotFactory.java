@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.WeakHashMap;
+import majic.lab.LabAccess;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 

@@ -5,7 +5,7 @@ import javax.swing.JLabel;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotFactory;
-import majic.bot.LabAccess;
+import majic.lab.LabAccess;
 
 /** One of the robots of the simulated lab. */
 final class LabInput extends AddressInput {

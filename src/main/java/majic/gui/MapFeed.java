@@ -12,11 +12,11 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import majic.bot.BotFactory;
-import majic.bot.LabAccess;
 import majic.bot.Member;
 import majic.bot.Pose;
 import majic.bot.Team;
 import majic.bot.TeamListener;
+import majic.lab.LabAccess;
 import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 

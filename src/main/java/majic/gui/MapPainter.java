@@ -9,9 +9,9 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.util.List;
 import javax.swing.UIManager;
-import majic.bot.LabAccess.Lamp;
-import majic.bot.LabAccess.Tape;
-import majic.bot.LabAccess.Wall;
+import majic.lab.LabAccess.Lamp;
+import majic.lab.LabAccess.Tape;
+import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapView;
 
 /** Draws a scene: tape, walls, lamps, robots and key, in that order. */

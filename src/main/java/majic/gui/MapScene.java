@@ -1,9 +1,9 @@
 package majic.gui;
 
 import java.util.List;
-import majic.bot.LabAccess.Furnishing;
-import majic.bot.LabAccess.Wall;
 import majic.bot.Pose;
+import majic.lab.LabAccess.Furnishing;
+import majic.lab.LabAccess.Wall;
 import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 

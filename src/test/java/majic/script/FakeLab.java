@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import majic.bot.BotAddress;
-import majic.bot.LabAccess;
 import majic.bot.Pose;
+import majic.lab.LabAccess;
 import majic.time.TimeSource;
 
 /** A lab that lends its clock, and has a robot of each type where nobody drove it. */

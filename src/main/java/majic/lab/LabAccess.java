@@ -1,8 +1,10 @@
-package majic.bot;
+package majic.lab;
 
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import majic.bot.BotAddress;
+import majic.bot.Pose;
 import majic.time.TimeSource;
 
 /** What the rest of MAJIC may know of a simulated lab. Thread-safe. */
