@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import majic.bot.Hand;
 import majic.bot.MajicBot;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.team.Hand;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -2,7 +2,7 @@ package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import majic.bot.BotFactory;
+import majic.team.BotFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -3,9 +3,9 @@ package majic;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
-import majic.bot.Hand;
-import majic.bot.Member;
 import majic.bot.Pose;
+import majic.team.Hand;
+import majic.team.Member;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;

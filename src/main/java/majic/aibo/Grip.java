@@ -1,9 +1,9 @@
 package majic.aibo;
 
 import majic.bot.BotException;
-import majic.bot.Hand;
 import majic.bot.MajicBot;
-import majic.bot.Member;
+import majic.team.Hand;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**

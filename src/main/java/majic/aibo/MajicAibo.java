@@ -165,7 +165,7 @@ public final class MajicAibo extends MajicBot {
     }
 
     @Override
-    protected void confirmHalt() {
+    public void confirmHalt() {
         session().runner().confirm();
     }
 

@@ -14,11 +14,11 @@ import org.jspecify.annotations.Nullable;
  * that moves the robot is sent under one lock, together with a look at the permit. A thread that holds it must not wait,
  * least of all for a listener. Thread-safe.
  */
-final class Helm {
+public final class Helm {
     private static final Logger LOG = System.getLogger(Helm.class.getName());
 
     /** How long a drive holds without being renewed, seconds. */
-    static final double DRIVE_LEASE_S = 0.6;
+    public static final double DRIVE_LEASE_S = 0.6;
 
     /** How often a timed drive renews itself, seconds. */
     private static final double DRIVE_RENEWAL_S = 0.3;

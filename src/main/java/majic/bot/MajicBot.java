@@ -158,7 +158,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     /** Ends the leave of everybody who moves this robot now; quick, sends nothing. */
-    final void revokeMotions() {
+    public final void revokeMotions() {
         helm.permits().revokeAll(() -> new MotionStopped("stopped"));
         changes.raise();
     }
@@ -177,7 +177,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     /** The part of {@link #sendStop()} that writes; false for a robot that needs no stop, not connected yet or closed. */
-    final boolean writeStop() {
+    public final boolean writeStop() {
         changes.raise();
         refuseLost();
         Connection now = life.now();
@@ -342,7 +342,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         return Optional.ofNullable(place);
     }
 
-    final void join(TeamPlace newPlace, String newName) {
+    public final void join(TeamPlace newPlace, String newName) {
         place = newPlace;
         name = newName;
     }
@@ -478,7 +478,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      *
      * @throws BotException if it is not confirmed in the driver's time
      */
-    protected void confirmHalt() {}
+    public void confirmHalt() {}
 
     /**
      * Where to describe the robot's own parameters.
@@ -571,7 +571,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @param seconds the period
      * @param task quick; failures are logged
      */
-    protected final void every(String what, double seconds, Runnable task) {
+    public final void every(String what, double seconds, Runnable task) {
         keeper.every(what, seconds, task);
     }
 
@@ -604,7 +604,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      *
      * @param message one sentence or half of one
      */
-    protected final void notice(String message) {
+    public final void notice(String message) {
         listeners.notice(message);
     }
 
@@ -649,22 +649,22 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         return new PermittedControl(this, () -> permit().and(lease));
     }
 
-    final Permit permit() {
+    public final Permit permit() {
         return helm.permits().current();
     }
 
     /** Refuses all motion until {@link #unlatch()}. */
-    final void latch() {
+    public final void latch() {
         helm.permits().latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
         changes.raise();
     }
 
-    final void unlatch() {
+    public final void unlatch() {
         helm.permits().unlatch();
     }
 
     /** How the connection was lost; empty also after an attempt to connect that came to nothing. */
-    final Optional<String> lostReason() {
+    public final Optional<String> lostReason() {
         return Optional.ofNullable(life.lostBecause()).map(LinkLost::getMessage);
     }
 

@@ -5,7 +5,7 @@ import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
 /** Events that are delivered in the order they were put, by one thread at a time and with no lock held. Thread-safe. */
-final class OrderedEvents {
+public final class OrderedEvents {
     private final Deque<Runnable> undelivered = new ArrayDeque<>();
     private @Nullable Thread delivering;
     private long put;
@@ -17,13 +17,13 @@ final class OrderedEvents {
      * @param event its delivery
      * @return its number, for {@link #isDelivered}
      */
-    synchronized long put(Runnable event) {
+    public synchronized long put(Runnable event) {
         undelivered.add(event);
         return ++put;
     }
 
     /** Delivers on this thread all that is undelivered. Returns at once while another thread delivers: that goes on with it. */
-    void deliver() {
+    public void deliver() {
         if (!begin()) {
             return;
         }

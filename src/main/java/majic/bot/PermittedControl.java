@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /** A robot in the hands of somebody whose leave to move it can be taken back; reading and stopping stay allowed. */
-record PermittedControl(MajicBot bot, Supplier<Permit> permit) implements BotControl {
+public record PermittedControl(MajicBot bot, Supplier<Permit> permit) implements BotControl {
     @Override
     public String name() {
         return bot.name();

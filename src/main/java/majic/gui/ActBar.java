@@ -11,8 +11,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import javax.swing.UIManager;
-import majic.bot.Member;
-import majic.bot.Owner;
+import majic.team.Member;
+import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 

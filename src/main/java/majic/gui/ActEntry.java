@@ -6,9 +6,9 @@ import java.util.Optional;
 import majic.act.ActDetails;
 import majic.act.Role;
 import majic.bot.BotException;
-import majic.bot.Member;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -13,8 +13,8 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import majic.bot.Advice;
 import majic.bot.BotException;
-import majic.bot.Member;
 import majic.script.Session;
+import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 

@@ -3,8 +3,8 @@ package majic.gui;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import majic.bot.BotFactory;
 import majic.bot.BotType;
+import majic.team.BotFactory;
 
 /** Finds the input that fits a type of robot. */
 final class AddressInputs {

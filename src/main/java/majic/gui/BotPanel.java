@@ -13,8 +13,8 @@ import javax.swing.SwingConstants;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
-import majic.bot.Member;
-import majic.bot.Team;
+import majic.team.Member;
+import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /** What stands on a robot's tab: its strip, the display its class brings, and the pad to drive it by hand. */

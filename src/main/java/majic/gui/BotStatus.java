@@ -2,9 +2,9 @@ package majic.gui;
 
 import java.util.Locale;
 import majic.bot.BotState;
-import majic.bot.Member;
-import majic.bot.Owner;
 import majic.bot.Pose;
+import majic.team.Member;
+import majic.team.Owner;
 
 /** What the strip above a robot's display says, in words. */
 final class BotStatus {

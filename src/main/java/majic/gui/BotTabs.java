@@ -6,9 +6,9 @@ import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
-import majic.bot.Member;
-import majic.bot.Team;
-import majic.bot.TeamListener;
+import majic.team.Member;
+import majic.team.Team;
+import majic.team.TeamListener;
 import net.miginfocom.swing.MigLayout;
 
 /** A tab for each robot, by number; without robots a word on how to get one. */

@@ -5,8 +5,8 @@ import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.bot.Member;
 import majic.script.Session;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -16,7 +16,7 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import majic.bot.Member;
+import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /**

@@ -1,7 +1,7 @@
 package majic.gui;
 
-import majic.bot.Member;
-import majic.bot.TeamListener;
+import majic.team.Member;
+import majic.team.TeamListener;
 
 /** Passes news of a team on to a part of the window, on the event dispatch thread. */
 record EdtTeamListener(TeamListener target) implements TeamListener {

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import majic.bot.Member;
 import majic.script.Session;
+import majic.team.Member;
 
 /** Opens the window's dialogs, each when it is first wanted and none of them twice at a time. */
 final class FrameDialogs {

@@ -7,8 +7,8 @@ import java.util.function.LongSupplier;
 import javax.swing.Timer;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
-import majic.bot.Hand;
-import majic.bot.Member;
+import majic.team.Hand;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -9,7 +9,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.table.TableModel;
-import majic.bot.Member;
+import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /** The commands, the parameters of each robot, and the keys. */

@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.Objects;
 import javax.swing.table.DefaultTableModel;
 import javax.swing.table.TableModel;
-import majic.bot.Member;
 import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
+import majic.team.Member;
 
 /** What the help shows, as tables. */
 final class HelpTables {

@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.bot.Member;
+import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /** Chooses the robot to be let go, and says what that ends. */

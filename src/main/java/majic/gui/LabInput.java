@@ -4,8 +4,8 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
-import majic.bot.BotFactory;
 import majic.lab.LabAccess;
+import majic.team.BotFactory;
 
 /** One of the robots of the simulated lab. */
 final class LabInput extends AddressInput {

@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.bot.Member;
-import majic.bot.Owner;
+import majic.team.Member;
+import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
 
 /** Chooses the robot that is to get a behaviour; asks first if something runs on it. */

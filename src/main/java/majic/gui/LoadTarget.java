@@ -1,9 +1,9 @@
 package majic.gui;
 
 import java.util.List;
-import majic.bot.Member;
-import majic.bot.Owner;
 import majic.script.ActOffer;
+import majic.team.Member;
+import majic.team.Owner;
 import org.jspecify.annotations.Nullable;
 
 /**

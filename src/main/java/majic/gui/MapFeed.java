@@ -11,13 +11,13 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import majic.bot.BotFactory;
-import majic.bot.Member;
 import majic.bot.Pose;
-import majic.bot.Team;
-import majic.bot.TeamListener;
 import majic.lab.LabAccess;
 import majic.panel.map.Trail;
+import majic.team.BotFactory;
+import majic.team.Member;
+import majic.team.Team;
+import majic.team.TeamListener;
 import org.jspecify.annotations.Nullable;
 
 /**

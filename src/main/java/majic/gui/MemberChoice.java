@@ -3,7 +3,7 @@ package majic.gui;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComboBox;
-import majic.bot.Member;
+import majic.team.Member;
 
 /** A drop-down of robots. */
 final class MemberChoice extends JComboBox<MemberChoice.Entry> {

@@ -11,7 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import majic.act.Role;
-import majic.bot.Member;
+import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /** The robots that can play one role, to choose one from, or several where the role takes more; below, why others cannot. */

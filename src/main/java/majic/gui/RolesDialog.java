@@ -10,8 +10,8 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.act.Role;
-import majic.bot.Member;
 import majic.script.ActOffer;
+import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /** Assigns a robot to each further role of a behaviour. Only robots that fit are offered, and why not the others is said. */

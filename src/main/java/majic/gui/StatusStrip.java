@@ -6,7 +6,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.bot.Member;
+import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /** One robot's make, condition, owner and place in three lines, with the buttons that stop and reconnect it, and its act. */

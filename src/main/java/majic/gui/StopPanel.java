@@ -4,8 +4,8 @@ import java.awt.Color;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.bot.Team;
-import majic.bot.TeamListener;
+import majic.team.Team;
+import majic.team.TeamListener;
 import net.miginfocom.swing.MigLayout;
 
 /** The large red STOP for all robots, and beside it the button that allows motion again. */

@@ -8,7 +8,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import javax.swing.Icon;
-import majic.bot.Member;
+import majic.team.Member;
 
 /**
  * What a robot's tab bears: its condition, and behind that the sign of Load Act while a behaviour runs on it.

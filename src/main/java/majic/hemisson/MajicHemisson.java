@@ -155,7 +155,7 @@ public final class MajicHemisson extends MajicBot {
     }
 
     @Override
-    protected void confirmHalt() {
+    public void confirmHalt() {
         standstill.confirm();
     }
 

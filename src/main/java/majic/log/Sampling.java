@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.bot.Member;
+import majic.team.Member;
 import majic.time.Signal;
 import majic.time.TimeSource;
 

@@ -227,7 +227,7 @@ public final class MajicPioneer extends MajicBot {
 
     /** A robot that does not brake as it should is stopped as hard as it can. */
     @Override
-    protected void confirmHalt() {
+    public void confirmHalt() {
         PioneerSession open = current();
         parameters.halt();
         if (Patience.isAllowed() && !open.reported().awaitStationary(HALT_S)) {

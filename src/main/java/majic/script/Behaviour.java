@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Map;
 import majic.act.Role;
 import majic.bot.BotException;
-import majic.bot.Member;
 import majic.script.syntax.Command;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
 import majic.script.syntax.Statement;
+import majic.team.Member;
 
 /**
  * What MAJIC Script says as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a

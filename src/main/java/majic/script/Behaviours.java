@@ -15,15 +15,15 @@ import majic.act.Acts;
 import majic.act.MajicAct;
 import majic.act.Role;
 import majic.bot.BotException;
-import majic.bot.Member;
 import majic.bot.MotionStopped;
-import majic.bot.Order;
 import majic.bot.Permit;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Wording;
+import majic.team.Member;
+import majic.team.Order;
 import majic.time.Signal;
 
 /** Runs behaviours on the robots of a session: finds them, sees that robots and roles fit, ends them. Thread-safe. */

@@ -3,12 +3,12 @@ package majic.script;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import majic.bot.Member;
 import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.SessionCommand;
 import majic.script.syntax.Statement;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.bot.Member;
+import majic.team.Member;
 
 /** Robots join and leave the team here. Both block for as long as the robot takes. Thread-safe. */
 final class Comings {

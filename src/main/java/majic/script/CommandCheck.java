@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import majic.bot.Checks;
 import majic.bot.MajicBot;
-import majic.bot.Member;
 import majic.bot.Parameter;
 import majic.script.syntax.Command;
 import majic.script.syntax.CommandParser;
@@ -14,6 +13,7 @@ import majic.script.syntax.Condition;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Looks whether a robot could do what it is told, without telling it. Throws a {@link ScriptException} if not. */

@@ -3,10 +3,10 @@ package majic.script;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import majic.bot.Member;
 import majic.script.syntax.Command;
 import majic.script.syntax.Statement;
 import majic.script.syntax.Walk;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Finds the robots that a script gives orders to, as far as they are there; those it only reads do not count. */

@@ -3,7 +3,6 @@ package majic.script;
 import java.util.Locale;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.bot.Member;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.bot.Unit;
@@ -14,6 +13,7 @@ import majic.script.syntax.Literal;
 import majic.script.syntax.Operator;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Holds a parameter of one robot against the right-hand side of a comparison. */

@@ -8,7 +8,6 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
-import majic.bot.Member;
 import majic.bot.Parameter;
 import majic.script.syntax.CommandParser;
 import majic.script.syntax.Cursor;
@@ -18,6 +17,7 @@ import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionParser;
 import majic.script.syntax.Token;
+import majic.team.Member;
 
 /** Finds what could stand at the end of a line that is being typed. */
 final class Completion {

@@ -6,12 +6,12 @@ import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import majic.bot.BotException;
-import majic.bot.Member;
-import majic.bot.StopCount;
-import majic.bot.Team;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
+import majic.team.Member;
+import majic.team.StopCount;
+import majic.team.Team;
 import majic.time.Signal;
 
 /**

@@ -5,14 +5,14 @@ import java.util.Collection;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
-import majic.bot.Answer;
-import majic.bot.Member;
 import majic.bot.MotionStopped;
-import majic.bot.Order;
-import majic.bot.Owner;
-import majic.bot.Pending;
-import majic.bot.Team;
 import majic.script.syntax.ScriptException;
+import majic.team.Answer;
+import majic.team.Member;
+import majic.team.Order;
+import majic.team.Owner;
+import majic.team.Pending;
+import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,6 +1,6 @@
 package majic.script;
 
-import majic.bot.Answer;
+import majic.team.Answer;
 
 /** A script cannot go on: something in it failed, or somebody stopped it. The message says why, as half a sentence. */
 final class ExecutionEnded extends RuntimeException {

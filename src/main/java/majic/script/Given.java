@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import majic.bot.Member;
 import majic.script.syntax.Command;
 import majic.script.syntax.SessionCommand;
 import majic.script.syntax.Statement;
+import majic.team.Member;
 
 /**
  * A line or block as it was given to a parser. Immutable.

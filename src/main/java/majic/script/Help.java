@@ -11,7 +11,6 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import majic.bot.BotCommand;
 import majic.bot.MajicBot;
-import majic.bot.Member;
 import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
 import majic.bot.Range;
@@ -19,6 +18,7 @@ import majic.bot.Suggestion;
 import majic.bot.Unit;
 import majic.script.syntax.CommandParser;
 import majic.script.syntax.Token;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** The answers to {@code help}, for a robot and for the language. */

@@ -4,9 +4,9 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import majic.bot.Member;
-import majic.bot.Owner;
-import majic.bot.Team;
+import majic.team.Member;
+import majic.team.Owner;
+import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,11 +3,11 @@ package majic.script;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import majic.bot.Answer;
-import majic.bot.Member;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Statement;
 import majic.script.syntax.Token;
+import majic.team.Answer;
+import majic.team.Member;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 

@@ -3,7 +3,7 @@ package majic.script;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Consumer;
-import majic.bot.Team;
+import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /** The lines that wait for their turn, and the thread that carries them out one after the other. Thread-safe. */

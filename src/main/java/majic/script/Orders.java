@@ -5,8 +5,6 @@ import java.util.List;
 import majic.bot.BotControl;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
-import majic.bot.Member;
-import majic.bot.Order;
 import majic.bot.Parameter;
 import majic.bot.Value;
 import majic.script.syntax.Command;
@@ -14,6 +12,8 @@ import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
 import majic.script.syntax.Wording;
+import majic.team.Member;
+import majic.team.Order;
 
 /** Makes the orders that stand behind a command, one for each robot. */
 final class Orders {

@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Set;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.bot.Member;
 import majic.bot.MotionStopped;
 import majic.script.syntax.Condition;
 import majic.script.syntax.EachComparison;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Finds out what a condition comes to, by asking the robots it speaks of. */

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import majic.bot.Member;
 import majic.script.syntax.Command;
 import majic.script.syntax.Statement;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**

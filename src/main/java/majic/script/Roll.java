@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.MajicBot;
-import majic.bot.Member;
-import majic.bot.Owner;
+import majic.team.Member;
+import majic.team.Owner;
 
 /** The answer to {@code bots}: who is here, in which state. */
 final class Roll {

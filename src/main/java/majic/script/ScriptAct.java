@@ -10,13 +10,13 @@ import java.util.Map;
 import majic.act.Acts;
 import majic.act.MajicAct;
 import majic.act.Role;
-import majic.bot.Answer;
 import majic.bot.BotException;
-import majic.bot.Member;
 import majic.bot.MotionStopped;
-import majic.bot.Owner;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
+import majic.team.Answer;
+import majic.team.Member;
+import majic.team.Owner;
 import org.jspecify.annotations.Nullable;
 
 /**

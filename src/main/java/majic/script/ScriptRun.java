@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
-import majic.bot.Answer;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.script.syntax.Mistake;
@@ -12,6 +11,7 @@ import majic.script.syntax.Parser;
 import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
+import majic.team.Answer;
 import majic.time.TimeSource;
 
 /**

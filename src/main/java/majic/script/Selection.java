@@ -10,11 +10,11 @@ import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import majic.bot.BotException;
-import majic.bot.Member;
-import majic.bot.Team;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
+import majic.team.Member;
+import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /** Finds the robots that a script names. */

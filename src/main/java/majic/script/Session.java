@@ -10,15 +10,15 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import majic.act.Acts;
-import majic.bot.Answer;
-import majic.bot.BotFactory;
-import majic.bot.Member;
-import majic.bot.StopCount;
-import majic.bot.Team;
-import majic.bot.TeamListener;
 import majic.log.ParameterLog;
 import majic.log.Sampling;
 import majic.log.SessionLog;
+import majic.team.Answer;
+import majic.team.BotFactory;
+import majic.team.Member;
+import majic.team.StopCount;
+import majic.team.Team;
+import majic.team.TeamListener;
 import org.jspecify.annotations.Nullable;
 
 /**

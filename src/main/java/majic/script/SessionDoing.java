@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Locale;
 import majic.bot.BotException;
 import majic.bot.IoReason;
-import majic.bot.Member;
 import majic.bot.Pose;
 import majic.lab.LabAccess;
 import majic.script.syntax.Literal;
 import majic.script.syntax.SessionCommand;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Does what the session as a whole is told. */

@@ -12,12 +12,12 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import majic.bot.Answer;
-import majic.bot.ManualCommand;
-import majic.bot.Member;
-import majic.bot.Owner;
-import majic.bot.Team;
-import majic.bot.TeamListener;
+import majic.team.Answer;
+import majic.team.ManualCommand;
+import majic.team.Member;
+import majic.team.Owner;
+import majic.team.Team;
+import majic.team.TeamListener;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -8,10 +8,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
-import majic.bot.Answer;
-import majic.bot.Member;
-import majic.bot.Order;
-import majic.bot.Pending;
+import majic.team.Answer;
+import majic.team.Member;
+import majic.team.Order;
+import majic.team.Pending;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps count of orders: which are still under way, and whether one did not come to a good end. Thread-safe. */

@@ -2,10 +2,10 @@ package majic.script;
 
 import java.util.List;
 import java.util.function.Function;
-import majic.bot.Member;
-import majic.bot.Order;
 import majic.script.syntax.Command;
 import majic.script.syntax.Robots;
+import majic.team.Member;
+import majic.team.Order;
 import org.jspecify.annotations.Nullable;
 
 /** Tells robots one command: most become orders in their queues. */

@@ -4,9 +4,9 @@ import java.util.List;
 import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
-import majic.bot.Member;
 import majic.script.syntax.Condition;
 import majic.script.syntax.ScriptException;
+import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** The condition behind {@code until}, as a driver asks it. */

@@ -222,7 +222,7 @@ public final class FakeBot extends MajicBot {
     }
 
     @Override
-    protected void confirmHalt() {
+    public void confirmHalt() {
         if (confirmSeconds > 0) {
             confirmSlowly();
         }

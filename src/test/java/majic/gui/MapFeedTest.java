@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.OptionalInt;
-import majic.bot.BotFactory;
 import majic.bot.BotType;
 import majic.bot.Pose;
 import majic.bot.Settings;
-import majic.bot.Team;
+import majic.team.BotFactory;
+import majic.team.Team;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

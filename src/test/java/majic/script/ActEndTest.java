@@ -13,7 +13,7 @@ import majic.act.ActDetails;
 import majic.act.ActFile;
 import majic.act.ActMaker;
 import majic.bot.FakeBot;
-import majic.bot.Owner;
+import majic.team.Owner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

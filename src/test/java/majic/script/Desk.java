@@ -10,13 +10,13 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.act.Acts;
 import majic.act.NoActs;
-import majic.bot.BotFactory;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.Settings;
 import majic.bot.SteppedTime;
-import majic.bot.Team;
 import majic.log.SessionLog;
+import majic.team.BotFactory;
+import majic.team.Team;
 import majic.time.TimeSource;
 
 /** A session with robots that exist only here, on a stepped clock that the test's thread has joined. */

@@ -1,8 +1,10 @@
-package majic.bot;
+package majic.team;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import majic.bot.BotException;
+import majic.bot.MotionStopped;
 import org.jspecify.annotations.Nullable;
 
 /** Who has one robot: its owner, and the one it is lent to. Guarded by the lock of the robot's {@link Member}. */

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 import java.util.Collection;
 import java.util.Collections;
@@ -7,6 +7,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.WeakHashMap;
+import majic.bot.BotAddress;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.BotType;
+import majic.bot.MajicBot;
+import majic.bot.Settings;
+import majic.bot.Suggestion;
 import majic.lab.LabAccess;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;

@@ -1,4 +1,6 @@
-package majic.bot;
+package majic.team;
+
+import majic.bot.BotException;
 
 /**
  * Somebody who has a robot to himself: a script, an act, a hand on the keys. Compared by identity.

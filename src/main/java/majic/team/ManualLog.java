@@ -1,9 +1,10 @@
-package majic.bot;
+package majic.team;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
+import majic.bot.Helm;
 import majic.time.TimeSource;
 
 /**

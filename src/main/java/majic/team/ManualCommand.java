@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 /**
  * A command that a person gave by hand, with keys, the mouse or a slider. Immutable.

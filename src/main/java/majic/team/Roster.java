@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 import java.util.HashSet;
 import java.util.List;
@@ -8,6 +8,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
+import majic.bot.BotException;
 
 /** The robots of a team by number, and which number the next one gets. Thread-safe. */
 final class Roster {

@@ -1,10 +1,15 @@
-package majic.bot;
+package majic.team;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import majic.bot.BotControl;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.MotionStopped;
+import majic.bot.PermittedControl;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 

@@ -1,6 +1,8 @@
-package majic.bot;
+package majic.team;
 
 import java.util.List;
+import majic.bot.BotControl;
+import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 
 /**

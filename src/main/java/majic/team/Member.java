@@ -1,8 +1,14 @@
-package majic.bot;
+package majic.team;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.MotionStopped;
+import majic.bot.Permit;
+import majic.bot.TeamPlace;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 

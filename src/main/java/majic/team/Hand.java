@@ -1,9 +1,13 @@
-package majic.bot;
+package majic.team;
 
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
+import majic.bot.BotControl;
+import majic.bot.BotException;
+import majic.bot.MotionStopped;
+import majic.bot.Permit;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 

@@ -1,4 +1,7 @@
-package majic.bot;
+package majic.team;
+
+import majic.bot.BotListener;
+import majic.bot.MajicBot;
 
 /** Hands on to the team's listeners what one of its robots says and what becomes of its link. */
 final class MemberNews implements BotListener {

@@ -1,8 +1,9 @@
-package majic.bot;
+package majic.team;
 
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import majic.bot.MajicBot;
 import org.jspecify.annotations.Nullable;
 
 /**

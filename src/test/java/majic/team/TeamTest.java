@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -9,6 +9,12 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import majic.TestClock;
+import majic.bot.BotControl;
+import majic.bot.BotException;
+import majic.bot.FakeBot;
+import majic.bot.MotionStopped;
+import majic.bot.Permit;
+import majic.bot.Value;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 import org.jspecify.annotations.Nullable;
 

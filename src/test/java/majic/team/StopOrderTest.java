@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,14 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.FakeBot;
+import majic.bot.MajicBot;
+import majic.bot.MotionReport;
+import majic.bot.Permit;
+import majic.bot.Unit;
+import majic.bot.Value;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

@@ -1,7 +1,11 @@
-package majic.bot;
+package majic.team;
 
 import java.util.List;
 import java.util.function.Supplier;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.MotionStopped;
+import majic.bot.Permit;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,5 +1,6 @@
-package majic.bot;
+package majic.team;
 
+import majic.bot.Permit;
 import org.jspecify.annotations.Nullable;
 
 /** An order that was accepted. Thread-safe; who waits for it, waits at {@link Team#changes()}. */

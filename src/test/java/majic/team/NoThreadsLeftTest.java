@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import majic.bot.FakeBot;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 import java.util.Collection;
 import java.util.HashMap;

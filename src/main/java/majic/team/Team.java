@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.team;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -11,6 +11,9 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
