@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import majic.script.MajicParser;
+import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
 import picocli.CommandLine.Command;
 

@@ -17,6 +17,7 @@ import majic.bot.ShutdownHook;
 import majic.log.SessionLog;
 import majic.script.MajicParser;
 import majic.script.Session;
+import majic.simulation.SimulatedLab;
 import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;

@@ -22,6 +22,7 @@ import majic.act.ActMaker;
 import majic.gui.MajicFrame;
 import majic.script.MajicParser;
 import majic.script.ScriptAct;
+import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
 import org.junit.jupiter.api.Test;

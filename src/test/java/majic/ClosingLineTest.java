@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.locks.ReentrantLock;
 import majic.link.Link;
 import majic.link.Links;
+import majic.simulation.Quietness;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
 import majicsim.net.Firmware;

@@ -11,6 +11,7 @@ import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.Settings;
 import majic.hemisson.MajicHemisson;
+import majic.simulation.SimulatedLab;
 import majic.time.TimeSource;
 import majicsim.Lab;
 import majicsim.LabOptions;

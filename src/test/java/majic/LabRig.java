@@ -18,6 +18,7 @@ import majic.log.SessionLog;
 import majic.script.Line;
 import majic.script.MajicParser;
 import majic.script.Session;
+import majic.simulation.SimulatedLab;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;

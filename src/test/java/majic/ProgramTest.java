@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import majic.bot.Pose;
+import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

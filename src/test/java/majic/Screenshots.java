@@ -16,6 +16,7 @@ import javax.swing.SwingUtilities;
 import majic.PictureWindow.Settled;
 import majic.gui.MajicFrame;
 import majic.script.MajicParser;
+import majic.simulation.SimulatedLab;
 import majic.team.Member;
 import majicsim.LabOptions;
 import majicsim.LabPorts;

@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import majic.bot.Pose;
+import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

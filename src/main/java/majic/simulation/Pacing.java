@@ -1,4 +1,4 @@
-package majic;
+package majic.simulation;
 
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
  * When a lab's clock may take its next step. Asked on the clock's own thread, again and again. In words it says what holds
  * the clock.
  */
-interface Pacing {
+public interface Pacing {
     /**
      * Whether the next step may be taken; may wait a little before it says no.
      *

@@ -1,4 +1,4 @@
-package majic;
+package majic.simulation;
 
 /** What one member of a {@link LabClock} does, and since when. Guarded by the clock's lock. */
 final class ClockMember {

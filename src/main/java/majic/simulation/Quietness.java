@@ -1,4 +1,4 @@
-package majic;
+package majic.simulation;
 
 import java.util.HashMap;
 import java.util.HashSet;
@@ -16,7 +16,7 @@ import majicsim.net.LineCount;
  *
  * <p>Counts only grow, so two equal looks in a row mean that nothing moved between them.
  */
-final class Quietness implements BooleanSupplier {
+public final class Quietness implements BooleanSupplier {
     private final Supplier<List<Traffic>> drivers;
     private final Supplier<List<LineCount>> robots;
     private final Set<String> robotAddresses;
@@ -40,7 +40,7 @@ final class Quietness implements BooleanSupplier {
      * @param robots the lines of this lab
      * @param robotAddresses where this lab's robots listen, so that links to others do not count
      */
-    Quietness(Supplier<List<Traffic>> drivers, Supplier<List<LineCount>> robots, Set<String> robotAddresses) {
+    public Quietness(Supplier<List<Traffic>> drivers, Supplier<List<LineCount>> robots, Set<String> robotAddresses) {
         this.drivers = drivers;
         this.robots = robots;
         this.robotAddresses = robotAddresses;

@@ -1,4 +1,4 @@
-package majic;
+package majic.simulation;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  * though a thread waits for a time to come and no member has used the processor. Every wait then throws a
  * {@link BotException} that says why.
  */
-final class LabClock implements TimeSource, AutoCloseable {
+public final class LabClock implements TimeSource, AutoCloseable {
     private static final Logger LOG = System.getLogger(LabClock.class.getName());
     private static final long LOOK_NANOS = 250_000_000;
 
@@ -49,7 +49,7 @@ final class LabClock implements TimeSource, AutoCloseable {
     private volatile boolean closed;
 
     /** What the clock moves on: the lab. */
-    interface Steps {
+    public interface Steps {
         /** Moves the lab on by one step. */
         void step();
 
@@ -61,12 +61,12 @@ final class LabClock implements TimeSource, AutoCloseable {
         long nanos();
     }
 
-    LabClock(Steps lab, Pacing pacing) {
+    public LabClock(Steps lab, Pacing pacing) {
         this.lab = lab;
         this.pacing = pacing;
     }
 
-    void start() {
+    public void start() {
         Thread stepper = new Thread(this::run, "lab clock");
         stepper.setDaemon(true);
         stepper.start();

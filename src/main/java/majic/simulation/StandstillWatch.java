@@ -1,4 +1,4 @@
-package majic;
+package majic.simulation;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;

@@ -1,4 +1,4 @@
-package majic;
+package majic.simulation;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -20,7 +20,7 @@ import majicsim.LabOptions;
 import majicsim.world.Point;
 
 /** A simulated lab inside this program: its simulators, and the clock that their robots' drivers share with them. */
-final class SimulatedLab implements LabAccess, AutoCloseable {
+public final class SimulatedLab implements LabAccess, AutoCloseable {
     /** What tells a further robot of a type from the first: {@code pioneer2}. */
     private static final Pattern COUNT = Pattern.compile("\\d+$");
 
@@ -57,7 +57,7 @@ final class SimulatedLab implements LabAccess, AutoCloseable {
      * @return the running lab
      * @throws IOException if a port is taken or the room does not hold the robots
      */
-    static SimulatedLab scaled(LabOptions options, double speed) throws IOException {
+    public static SimulatedLab scaled(LabOptions options, double speed) throws IOException {
         return started(Lab.open(options), Pacing.scaled(speed));
     }
 
@@ -68,7 +68,7 @@ final class SimulatedLab implements LabAccess, AutoCloseable {
      * @return the running lab
      * @throws IOException if a port is taken or the room does not hold the robots
      */
-    static SimulatedLab stepped(LabOptions options) throws IOException {
+    public static SimulatedLab stepped(LabOptions options) throws IOException {
         Lab lab = Lab.open(options);
         Set<String> addresses = Set.copyOf(lab.addresses().values());
         return started(lab, Pacing.stepped(new Quietness(Links::traffic, lab::lines, addresses)));
@@ -81,7 +81,7 @@ final class SimulatedLab implements LabAccess, AutoCloseable {
     }
 
     /** The simulators themselves, for what only a lab can do: faults, places. */
-    Lab simulators() {
+    public Lab simulators() {
         return lab;
     }
 
