@@ -17,6 +17,8 @@ import majic.bot.ShutdownHook;
 import majic.log.SessionLog;
 import majic.script.MajicParser;
 import majic.script.Session;
+import majic.server.LineServer;
+import majic.server.ListenToken;
 import majic.simulation.SimulatedLab;
 import majic.team.BotFactory;
 import majic.team.Team;

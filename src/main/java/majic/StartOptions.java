@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
+import majic.server.LineServer;
 import majic.simulation.SimulatedLab;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;

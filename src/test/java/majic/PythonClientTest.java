@@ -17,6 +17,8 @@ import majic.bot.MajicBot;
 import majic.bot.Settings;
 import majic.log.SessionLog;
 import majic.script.Session;
+import majic.server.LineServer;
+import majic.server.ListenToken;
 import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;

@@ -1,4 +1,4 @@
-package majic;
+package majic.server;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * serves all clients and waits for none of them, so a client that floods, hangs or leaves holds up neither another
  * client nor a stop.
  */
-final class LineServer implements AutoCloseable {
+public final class LineServer implements AutoCloseable {
     /** How many clients there may be at a time. */
     static final int MOST_CLIENTS = 64;
 
@@ -66,7 +66,8 @@ final class LineServer implements AutoCloseable {
      * @throws IllegalArgumentException if the address is not a loopback address; the message says so
      * @throws IOException if the port is taken, or the token cannot be written
      */
-    static LineServer open(InetSocketAddress address, Session session, @Nullable TokenMaker tokens) throws IOException {
+    public static LineServer open(InetSocketAddress address, Session session, @Nullable TokenMaker tokens)
+            throws IOException {
         if (address.isUnresolved() || !address.getAddress().isLoopbackAddress()) {
             throw new IllegalArgumentException(
                     address.getHostString() + ": only this machine may command the robots; use 127.0.0.1");
@@ -109,17 +110,17 @@ final class LineServer implements AutoCloseable {
         serving.start();
     }
 
-    int port() {
+    public int port() {
         return listening.socket().getLocalPort();
     }
 
     /** The token that clients have to send; empty if none is needed. */
-    Optional<ListenToken> token() {
+    public Optional<ListenToken> token() {
         return Optional.ofNullable(token);
     }
 
     /** The robots that were asked for at the start are there: lines are carried out from now on. */
-    void ready() {
+    public void ready() {
         ready = true;
         selector.wakeup();
     }

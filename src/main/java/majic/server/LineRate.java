@@ -1,4 +1,4 @@
-package majic;
+package majic.server;
 
 import java.util.function.LongSupplier;
 

@@ -1,4 +1,4 @@
-package majic;
+package majic.server;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;

@@ -1,4 +1,4 @@
-package majic;
+package majic.server;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;

@@ -1,4 +1,4 @@
-package majic;
+package majic.server;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -26,7 +26,7 @@ import java.util.Set;
  * @param word the token
  * @param file where it is kept while the server listens
  */
-record ListenToken(String word, Path file) {
+public record ListenToken(String word, Path file) {
     private static final int RANDOM_BYTES = 24;
 
     /**
@@ -37,7 +37,7 @@ record ListenToken(String word, Path file) {
      * @return the token
      * @throws IOException if the file cannot be written, or not be kept from other users
      */
-    static ListenToken create(Path folder, int port) throws IOException {
+    public static ListenToken create(Path folder, int port) throws IOException {
         byte[] random = new byte[RANDOM_BYTES];
         new SecureRandom().nextBytes(random);
         String word = Base64.getUrlEncoder().withoutPadding().encodeToString(random);
