@@ -1,6 +1,8 @@
 package majic;
 
 import java.util.concurrent.Callable;
+import majic.program.Failures;
+import majic.program.Version;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;

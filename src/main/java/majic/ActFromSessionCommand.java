@@ -6,6 +6,8 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import majic.act.ActMaker;
 import majic.bot.BotException;
+import majic.program.Failures;
+import majic.program.Version;
 import majic.script.ScriptAct;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;

@@ -7,6 +7,8 @@ import java.util.concurrent.Callable;
 import majic.act.ActMaker;
 import majic.act.Acts;
 import majic.bot.BotException;
+import majic.program.Failures;
+import majic.program.Version;
 import majic.script.ScriptAct;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Map;
+import majic.program.UsageException;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
 import majicsim.hemisson.options.HemissonOptions;

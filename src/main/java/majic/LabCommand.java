@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import majic.program.Version;
 import majicsim.Lab;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;

@@ -1,5 +1,7 @@
 package majic;
 
+import majic.program.Failures;
+import majic.program.UserFolder;
 import picocli.CommandLine;
 
 /** Starts MAJIC. */

@@ -2,6 +2,7 @@ package majic;
 
 import java.io.IOException;
 import java.util.List;
+import majic.program.Program;
 import majic.script.MajicParser;
 import org.jline.reader.Candidate;
 import org.jline.reader.EndOfFileException;

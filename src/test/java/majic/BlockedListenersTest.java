@@ -14,6 +14,7 @@ import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Settings;
+import majic.program.Plugins;
 import majic.simulation.SimulatedLab;
 import majic.team.Answer;
 import majic.team.BotFactory;

@@ -20,6 +20,8 @@ import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.FakeType;
 import majic.bot.MajicBot;
+import majic.program.Program;
+import majic.program.UserFolder;
 import majic.team.Member;
 import majic.team.Order;
 import majic.team.Owner;

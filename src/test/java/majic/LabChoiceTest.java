@@ -5,6 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.util.Set;
+import majic.program.UsageException;
+import majicsim.hemisson.Dialect;
+import majicsim.hemisson.HemissonOptions;
+import majicsim.hemisson.ModuleKind;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.options.Dialect;
 import majicsim.hemisson.options.HemissonOptions;

@@ -15,6 +15,7 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Settings;
 import majic.log.SessionLog;
+import majic.program.Plugins;
 import majic.script.Line;
 import majic.script.MajicParser;
 import majic.script.Session;

@@ -11,6 +11,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import majic.bot.MajicBot;
 import majic.gui.Patience;
+import majic.program.WindowPicture;
 
 /** A picture of one robot's panel for the documents, light or dark, of any size. */
 final class PanelPicture {

@@ -14,6 +14,7 @@ import majic.gui.MajicFrame;
 import majic.gui.Patience;
 import majic.gui.Surroundings;
 import majic.gui.Surroundings.SerialPortChoice;
+import majic.program.Program;
 import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
 

@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Settings;
+import majic.program.Plugins;
 import majic.simulation.SimulatedLab;
 import majic.team.Answer;
 import majic.team.BotFactory;

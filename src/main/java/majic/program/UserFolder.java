@@ -1,4 +1,4 @@
-package majic;
+package majic.program;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -12,8 +12,8 @@ import java.util.Map;
  *
  * @param path the folder
  */
-record UserFolder(Path path) {
-    static UserFolder standard() {
+public record UserFolder(Path path) {
+    public static UserFolder standard() {
         return new UserFolder(choose(System.getenv(), System.getProperty("os.name"), System.getProperty("user.home")));
     }
 
@@ -38,7 +38,7 @@ record UserFolder(Path path) {
         return Files.createDirectories(path.resolve(name));
     }
 
-    Path file(String name) {
+    public Path file(String name) {
         return path.resolve(name);
     }
 }

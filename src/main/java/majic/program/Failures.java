@@ -1,4 +1,4 @@
-package majic;
+package majic.program;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -12,12 +12,12 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Turns what went wrong at the start into one sentence and an exit status. */
-final class Failures {
+public final class Failures {
     /** A line failed. */
-    static final int FAILED = 1;
+    public static final int FAILED = 1;
 
     /** The command line is wrong. */
-    static final int USAGE = 2;
+    public static final int USAGE = 2;
 
     /** Window or lab did not start. */
     static final int NO_START = 3;
@@ -26,7 +26,7 @@ final class Failures {
 
     private Failures() {}
 
-    static int usage(ParameterException problem) {
+    public static int usage(ParameterException problem) {
         PrintWriter err = problem.getCommandLine().getErr();
         err.println("majic: " + plain(problem));
         if (!UnmatchedArgumentException.printSuggestions(problem, err)) {
@@ -44,7 +44,7 @@ final class Failures {
     }
 
     /** What was asked for cannot be done, and here is why. */
-    static int failed(CommandLine command, BotException problem) {
+    public static int failed(CommandLine command, BotException problem) {
         LOG.log(Level.DEBUG, "a command failed", problem);
         say(command, problem);
         return FAILED;
@@ -56,7 +56,7 @@ final class Failures {
         err.flush();
     }
 
-    static int explain(CommandLine command, Exception problem) {
+    public static int explain(CommandLine command, Exception problem) {
         LOG.log(Level.ERROR, "could not start", problem);
         say(command, problem);
         return problem instanceof UsageException ? USAGE : NO_START;

@@ -1,4 +1,4 @@
-package majic;
+package majic.program;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import majic.bot.BotType;
 
 /** Finds the types of robots: those in this jar, and those in jars that the user dropped into the plug-ins folder. */
-final class Plugins {
+public final class Plugins {
     private static final System.Logger LOG = System.getLogger(Plugins.class.getName());
 
     /** The order of the thesis; types from plug-ins follow by name. */
@@ -31,7 +31,7 @@ final class Plugins {
      * @param folder the plug-ins folder; need not exist
      * @return the types; a broken plug-in is logged and left out
      */
-    static List<BotType> types(Path folder) {
+    public static List<BotType> types(Path folder) {
         List<BotType> types = new ArrayList<>();
         Iterator<BotType> found =
                 ServiceLoader.load(BotType.class, loader(folder)).iterator();

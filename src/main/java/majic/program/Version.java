@@ -1,9 +1,9 @@
-package majic;
+package majic.program;
 
 import picocli.CommandLine.IVersionProvider;
 
 /** Which MAJIC this is, from the jar's manifest. */
-final class Version implements IVersionProvider {
+public final class Version implements IVersionProvider {
     static String text() {
         String version = Version.class.getPackage().getImplementationVersion();
         return "MAJIC " + (version == null ? "(not from a jar)" : version);

@@ -1,4 +1,4 @@
-package majic;
+package majic.program;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -13,11 +13,11 @@ import javax.swing.RootPaneContainer;
 import javax.swing.SwingUtilities;
 
 /** A picture of a window and the dialogs before it, painted by the components themselves: the same on every display. */
-final class WindowPicture {
+public final class WindowPicture {
     private WindowPicture() {}
 
     /** Paints and saves; called off the event dispatch thread. */
-    static void save(JFrame frame, Path file) throws Exception {
+    public static void save(JFrame frame, Path file) throws Exception {
         BufferedImage image = new BufferedImage(frame.getWidth(), frame.getHeight(), BufferedImage.TYPE_INT_RGB);
         SwingUtilities.invokeAndWait(() -> paint(frame, image));
         write(image, file);

@@ -1,4 +1,4 @@
-package majic;
+package majic.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

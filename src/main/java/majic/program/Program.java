@@ -1,4 +1,4 @@
-package majic;
+package majic.program;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  * One running MAJIC: team, session, perhaps a lab. Closing it stops and closes all robots within 3 s, whatever their
  * links do; it is done at the latest when the program is asked to end.
  */
-final class Program implements AutoCloseable {
+public final class Program implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Program.class.getName());
     private static final int CLOSE_BOUND_MS = 3000;
 
@@ -53,7 +53,7 @@ final class Program implements AutoCloseable {
      * @param lab a running lab; null for none
      * @throws IOException if the session log cannot be written
      */
-    Program(UserFolder folder, @Nullable SimulatedLab lab) throws IOException {
+    public Program(UserFolder folder, @Nullable SimulatedLab lab) throws IOException {
         this.folder = folder;
         this.lab = lab;
         TimeSource time = lab == null ? TimeSource.system() : lab.time();
@@ -70,7 +70,7 @@ final class Program implements AutoCloseable {
     }
 
     /** From now on the end of the Java program, for whatever reason, closes this one once the robots are closed. */
-    void closeWhenProgramEnds() {
+    public void closeWhenProgramEnds() {
         ShutdownHook.afterwards(this::close);
     }
 
@@ -92,24 +92,23 @@ final class Program implements AutoCloseable {
         }
     }
 
-    Settings settings() {
+    public Settings settings() {
         return settings;
     }
 
-    UserFolder folder() {
+    public UserFolder folder() {
         return folder;
     }
 
-    Session session() {
+    public Session session() {
         return session;
     }
 
-    Team team() {
+    public Team team() {
         return team;
     }
 
-    @Nullable
-    SimulatedLab lab() {
+    public @Nullable SimulatedLab lab() {
         return lab;
     }
 
@@ -121,7 +120,7 @@ final class Program implements AutoCloseable {
      * @return the server
      * @throws IOException if the port is taken
      */
-    LineServer listen(InetSocketAddress address, boolean open) throws IOException {
+    public LineServer listen(InetSocketAddress address, boolean open) throws IOException {
         LineServer opened =
                 LineServer.open(address, session, open ? null : port -> ListenToken.create(folder.path(), port));
         server = opened;
@@ -136,7 +135,7 @@ final class Program implements AutoCloseable {
      * @return whether every line succeeded
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
-    boolean addFirst(List<String> lines) throws InterruptedException {
+    public boolean addFirst(List<String> lines) throws InterruptedException {
         MajicParser first = new MajicParser(session, false);
         lines.forEach(first::parseText);
         boolean succeeded = first.awaitAll();
@@ -148,21 +147,21 @@ final class Program implements AutoCloseable {
     }
 
     /** From now on somebody listens to the session: says what went wrong before, too. */
-    void announce() {
+    public void announce() {
         settings.onTrouble(session::alarm);
     }
 
     /** Asks the program to end. */
-    void quit() {
+    public void quit() {
         quit.countDown();
     }
 
-    boolean isQuitting() {
+    public boolean isQuitting() {
         return quit.getCount() == 0;
     }
 
     /** Waits until somebody asks the program to end. */
-    void awaitQuit() throws InterruptedException {
+    public void awaitQuit() throws InterruptedException {
         quit.await();
     }
 

@@ -1,4 +1,4 @@
-package majic;
+package majic.program;
 
 import java.io.File;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package majic;
+package majic.program;
 
 import java.awt.AWTError;
 import java.awt.HeadlessException;
@@ -15,11 +15,11 @@ import majic.link.SerialPorts;
 import majic.script.MajicParser;
 
 /** Opens the window and stays until the program is asked to end. */
-final class Window {
+public final class Window {
     private final Program program;
     private final MajicParser parser;
 
-    Window(Program program) {
+    public Window(Program program) {
         this.program = program;
         this.parser = new MajicParser(program.session(), true);
     }
@@ -31,7 +31,7 @@ final class Window {
      * @return the exit status
      * @throws UsageException if the display cannot be used
      */
-    int run(List<String> firstLines) {
+    public int run(List<String> firstLines) {
         MajicFrame frame = open(this::show);
         program.announce();
         Thread adding = new Thread(() -> add(firstLines), "adding robots");
@@ -56,7 +56,7 @@ final class Window {
     }
 
     /** Builds and paints the window where nobody sees it. */
-    void rehearse() {
+    public void rehearse() {
         MajicFrame frame = open(this::build);
         onEventThread(() -> {
             frame.addNotify();
