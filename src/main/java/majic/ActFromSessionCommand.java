@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import majic.act.ActMaker;
 import majic.bot.BotException;
+import majic.console.ActOutput;
 import majic.program.Failures;
 import majic.program.Version;
 import majic.script.ScriptAct;

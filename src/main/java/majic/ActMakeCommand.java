@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import majic.act.ActMaker;
 import majic.act.Acts;
 import majic.bot.BotException;
+import majic.console.ActOutput;
 import majic.program.Failures;
 import majic.program.Version;
 import majic.script.ScriptAct;

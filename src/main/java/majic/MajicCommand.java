@@ -4,6 +4,7 @@ import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.Callable;
+import majic.console.Console;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.program.Version;

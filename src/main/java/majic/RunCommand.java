@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.Callable;
+import majic.console.Console;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.program.Version;

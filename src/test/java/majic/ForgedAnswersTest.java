@@ -20,6 +20,7 @@ import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.FakeType;
 import majic.bot.MajicBot;
+import majic.console.Console;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.team.Member;

@@ -1,4 +1,4 @@
-package majic;
+package majic.console;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** What an act's file is called, where it goes, and what its author says of it; the same for all ways to make one. */
-final class ActOutput {
+public final class ActOutput {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
@@ -33,7 +33,7 @@ final class ActOutput {
     private String description = "";
 
     /** Writes the file, and shows what it says of itself. */
-    void write(String unlessNamed, Function<ActDetails, byte[]> made, PrintWriter out) throws IOException {
+    public void write(String unlessNamed, Function<ActDetails, byte[]> made, PrintWriter out) throws IOException {
         String called = name == null ? unlessNamed : name;
         byte[] file = made.apply(new ActDetails(called, actVersion, author, description));
         Path written = output == null ? Path.of(called + ".act") : output;

@@ -1,4 +1,4 @@
-package majic;
+package majic.console;
 
 import java.io.IOException;
 import java.util.List;

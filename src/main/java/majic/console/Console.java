@@ -1,4 +1,4 @@
-package majic;
+package majic.console;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -18,14 +18,14 @@ import org.jspecify.annotations.Nullable;
  * MAJIC Script from standard input. At a terminal it has a prompt, history and completion; in a pipe it prints an answer
  * a line and ends, when the input does, after everything has been done.
  */
-final class Console {
+public final class Console {
     private final Program program;
     private final Source source;
     private final MajicParser parser;
     private volatile boolean added = true;
 
     /** Where lines come from and answers go to. */
-    interface Source extends AutoCloseable {
+    public interface Source extends AutoCloseable {
         /** The next line; null at the end. Blocks. */
         @Nullable
         String next() throws IOException;
@@ -40,21 +40,21 @@ final class Console {
         void close() throws IOException;
     }
 
-    Console(Program program, Source source) {
+    public Console(Program program, Source source) {
         this.program = program;
         this.source = source;
         this.parser = new MajicParser(program.session(), source.interactive());
     }
 
     /** At a terminal or in a pipe, whichever standard input is. */
-    static Console standard(Program program) throws IOException {
+    public static Console standard(Program program) throws IOException {
         return System.console() == null || System.getenv("TERM") == null
                 ? new Console(program, new Pipe(System.in, System.out))
                 : new Console(program, new Terminal(program));
     }
 
     /** Without input: only what it is told to run. */
-    static Console silent(Program program) {
+    public static Console silent(Program program) {
         return new Console(program, new Pipe(InputStream.nullInputStream(), System.out));
     }
 
@@ -66,7 +66,7 @@ final class Console {
      * @param lines what is said before anything is read
      * @return the exit status: 0 only if every line succeeded
      */
-    int run(List<String> adding, List<String> lines) {
+    public int run(List<String> adding, List<String> lines) {
         program.session().addListener(this::show);
         program.announce();
         if (source.interactive()) {
