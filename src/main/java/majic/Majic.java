@@ -1,5 +1,10 @@
 package majic;
 
+import majic.cli.ActCommand;
+import majic.cli.ClassDataCommand;
+import majic.cli.LabCommand;
+import majic.cli.MajicCommand;
+import majic.cli.RunCommand;
 import majic.program.Failures;
 import majic.program.UserFolder;
 import picocli.CommandLine;

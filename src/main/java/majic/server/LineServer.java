@@ -86,7 +86,7 @@ public final class LineServer implements AutoCloseable {
     }
 
     /** Makes the token of a port. */
-    interface TokenMaker {
+    public interface TokenMaker {
         ListenToken token(int port) throws IOException;
     }
 

@@ -1,7 +1,6 @@
 package majic.time;
 
 import java.util.function.BooleanSupplier;
-import majic.bot.BotException;
 
 /** A place where threads wait for something to become true, woken by whoever may have made it so. Thread-safe. */
 public interface Signal {
@@ -16,7 +15,7 @@ public interface Signal {
      * @param seconds how long at most, on the clock that made this signal; {@link #FOR_EVER} is allowed
      * @return whether the condition held when this returned
      * @throws InterruptedException if the thread is interrupted meanwhile
-     * @throws BotException if the clock has ended, as a simulated lab's does by an error in the lab; the message says why
+     * @throws RuntimeException if the clock has ended, as a simulated lab's does by an error in the lab; the message says why
      */
     boolean await(BooleanSupplier condition, double seconds) throws InterruptedException;
 

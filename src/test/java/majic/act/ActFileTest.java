@@ -169,7 +169,7 @@ class ActFileTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"majic/bot/Team.class, majic.bot.Team", "java/lang/Evil.class, java.lang.Evil"})
+    @CsvSource({"majic/team/Team.class, majic.team.Team", "java/lang/Evil.class, java.lang.Evil"})
     void aClassInAForeignPackageIsRefused(String path, String name) {
         byte[] file = changed(entries -> with(entries, path, TinyClass.of(name, 61)));
         assertThatThrownBy(() -> ActFile.of("bad.act", file))

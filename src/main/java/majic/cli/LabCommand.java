@@ -1,4 +1,4 @@
-package majic;
+package majic.cli;
 
 import java.io.IOException;
 import java.util.Objects;
@@ -16,7 +16,7 @@ import picocli.CommandLine.ParentCommand;
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         description = "Runs the simulated lab alone and prints where its robots listen, until it is ended by Ctrl-C.")
-final class LabCommand implements Callable<Integer> {
+public final class LabCommand implements Callable<Integer> {
     @ParentCommand
     private @Nullable MajicCommand majic;
 

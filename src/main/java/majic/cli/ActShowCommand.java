@@ -1,4 +1,4 @@
-package majic;
+package majic.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;

@@ -1,4 +1,4 @@
-package majic;
+package majic.cli;
 
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
@@ -21,7 +21,7 @@ import picocli.CommandLine.Command;
  * machine write down the classes that the next starts will need.
  */
 @Command(name = "class-data", hidden = true, description = "Rehearses a start, for the launcher.")
-final class ClassDataCommand implements Callable<Integer> {
+public final class ClassDataCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("majic-class-data");

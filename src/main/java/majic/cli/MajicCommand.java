@@ -1,4 +1,4 @@
-package majic;
+package majic.cli;
 
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
             "Try: majic --lab, then type: 2 move 500",
             "Exit status: 0 all went well, 1 a line failed, 2 wrong command line, 3 could not start."
         })
-final class MajicCommand implements Callable<Integer> {
+public final class MajicCommand implements Callable<Integer> {
     private final UserFolder folder;
 
     @Mixin
@@ -34,7 +34,7 @@ final class MajicCommand implements Callable<Integer> {
     @Option(names = "--console", description = "Read MAJIC Script from standard input instead of opening the window.")
     private boolean console;
 
-    MajicCommand(UserFolder folder) {
+    public MajicCommand(UserFolder folder) {
         this.folder = folder;
     }
 

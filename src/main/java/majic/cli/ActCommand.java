@@ -1,4 +1,4 @@
-package majic;
+package majic.cli;
 
 import java.util.concurrent.Callable;
 import majic.program.Failures;
@@ -15,7 +15,7 @@ import picocli.CommandLine.Spec;
         versionProvider = Version.class,
         description = "Makes files of behaviours and shows what is in them.",
         subcommands = {ActMakeCommand.class, ActFromSessionCommand.class, ActShowCommand.class})
-final class ActCommand implements Callable<Integer> {
+public final class ActCommand implements Callable<Integer> {
     @Spec
     private @Nullable CommandSpec spec;
 

@@ -1,4 +1,4 @@
-package majic;
+package majic.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;

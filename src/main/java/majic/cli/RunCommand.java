@@ -1,4 +1,4 @@
-package majic;
+package majic.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -21,7 +21,7 @@ import picocli.CommandLine.ParentCommand;
         versionProvider = Version.class,
         sortOptions = false,
         description = "Runs a file of MAJIC Script and ends; exit status 0 only if every line succeeded.")
-final class RunCommand implements Callable<Integer> {
+public final class RunCommand implements Callable<Integer> {
     private final UserFolder folder;
 
     @ParentCommand
@@ -30,7 +30,7 @@ final class RunCommand implements Callable<Integer> {
     @Parameters(paramLabel = "FILE", description = "the script")
     private Path file = Path.of("");
 
-    RunCommand(UserFolder folder) {
+    public RunCommand(UserFolder folder) {
         this.folder = folder;
     }
 

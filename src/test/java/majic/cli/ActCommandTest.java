@@ -1,4 +1,4 @@
-package majic;
+package majic.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
