@@ -29,68 +29,81 @@ class ArchitectureTest {
      * share a driver's mistakes.
      */
     private static final Map<String, Set<String>> MAY_USE = table("""
-            majic.bot                 :
+            majic.bot                 : majic.time
             majic.link                :
-            majic.driver              : majic.bot majic.link
+            majic.driver              : majic.bot majic.link majic.time
             majic.panel               : majic.bot
             majic.panel.map           : majic.bot majic.panel
-            majic.aibo                : majic.bot majic.driver majic.link majic.panel majic.panel.map
-            majic.pioneer             : majic.bot majic.driver majic.link majic.pioneer.arcos majic.pioneer.state \
-                                        majic.pioneer.session majic.pioneer.parameters majic.pioneer.panel
+            majic.aibo                : majic.bot majic.driver majic.link majic.time majic.team majic.panel
+            majic.pioneer             : majic.bot majic.link majic.time majic.pioneer.arcos majic.pioneer.panel \
+                                        majic.pioneer.parameters majic.pioneer.session majic.pioneer.state
             majic.pioneer.arcos       :
             majic.pioneer.state       : majic.bot majic.pioneer.arcos
-            majic.pioneer.session     : majic.bot majic.driver majic.link majic.pioneer.arcos majic.pioneer.state
-            majic.pioneer.parameters  : majic.bot majic.driver majic.pioneer.arcos majic.pioneer.state majic.pioneer.session
+            majic.pioneer.session     : majic.bot majic.driver majic.link majic.time majic.pioneer.arcos \
+                                        majic.pioneer.state
+            majic.pioneer.parameters  : majic.bot majic.driver majic.time majic.pioneer.arcos majic.pioneer.session \
+                                        majic.pioneer.state
             majic.pioneer.panel       : majic.bot majic.panel majic.panel.map majic.pioneer.arcos majic.pioneer.state
-            majic.hemisson            : majic.bot majic.hemisson.line majic.hemisson.readings \
-                                        majic.hemisson.motion majic.hemisson.modules majic.hemisson.parameters \
-                                        majic.hemisson.panel
-            majic.hemisson.line       : majic.bot majic.driver majic.link
-            majic.hemisson.readings   : majic.bot majic.hemisson.line
-            majic.hemisson.motion     : majic.bot majic.hemisson.line majic.hemisson.readings
-            majic.hemisson.modules    : majic.bot majic.hemisson.line majic.hemisson.readings
-            majic.hemisson.parameters : majic.bot majic.hemisson.line majic.hemisson.readings \
-                                        majic.hemisson.motion majic.hemisson.modules
+            majic.hemisson            : majic.bot majic.time majic.hemisson.line majic.hemisson.modules \
+                                        majic.hemisson.motion majic.hemisson.panel majic.hemisson.parameters \
+                                        majic.hemisson.readings
+            majic.hemisson.line       : majic.bot majic.driver majic.link majic.time
+            majic.hemisson.readings   : majic.bot majic.time majic.hemisson.line
+            majic.hemisson.motion     : majic.bot majic.time majic.hemisson.line majic.hemisson.readings
+            majic.hemisson.modules    : majic.bot majic.time majic.hemisson.line majic.hemisson.readings
+            majic.hemisson.parameters : majic.bot majic.hemisson.line majic.hemisson.modules majic.hemisson.motion \
+                                        majic.hemisson.readings
             majic.hemisson.panel      : majic.bot majic.panel majic.panel.map majic.hemisson.line \
                                         majic.hemisson.readings
-            majic.act                 : majic.bot
-            majic.log                 : majic.bot
-            majic.script              : majic.bot majic.act majic.log majic.script.syntax
+            majic.act                 : majic.bot majic.time majic.team
+            majic.log                 : majic.bot majic.time majic.team
+            majic.script              : majic.bot majic.time majic.lab majic.team majic.act majic.log \
+                                        majic.script.syntax
             majic.script.syntax       : majic.bot
-            majic.gui                 : majic.bot majic.act majic.log majic.script majic.panel majic.panel.map
+            majic.gui                 : majic.bot majic.time majic.lab majic.team majic.act majic.log majic.panel \
+                                        majic.panel.map majic.script
             majicsim.world            :
             majicsim.net              : majicsim.world
-            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi
-            majicsim.aibo.urbi        : majicsim.world majicsim.net
-            majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
-                                        majicsim.pioneer.model majicsim.pioneer.motion \
-                                        majicsim.pioneer.devices majicsim.pioneer.ranging \
-                                        majicsim.pioneer.board majicsim.pioneer.report \
-                                        majicsim.pioneer.serial majicsim.pioneer.session
-            majicsim.pioneer.session  : majicsim.net majicsim.world majicsim.pioneer.board \
-                                        majicsim.pioneer.devices majicsim.pioneer.model majicsim.pioneer.motion \
-                                        majicsim.pioneer.packet majicsim.pioneer.ranging majicsim.pioneer.report
-            majicsim.pioneer.serial   : majicsim.net majicsim.pioneer.devices
-            majicsim.pioneer.report   : majicsim.world majicsim.pioneer.board majicsim.pioneer.devices \
+            majicsim.aibo             : majicsim.aibo.urbi majicsim.net majicsim.world
+            majicsim.aibo.urbi        : majicsim.net majicsim.world
+            majicsim.pioneer          : majicsim.net majicsim.pioneer.board majicsim.pioneer.devices \
+                                        majicsim.pioneer.model majicsim.pioneer.serial majicsim.pioneer.session \
+                                        majicsim.world
+            majicsim.pioneer.session  : majicsim.net majicsim.pioneer.board majicsim.pioneer.devices \
                                         majicsim.pioneer.model majicsim.pioneer.motion majicsim.pioneer.packet \
-                                        majicsim.pioneer.ranging
-            majicsim.pioneer.board    : majicsim.world majicsim.pioneer.devices majicsim.pioneer.model \
-                                        majicsim.pioneer.motion majicsim.pioneer.ranging
-            majicsim.pioneer.ranging  : majicsim.world majicsim.pioneer.model
-            majicsim.pioneer.devices  : majicsim.world majicsim.pioneer.model majicsim.pioneer.packet
-            majicsim.pioneer.motion   : majicsim.world majicsim.pioneer.model
-            majicsim.pioneer.model    :
+                                        majicsim.pioneer.ranging majicsim.pioneer.report majicsim.world
+            majicsim.pioneer.serial   : majicsim.net majicsim.pioneer.devices
+            majicsim.pioneer.report   : majicsim.pioneer.board majicsim.pioneer.devices majicsim.pioneer.model \
+                                        majicsim.pioneer.motion majicsim.pioneer.packet majicsim.pioneer.ranging \
+                                        majicsim.world
+            majicsim.pioneer.board    : majicsim.pioneer.devices majicsim.pioneer.model majicsim.pioneer.motion \
+                                        majicsim.pioneer.ranging majicsim.world
+            majicsim.pioneer.ranging  : majicsim.pioneer.model majicsim.world
+            majicsim.pioneer.devices  : majicsim.pioneer.model majicsim.pioneer.packet majicsim.world
+            majicsim.pioneer.motion   : majicsim.pioneer.model majicsim.world
+            majicsim.pioneer.model    : majicsim.pioneer.report
             majicsim.pioneer.packet   :
-            majicsim.hemisson         : majicsim.world majicsim.net majicsim.hemisson.modules \
-                                        majicsim.hemisson.options majicsim.hemisson.uart \
-                                        majicsim.hemisson.board majicsim.hemisson.behaviour \
-                                        majicsim.hemisson.firmware
-            majicsim.hemisson.firmware: majicsim.hemisson.board majicsim.hemisson.modules majicsim.hemisson.uart
-            majicsim.hemisson.behaviour: majicsim.hemisson.board majicsim.hemisson.options
+            majicsim.hemisson         : majicsim.hemisson.behaviour majicsim.hemisson.board \
+                                        majicsim.hemisson.firmware majicsim.hemisson.modules \
+                                        majicsim.hemisson.options majicsim.hemisson.uart majicsim.net majicsim.world
+            majicsim.hemisson.firmware : majicsim.hemisson.board majicsim.hemisson.modules majicsim.hemisson.uart
+            majicsim.hemisson.behaviour : majicsim.hemisson.board majicsim.hemisson.options
             majicsim.hemisson.board   : majicsim.world
-            majicsim.hemisson.uart    : majicsim.net majicsim.hemisson.options
+            majicsim.hemisson.uart    : majicsim.hemisson.options majicsim.net
             majicsim.hemisson.options : majicsim.hemisson.modules
             majicsim.hemisson.modules : majicsim.world
+            majic.cli                 : majic.bot majic.act majic.script majic.console majic.program majic.server \
+                                        majic.simulation majicsim majicsim.hemisson.options majicsim.pioneer \
+                                        majicsim.world
+            majic.console             : majic.bot majic.act majic.script majic.program
+            majic.lab                 : majic.bot majic.time
+            majic.program             : majic.bot majic.link majic.time majic.team majic.act majic.log majic.script \
+                                        majic.gui majic.server majic.simulation majicsim
+            majic.server              : majic.script
+            majic.simulation          : majic.bot majic.link majic.time majic.lab majicsim majicsim.net \
+                                        majicsim.world
+            majic.team                : majic.bot majic.time majic.lab
+            majic.time                :
             """);
 
     private static Map<String, Set<String>> table(String rows) {
@@ -146,7 +159,8 @@ class ArchitectureTest {
     void onlyTheWindowAndTheRobotsPanelsTouchSwing() {
         noClasses()
                 .that(resideInAPackage("majic..")
-                        .and(not(resideInAnyPackage("majic.gui", "majic.panel..", "majic")))
+                        .and(not(resideInAnyPackage(
+                                "majic.gui..", "majic.panel..", "majic.program", "majic.cli", "majic")))
                         .and(not(panelsOfRobots())))
                 .should()
                 .dependOnClassesThat(
@@ -158,7 +172,7 @@ class ArchitectureTest {
     void whatPanelsShareIsUsedByPanelsAndTheWindowAlone() {
         noClasses()
                 .that(resideInAPackage("majic..")
-                        .and(not(resideInAnyPackage("majic.panel..", "majic.gui")))
+                        .and(not(resideInAnyPackage("majic.panel..", "majic.gui..")))
                         .and(not(panelsOfRobots())))
                 .should()
                 .dependOnClassesThat(resideInAPackage("majic.panel.."))

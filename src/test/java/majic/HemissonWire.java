@@ -7,7 +7,6 @@ import ch.qos.logback.core.AppenderBase;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
-import majic.bot.TimeSource;
 import majic.hemisson.line.Conversation;
 import majic.time.TimeSource;
 import org.slf4j.LoggerFactory;
