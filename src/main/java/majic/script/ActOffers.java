@@ -6,18 +6,20 @@ import java.util.Optional;
 import majic.act.ActDetails;
 import majic.act.ActFile;
 import majic.act.Acts;
+import majic.act.Role;
 import majic.bot.BotException;
+import majic.team.Member;
 
 /**
  * The behaviours a person can choose from, and the consent to their code. Everything here reads files and may wait;
  * nothing here loads any of an act's code.
  */
-public final class ActOffers {
-    private final Session session;
+public final class ActOffers implements Completion.ActNames {
+    private final SessionOutput output;
     private final Acts acts;
 
-    ActOffers(Session session, Acts acts) {
-        this.session = session;
+    ActOffers(SessionOutput output, Acts acts) {
+        this.output = output;
         this.acts = acts;
     }
 
@@ -27,6 +29,7 @@ public final class ActOffers {
      * @return their names, sorted
      * @throws BotException if the user's folder cannot be read
      */
+    @Override
     public List<String> names() {
         return acts.names();
     }
@@ -51,14 +54,14 @@ public final class ActOffers {
         if (called.contains("\"")) {
             throw new BotException(called + ": a file whose name has a quotation mark in it cannot be used here");
         }
-        Optional<Path> script = session.behaviours().scriptAt(called);
+        Optional<Path> script = scriptAt(called);
         if (script.isPresent()) {
             ScriptAct act = ScriptAct.read(script.get());
             String name = act.title().substring(0, act.title().length() - ScriptAct.ENDING.length());
             return new ActOffer(called, new ActDetails(name, "", "", "A script."), act.roles(), null);
         }
         ActFile file = acts.find(called);
-        return new ActOffer(called, file.details(), session.behaviours().roles(file), file);
+        return new ActOffer(called, file.details(), roles(file), file);
     }
 
     /**
@@ -81,8 +84,45 @@ public final class ActOffers {
     public void agree(ActOffer offer) {
         ActFile file = offer.file();
         if (file != null) {
-            session.say(Line.Kind.NOTICE, "trust " + offer.called() + ": agreed to its code, SHA-256 " + file.sha256());
+            output.say(Line.Kind.NOTICE, "trust " + offer.called() + ": agreed to its code, SHA-256 " + file.sha256());
             acts.trust().agree(file);
+        }
+    }
+
+    /** The file of a script that goes by a name or path; empty if an act does. */
+    Optional<Path> scriptAt(String name) {
+        return acts.locate(name).filter(path -> Acts.isScript(path.toString()));
+    }
+
+    /**
+     * The robots an act asks for. A file without code may be loaded to ask the act itself: an object stream does not say,
+     * and a script tells what it needs of them.
+     *
+     * @throws BotException if it cannot be loaded
+     */
+    private List<Role> roles(ActFile file) {
+        return file.carriesCode() ? file.roles() : file.load(acts.trust()).roles();
+    }
+
+    /**
+     * The behaviours that need no path and can be given to each of some robots, as far as can be told of one robot.
+     *
+     * @return their names, sorted
+     */
+    @Override
+    public List<String> namesFor(List<Member> members) {
+        return acts.names().stream()
+                .filter(name -> fits(name, members))
+                .map(SessionRecord::quoted)
+                .toList();
+    }
+
+    private boolean fits(String name, List<Member> members) {
+        try {
+            Role first = find(name).roles().get(0);
+            return members.stream().allMatch(member -> first.unfit(member.bot()).isEmpty());
+        } catch (BotException e) {
+            return false;
         }
     }
 }

@@ -9,6 +9,7 @@ import majic.bot.BotException;
 import majic.script.syntax.Command;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
+import majic.script.syntax.ScriptText;
 import majic.script.syntax.SessionCommand;
 import majic.script.syntax.Statement;
 import majic.team.Member;
@@ -36,7 +37,7 @@ final class Behaviour {
      */
     static Behaviour of(String title, String text) {
         List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = ScriptRun.read(text, List.of(), mistakes);
+        List<Statement> script = ScriptText.parse(text, List.of(), mistakes);
         BehaviourInspection found = new BehaviourInspection();
         found.walk(script);
         mistakes.addAll(found.mistakes());
@@ -51,12 +52,13 @@ final class Behaviour {
     /**
      * Looks whether robots can do what it says to them.
      *
+     * @param actions for its commands
      * @param given the robots by role
      * @return what is wrong, in any order
      */
-    List<Mistake> check(Session session, Map<String, Member> given) {
+    List<Mistake> check(Actions actions, Map<String, Member> given) {
         Selection robots = among(given);
-        List<Mistake> mistakes = new ArrayList<>(Checker.check(statements, session, robots));
+        List<Mistake> mistakes = new ArrayList<>(Checker.check(statements, actions, robots));
         mistakes.addAll(rawCommands(robots));
         return mistakes;
     }

@@ -138,7 +138,7 @@ final class BehaviourInspection extends Inspection {
         if (command instanceof Command.Help) {
             throw new ScriptException(command.at(), "help: a behaviour needs none; leave the line out");
         }
-        Condition until = until(command);
+        Condition until = command.until();
         if (until != null) {
             inspect(until, line.robots());
         }
@@ -146,28 +146,8 @@ final class BehaviourInspection extends Inspection {
             ownCommands.add(line);
             need(commands, line.robots(), own.at().text());
         }
-        named(command).forEach(name -> need(parameters, line.robots(), name.text()));
+        command.parameters().forEach(name -> need(parameters, line.robots(), name.text()));
         return null;
-    }
-
-    private static List<Token> named(Command command) {
-        if (command instanceof Command.Get get) {
-            return get.parameters();
-        }
-        if (command instanceof Command.Log log) {
-            return log.parameters();
-        }
-        return command instanceof Command.Set set ? List.of(set.parameter()) : List.of();
-    }
-
-    private static @Nullable Condition until(Command command) {
-        if (command instanceof Command.Move move) {
-            return move.until();
-        }
-        if (command instanceof Command.Turn turn) {
-            return turn.until();
-        }
-        return command instanceof Command.Drive drive ? drive.until() : null;
     }
 
     @Override
@@ -189,7 +169,7 @@ final class BehaviourInspection extends Inspection {
         if (add.number().isEmpty()) {
             throw new ScriptException(line.at(), "add: a behaviour is given its robots; leave the line out");
         }
-        BotAddress address = BotAddress.parse(SessionCheck.text(add.address()));
+        BotAddress address = BotAddress.parse(add.address().unquoted());
         types.put(add.number().getAsInt(), type(address));
     }
 

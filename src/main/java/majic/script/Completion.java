@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
@@ -12,23 +13,38 @@ import majic.bot.Parameter;
 import majic.script.syntax.CommandParser;
 import majic.script.syntax.Cursor;
 import majic.script.syntax.Parser;
+import majic.script.syntax.Robots;
 import majic.script.syntax.RobotsParser;
 import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionParser;
 import majic.script.syntax.Token;
+import majic.team.BotFactory;
 import majic.team.Member;
+import majic.team.Team;
 
 /** Finds what could stand at the end of a line that is being typed. */
 final class Completion {
     private static final List<String> CONDITION_WORDS = List.of("until", "while", "if", "and", "or", "not", "any");
 
-    private final Session session;
-    private final Selection selection;
+    private final Team team;
+    private final BotFactory factory;
+    private final Function<Robots, List<Member>> selection;
+    private final ActNames acts;
 
-    Completion(Session session, Selection selection) {
-        this.session = session;
+    /** The behaviours that could be named on a line. Both read files. */
+    interface ActNames {
+        List<String> names();
+
+        /** Those that can be given to each of some robots, as a line would name them. */
+        List<String> namesFor(List<Member> robots);
+    }
+
+    Completion(Team team, BotFactory factory, Function<Robots, List<Member>> selection, ActNames acts) {
+        this.team = team;
+        this.factory = factory;
         this.selection = selection;
+        this.acts = acts;
     }
 
     /** Whole words that begin like the last one of the text, sorted. */
@@ -77,7 +93,7 @@ final class Completion {
 
     private Collection<String> robotWords() {
         List<String> words = new ArrayList<>(List.of("all"));
-        for (Member member : session.team().members()) {
+        for (Member member : team.members()) {
             words.add(String.valueOf(member.number()));
             words.add(member.bot().type().name());
         }
@@ -90,19 +106,17 @@ final class Completion {
             case "add", "probe" -> tokens.size() == 1 ? addresses() : List.of("as");
             case "save" -> tokens.size() == 1 ? List.of("log", "session") : List.of();
             case "remove" -> robotWords();
-            case "trust" -> tokens.size() == 1 ? session.behaviours().acts().names() : List.of();
+            case "trust" -> tokens.size() == 1 ? acts.names() : List.of();
             case "help" -> tokens.size() == 1 ? Help.topics() : List.of();
-            case "while", "if" -> afterCondition(last, session.team().members());
+            case "while", "if" -> afterCondition(last, team.members());
             default -> List.of();
         };
     }
 
     private Collection<String> addresses() {
         List<String> words = new ArrayList<>();
-        session.factory().types().forEach(type -> words.add(type.name() + ":"));
-        session.factory()
-                .lab()
-                .ifPresent(lab -> lab.robots().forEach(robot -> words.add(BotAddress.SIMULATED + ":" + robot)));
+        factory.types().forEach(type -> words.add(type.name() + ":"));
+        factory.lab().ifPresent(lab -> lab.robots().forEach(robot -> words.add(BotAddress.SIMULATED + ":" + robot)));
         return words;
     }
 
@@ -121,7 +135,7 @@ final class Completion {
         Token last = tokens.get(tokens.size() - 1);
         tokens.add(new Token(Token.Kind.END, "", last.line(), last.end(), last.end()));
         try {
-            return selection.present(new RobotsParser(new Cursor(tokens)).robots());
+            return selection.apply(new RobotsParser(new Cursor(tokens)).robots());
         } catch (ScriptException e) {
             return List.of();
         }
@@ -143,9 +157,7 @@ final class Completion {
             case "set" ->
                 tokens.size() == command + 1 ? parameters(members, true) : words(tokens.get(command + 1), members);
             case "act" ->
-                tokens.size() == command + 1
-                        ? with(session.behaviours().namesFor(members), "off")
-                        : with(robotWords(), "with");
+                tokens.size() == command + 1 ? with(acts.namesFor(members), "off") : with(robotWords(), "with");
             case "move", "turn" ->
                 tokens.size() > command + 1 ? with(afterCondition(last, members), "until") : List.of();
             case "drive" -> with(with(afterCondition(last, members), "until"), "for");

@@ -2,7 +2,6 @@ package majic.script;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import majic.bot.BotException;
@@ -13,6 +12,7 @@ import majic.team.Member;
 import majic.team.StopCount;
 import majic.team.Team;
 import majic.time.Signal;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Gets checked lines carried out: at once on the caller's thread, beside it, or in their turn behind others. Thread-safe.
@@ -21,14 +21,16 @@ final class Dispatcher {
     /** How many lines of a person may wait behind a {@code wait}. */
     static final int MOST_HELD = 100;
 
-    private final Session session;
+    private final SessionState state;
+    private final Actions actions;
     private final Team team;
     private final Source source;
     private final Object asker;
     private final Selection selection;
-    private final Tally tally = new Tally();
+    private final LinePreparation preparation;
+    private final QueuedCommands lines = new QueuedCommands();
     private final LineQueue queue;
-    private final LineQueue comings;
+    private final LineQueue adding;
     private final AtomicInteger beside = new AtomicInteger();
     private final StopCount ownStops = new StopCount();
 
@@ -37,14 +39,16 @@ final class Dispatcher {
      *
      * @param asker what the answers to its lines carry
      */
-    Dispatcher(Session session, Source source, Object asker) {
+    Dispatcher(SessionState state, Actions actions, Source source, Object asker) {
         this.asker = asker;
-        this.session = session;
-        this.team = session.team();
+        this.state = state;
+        this.actions = actions;
+        this.team = state.team();
         this.source = source;
         this.selection = new Selection(team);
+        this.preparation = new LinePreparation(actions, selection);
         this.queue = new LineQueue(team, "script lines", this::inTurn);
-        this.comings = new LineQueue(team, "adding robots", this::attempt);
+        this.adding = new LineQueue(team, "adding robots", this::attempt);
     }
 
     Selection selection() {
@@ -52,12 +56,31 @@ final class Dispatcher {
     }
 
     /** What all lines came to so far. */
-    Tally tally() {
-        return tally;
+    QueuedCommands lines() {
+        return lines;
     }
 
-    boolean teamMayChange() {
-        return queue.teamMayChange();
+    /**
+     * Resolves a line and checks it as far as that needs no file. Never waits. Behind a line that changes the team the
+     * check waits for the line's turn.
+     *
+     * @throws BotException if it cannot be done now
+     * @throws ScriptException if it cannot be done with the robots that are there
+     */
+    PreparedLine prepare(Statement statement, String text) {
+        return preparation.prepare(statement, text, !queue.teamMayChange());
+    }
+
+    /** Checks the head of a block that is still being typed; throws as {@link #prepare}. */
+    void checkHead(Statement head) {
+        if (!queue.teamMayChange()) {
+            preparation.checkBlock(head);
+        }
+    }
+
+    /** Whether a statement stops robots. */
+    boolean isStop(Statement statement) {
+        return preparation.scheduling(statement) == Scheduling.STOP;
     }
 
     /** Waits until a line would not have to wait behind many others. */
@@ -77,26 +100,26 @@ final class Dispatcher {
     /** Whether all lines have ended, with all that they began. */
     boolean isDone() {
         return queue.isEmpty()
-                && comings.isEmpty()
+                && adding.isEmpty()
                 && beside.get() == 0
-                && tally.allEnded()
+                && lines.allEnded()
                 && team.members().stream().noneMatch(Member::isStopping);
     }
 
     /**
-     * Takes a line. Never waits. A line that names files is checked, and carried out, on a thread of this source.
+     * Runs a line at once, or queues it. Never waits. A line that names files is checked, and run, on a thread of this
+     * source.
      *
-     * @param refused gets the reason if a file the line names does not let it be done
-     * @param failed gets the reason if the line is refused when its turn comes
+     * @param refused receives the reason if a file the line names does not let it be done
+     * @param failed receives the reason if the line is refused when its turn comes
      * @throws BotException if it cannot be done now; nothing happened
-     * @throws ScriptException if it cannot be done with the robots there are; nothing happened
+     * @throws ScriptException if it cannot be done with the robots that are there; nothing happened
      */
-    void give(Statement statement, String text, Consumer<String> refused, Consumer<String> failed) {
-        Set<Integer> robots = Given.robots(statement, selection);
-        Given line = new Given(statement, text, robots, stops(robots), refused, failed, false);
+    void submit(PreparedLine prepared, Consumer<String> refused, Consumer<String> failed) {
+        SubmittedLine line = new SubmittedLine(prepared, stops(prepared), refused, failed, false);
         if (goesNow(line)) {
-            perform(line, Execution.Manner.AT_ONCE);
-        } else if (goesBeside(line) && !line.namesFile() && queue.isEmpty()) {
+            perform(line, Execution.Manner.AT_ONCE, prepared.checked());
+        } else if (goesBeside(line) && !line.has(Trait.READS_FILES) && queue.isEmpty()) {
             begin(line);
         } else if (source == Source.PROMPT && queue.size() >= MOST_HELD) {
             throw new BotException("too many lines wait already (" + MOST_HELD + "); \"stop\" ends the wait");
@@ -105,24 +128,27 @@ final class Dispatcher {
         }
     }
 
-    private boolean goesNow(Given line) {
-        boolean free = queue.isEmpty() && line.isQuick() && !line.namesFile();
-        boolean inTurn = free && hasRoom(line) && !line.isActOff();
+    private boolean goesNow(SubmittedLine line) {
+        Scheduling scheduling = line.scheduling();
+        boolean free = queue.isEmpty() && scheduling.isQuick() && !line.has(Trait.READS_FILES);
+        boolean inTurn = free && hasRoom(line) && scheduling != Scheduling.AT_ONCE_IF_TYPED;
         return switch (source) {
-            case PROMPT -> free || line.overtakes();
+            case PROMPT -> free || scheduling.overtakes();
             case PIPE -> inTurn;
-            case SOCKET -> line.isStop() || inTurn;
+            case SOCKET -> scheduling == Scheduling.STOP || inTurn;
         };
     }
 
-    /** For a person everything that takes its time runs beside what is typed next, but a wait, which holds it. */
-    private boolean goesBeside(Given line) {
-        return source == Source.PROMPT && !line.isWait() && !line.isQuick();
+    /** If typed, all that takes its time runs beside the next line, except for a wait, which holds it. */
+    private boolean goesBeside(SubmittedLine line) {
+        return source == Source.PROMPT
+                && line.scheduling() != Scheduling.HOLDS
+                && !line.scheduling().isQuick();
     }
 
     /** Whether the files that a line names let it be done; if not, says so. Reads them, so it may block. */
-    private boolean filesAllow(Given line) {
-        if (!line.namesFile()) {
+    private boolean filesAllow(SubmittedLine line) {
+        if (!line.has(Trait.READS_FILES)) {
             return true;
         }
         Optional<String> wrong = wrongWithFiles(line);
@@ -130,29 +156,28 @@ final class Dispatcher {
         return wrong.isEmpty();
     }
 
-    private Optional<String> wrongWithFiles(Given line) {
+    private Optional<String> wrongWithFiles(SubmittedLine line) {
         try {
-            return Checker.check(List.of(line.statement()), session, selection).stream()
+            return Checker.check(List.of(line.line().statement()), actions, selection).stream()
                     .findFirst()
                     .map(Mistake::message);
         } catch (RuntimeException | Error e) {
-            return Optional.of(Mishap.told(line.title(), e));
+            return Optional.of(InternalError.told(line.title(), e));
         }
     }
 
-    private boolean wasStopped(Given line) {
-        return line.mayMove() && line.stops() != stops(line.robots());
+    private boolean wasStopped(SubmittedLine line) {
+        return line.has(Trait.COMMANDS_ROBOTS) && line.stops() != stops(line.line());
     }
 
-    private boolean hasRoom(Given line) {
-        return !(line.statement() instanceof Statement.ForRobots robots)
-                || selection.present(robots.robots()).stream().allMatch(Member::hasRoom);
+    private boolean hasRoom(SubmittedLine line) {
+        return line.line().robots().stream().allMatch(Member::hasRoom);
     }
 
     /** Robots that are added one after the other get their numbers in that order. */
-    private void begin(Given line) {
-        if (line.isAdd()) {
-            comings.add(line);
+    private void begin(SubmittedLine line) {
+        if (line.scheduling() == Scheduling.BESIDE_IN_ORDER) {
+            adding.add(line);
             return;
         }
         beside.incrementAndGet();
@@ -174,7 +199,7 @@ final class Dispatcher {
         team.changes().raise();
     }
 
-    private void inTurn(Given line) {
+    private void inTurn(SubmittedLine line) {
         if (wasStopped(line)) {
             tellStopped(line);
         } else if (line.sent()) {
@@ -185,7 +210,7 @@ final class Dispatcher {
     }
 
     /** Waits until the robots of a stop have stopped, and what it ended has given them back. */
-    private void awaitFreed(Given stop) {
+    private void awaitFreed(SubmittedLine stop) {
         try {
             team.changes().await(() -> stopped(stop).stream().noneMatch(Execution::isEnding), Signal.FOR_EVER);
         } catch (InterruptedException e) {
@@ -193,16 +218,18 @@ final class Dispatcher {
         }
     }
 
-    private List<Member> stopped(Given stop) {
-        return stop.statement() instanceof Statement.ForRobots line ? selection.present(line.robots()) : team.members();
+    private List<Member> stopped(SubmittedLine stop) {
+        return stop.line().statement() instanceof Statement.ForRobots line
+                ? selection.present(line.robots())
+                : team.members();
     }
 
-    private void tellStopped(Given line) {
-        tally.fail(line.title());
-        session.say(Line.Kind.ANSWER, line.title() + ": not run: stopped", asker);
+    private void tellStopped(SubmittedLine line) {
+        lines.fail(line.title());
+        state.output().say(Line.Kind.ANSWER, line.title() + ": not run: stopped", asker);
     }
 
-    private void takeTurn(Given line) {
+    private void takeTurn(SubmittedLine line) {
         if (wasStopped(line)) {
             tellStopped(line);
         } else if (goesBeside(line)) {
@@ -212,45 +239,58 @@ final class Dispatcher {
         }
     }
 
-    /** Carries a line out whose giver has gone; what goes wrong can only be said. */
-    private void attempt(Given line) {
+    /** Runs a line asynchronously; what goes wrong can only be reported. */
+    private void attempt(SubmittedLine line) {
         try {
-            perform(line, Execution.Manner.IN_TURN);
+            perform(line, Execution.Manner.IN_TURN, null);
         } catch (ExecutionEnded e) {
-            tally.fail(line.title());
-            session.say(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
+            lines.fail(line.title());
+            state.output().say(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
         } catch (ScriptException | BotException e) {
             line.failed().accept(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
-            line.failed().accept(line.title() + ": " + Mishap.told(line.title(), e));
+            line.failed().accept(line.title() + ": " + InternalError.told(line.title(), e));
         }
     }
 
-    private void perform(Given line, Execution.Manner unlessTyped) {
+    /**
+     * Runs a line.
+     *
+     * @param checked runs what was checked just now; null for a line that has to be checked again, because it waited
+     */
+    private void perform(SubmittedLine line, Execution.Manner unlessTyped, @Nullable Consumer<Execution> checked) {
         Execution execution = Execution.ofLine(
-                        session, source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped, tally)
+                        state, source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped, lines)
                 .askedBy(asker)
                 .unless(() -> wasStopped(line));
-        if (line.isStop()) {
-            stop(line, execution);
-        } else if (line.isBlock()) {
-            runBlock(line, execution);
+        if (line.scheduling() == Scheduling.STOP) {
+            stop(line, () -> run(line, execution, checked));
+        } else if (line.line().isBlock()) {
+            runBlock(line.line(), execution);
         } else {
-            new Interpreter(execution).run(List.of(line.statement()));
+            run(line, execution, checked);
         }
     }
 
-    private void runBlock(Given line, Execution execution) {
+    private void run(SubmittedLine line, Execution execution, @Nullable Consumer<Execution> checked) {
+        if (checked == null) {
+            new Interpreter(execution, actions).run(List.of(line.line().statement()));
+        } else {
+            execution.checkAlive();
+            checked.accept(execution);
+        }
+    }
+
+    private void runBlock(PreparedLine block, Execution execution) {
         boolean waits = source == Source.PROMPT;
-        Execution script = execution.asScript(line.title(), line.text().strip(), waits);
-        if (!new ScriptRun(script, line.title(), "", waits).run(List.of(line.statement()))) {
-            tally.fail(line.title());
+        Execution script = execution.asScript(block.title(), block.text().strip(), waits);
+        if (!new ScriptRun(script, actions, block.title(), "", waits).run(List.of(block.statement()))) {
+            lines.fail(block.title());
         }
     }
 
     /** A stop drops the lines that are held for its robots, unless it is one of the held itself and had its turn. */
-    private void stop(Given line, Execution execution) {
-        Runnable stopping = () -> new Interpreter(execution).run(List.of(line.statement()));
+    private void stop(SubmittedLine line, Runnable stopping) {
         if (queue.isEmpty() || queue.isCurrent(line)) {
             ownStops.during(stopping);
         } else {
@@ -263,7 +303,7 @@ final class Dispatcher {
         }
     }
 
-    private long stops(Set<Integer> robots) {
-        return session.stops().ofOthers(robots, ownStops);
+    private long stops(PreparedLine line) {
+        return team.stops().ofOthers(line.commanded(), ownStops);
     }
 }

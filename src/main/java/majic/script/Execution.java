@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import majic.bot.MotionStopped;
 import majic.script.syntax.ScriptException;
 import majic.team.Answer;
@@ -13,6 +14,7 @@ import majic.team.Order;
 import majic.team.Owner;
 import majic.team.Pending;
 import majic.team.Team;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,14 +24,14 @@ import org.jspecify.annotations.Nullable;
 final class Execution {
     private static final int MOST_FILES = 8;
 
-    private final Session session;
+    private final SessionState state;
     private final Team team;
     private final Selection selection;
     private final Manner manner;
-    private final Tally lines;
-    private final Tally own = new Tally();
+    private final QueuedCommands lines;
+    private final QueuedCommands own = new QueuedCommands();
     private final @Nullable Owner owner;
-    private final Holdings holdings;
+    private final ClaimedRobots holdings;
     private final Recording recording;
     private final long stopsBefore;
     private final boolean latchedBefore;
@@ -50,32 +52,32 @@ final class Execution {
     }
 
     private Execution(
-            Session session,
+            SessionState state,
             Selection selection,
             Manner manner,
-            Tally lines,
+            QueuedCommands lines,
             @Nullable Owner act,
             Recording recording) {
-        this.session = session;
-        this.team = session.team();
+        this.state = state;
+        this.team = state.team();
         this.selection = selection;
         this.manner = manner;
         this.lines = lines;
         this.owner = act;
-        this.holdings = new Holdings(team, act, act != null);
+        this.holdings = new ClaimedRobots(team, act, act != null);
         this.recording = recording;
-        this.stopsBefore = session.stops().all();
-        this.latchedBefore = session.team().isLatched();
+        this.stopsBefore = team.stops().all();
+        this.latchedBefore = state.team().isLatched();
     }
 
     private Execution(Execution line, String script, Recording recording) {
-        this.session = line.session;
+        this.state = line.state;
         this.team = line.team;
         this.selection = line.selection;
         this.manner = Manner.IN_TURN;
         this.lines = line.lines;
         this.owner = new Owner(Owner.Kind.SCRIPT, script, this::end);
-        this.holdings = new Holdings(team, owner, false);
+        this.holdings = new ClaimedRobots(team, owner, false);
         this.recording = recording;
         this.asker = line.asker;
         this.stopsBefore = line.stopsBefore;
@@ -83,9 +85,9 @@ final class Execution {
     }
 
     /** One line, which has no robot to itself and ends only by its own end. */
-    static Execution ofLine(Session session, Manner manner, Tally lines) {
+    static Execution ofLine(SessionState state, Manner manner, QueuedCommands lines) {
         return new Execution(
-                session, new Selection(session.team()), manner, lines, null, new Recording(session.record(), null));
+                state, new Selection(state.team()), manner, lines, null, new Recording(state.record(), null));
     }
 
     /** Lets its answers carry where its lines come from. */
@@ -101,7 +103,12 @@ final class Execution {
 
     /** Says what becomes of its lines. */
     void say(Line.Kind kind, String text) {
-        session.say(kind, text, asker);
+        state.output().say(kind, text, asker);
+    }
+
+    /** Answers the line. */
+    void answer(String text) {
+        say(Line.Kind.ANSWER, text);
     }
 
     /** Orders nothing any more once this holds: a stop came since the line was given. */
@@ -111,8 +118,8 @@ final class Execution {
     }
 
     /** A behaviour, whose robots were lent to it. */
-    static Execution ofAct(Session session, Owner act, Selection robots) {
-        return new Execution(session, robots, Manner.IN_TURN, new Tally(), act, Recording.OFF);
+    static Execution ofAct(SessionState state, Owner act, Selection robots) {
+        return new Execution(state, robots, Manner.IN_TURN, new QueuedCommands(), act, Recording.OFF);
     }
 
     /**
@@ -151,8 +158,18 @@ final class Execution {
         }
     }
 
-    Session session() {
-        return session;
+    SessionState state() {
+        return state;
+    }
+
+    /** The clock of the team. */
+    TimeSource time() {
+        return team.time();
+    }
+
+    /** Runs a command on robots for which it was checked, and records it. */
+    void run(RobotAction action, List<Member> robots) {
+        recording.run(action, robots, this);
     }
 
     Selection selection() {
@@ -209,6 +226,15 @@ final class Execution {
             Order order = ready.get(index);
             motions += order.moves() ? 1 : 0;
             track(members.get(index), members.get(index).submit(whileAlive(order), owner));
+        }
+    }
+
+    /** Gives an order that moves nothing: beside the queue if it is typed, otherwise in its turn. */
+    void readBeside(List<Member> members, Function<Member, Order> orders) {
+        if (isTyped()) {
+            runNow(members, orders);
+        } else {
+            read(members, orders);
         }
     }
 
@@ -273,9 +299,9 @@ final class Execution {
         return member.isStopping() || (holder != null && holder.isDismissed());
     }
 
-    /** Waits until the log commands given before have had their turn. */
-    void awaitLogging() {
-        await(() -> !lines.hasOpen(Orders::isLogging), Double.POSITIVE_INFINITY);
+    /** Waits until the orders of some kind that were given before have had their turn. */
+    void awaitOrders(Predicate<Order> kind) {
+        await(() -> !lines.hasOpen(kind), Double.POSITIVE_INFINITY);
     }
 
     /** STOP. A script that says it ends by it like all others. */
@@ -321,7 +347,7 @@ final class Execution {
     }
 
     /** The robots that a plain {@code wait} waits for. */
-    Collection<Member> everybody() {
+    Collection<Member> allRobots() {
         return owner == null ? team.members() : holdings.all();
     }
 
@@ -337,8 +363,8 @@ final class Execution {
     void stopAllUsed() {
         ended = true;
         long atNanos = team.time().nanos();
-        Collection<Member> stopped =
-                holdings.stopBusy(own.trouble().map(Tally.Trouble::robot).orElse(null));
+        Collection<Member> stopped = holdings.stopBusy(
+                own.trouble().map(QueuedCommands.Trouble::robot).orElse(null));
         recording.stopped(stopped, atNanos);
     }
 
@@ -348,7 +374,7 @@ final class Execution {
     }
 
     void checkAlive() {
-        if (ended || session.stops().all() != stopsBefore || overtaken.getAsBoolean()) {
+        if (ended || team.stops().all() != stopsBefore || overtaken.getAsBoolean()) {
             throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
         }
         own.trouble().ifPresent(trouble -> {
@@ -361,10 +387,10 @@ final class Execution {
 
     /** Whether a STOP came since this began; its order may be refused before the script hears of it. */
     boolean wasStopped() {
-        return ended || session.stops().all() != stopsBefore || (team.isLatched() && !latchedBefore);
+        return ended || team.stops().all() != stopsBefore || (team.isLatched() && !latchedBefore);
     }
 
     private boolean isOver() {
-        return ended || session.stops().all() != stopsBefore || own.trouble().isPresent();
+        return ended || team.stops().all() != stopsBefore || own.trouble().isPresent();
     }
 }

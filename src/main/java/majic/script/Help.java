@@ -18,7 +18,9 @@ import majic.bot.Suggestion;
 import majic.bot.Unit;
 import majic.script.syntax.CommandParser;
 import majic.script.syntax.Token;
+import majic.team.BotFactory;
 import majic.team.Member;
+import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /** The answers to {@code help}, for a robot and for the language. */
@@ -67,12 +69,12 @@ final class Help {
     }
 
     /** For the language, or one word of it. */
-    static List<String> of(Session session, @Nullable Token topic) {
+    static List<String> of(BotFactory factory, Team team, @Nullable Token topic) {
         String word = topic == null ? "" : topic.text().toLowerCase(Locale.ROOT);
         return switch (word) {
             case "" -> all();
             case "commands" -> all().subList(1, all().size());
-            case "robots" -> robots(session);
+            case "robots" -> robots(factory, team);
             default ->
                 all().stream()
                         .filter(line -> topicOf(line).equals(word))
@@ -95,13 +97,12 @@ final class Help {
         return words[0].equals("1") ? words[1] : words[0];
     }
 
-    private static List<String> robots(Session session) {
+    private static List<String> robots(BotFactory factory, Team team) {
         List<String> lines = new ArrayList<>();
-        session.factory()
-                .types()
+        factory.types()
                 .forEach(type -> lines.add(type.name() + ": " + type.make() + ", added with \"add " + type.name()
                         + (type.defaultPort() > 0 ? "://HOST:" + type.defaultPort() : ":PORT") + "\""));
-        lines.add(session.team().roll());
+        lines.add(team.roll());
         return lines;
     }
 

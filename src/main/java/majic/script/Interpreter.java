@@ -11,17 +11,19 @@ import majic.team.Member;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
-/** Turns a tree into effects: gives orders, waits, goes round in loops. Throws whatever ends the script. */
+/** Runs the statements of a script: checks each command when its turn comes, evaluates conditions, repeats blocks. */
 final class Interpreter implements Statement.Visitor<@Nullable Void> {
     /** A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on. */
     private static final double SHORTEST_ROUND_S = 0.01;
 
     private final Execution execution;
+    private final Actions actions;
     private final TimeSource time;
 
-    Interpreter(Execution execution) {
+    Interpreter(Execution execution, Actions actions) {
         this.execution = execution;
-        this.time = execution.session().team().time();
+        this.actions = actions;
+        this.time = execution.time();
     }
 
     void run(List<Statement> statements) {
@@ -55,19 +57,18 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void forRobots(Statement.ForRobots line) {
-        List<Member> members = execution.selection().members(line.robots());
-        members.forEach(member -> line.command()
-                .accept(new CommandCheck(execution.session().behaviours(), execution.selection(), member)));
-        execution
-                .recording()
-                .command(line, members, execution, () -> line.command().accept(new Telling(execution, members)));
+        RobotAction action = actions.of(line.command());
+        List<Member> robots = execution.selection().members(line.robots());
+        robots.forEach(robot -> action.check(new RobotCheck(execution.selection(), robot, false, true)));
+        execution.run(action, robots);
         return null;
     }
 
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
-        line.command().accept(new SessionCheck(execution.session(), execution.selection()));
-        line.command().accept(new SessionDoing(execution));
+        SessionAction action = actions.of(line.command());
+        action.check(new SessionCheck(execution.selection(), false));
+        action.run(execution);
         return null;
     }
 
@@ -81,10 +82,10 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
     }
 
     private boolean holds(Condition condition, Token at) {
-        Collection<Member> asked = new ArrayList<>(Readings.allAsked(condition, execution.selection(), null));
+        Collection<Member> asked = new ArrayList<>(ConditionEvaluator.allAsked(condition, execution.selection(), null));
         execution.awaitReadable(asked);
-        Comparing.check(condition, execution.selection(), null);
-        Truth truth = condition.accept(new Readings(execution.selection(), null));
+        Comparisons.check(condition, execution.selection(), null);
+        Truth truth = condition.accept(new ConditionEvaluator(execution.selection(), null));
         if (truth.undecided() != null) {
             throw new ExecutionEnded(
                     Answer.Outcome.FAILED, at.text() + " " + condition + " cannot be told: " + truth.undecided());

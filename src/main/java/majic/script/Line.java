@@ -29,11 +29,11 @@ public record Line(Kind kind, String text, @Nullable Object asker) {
     /**
      * Whether it is to be shown to the source of lines that a parser has.
      *
-     * @param parser of one place where lines come from
+     * @param source the parser of one place where lines come from
      * @return false only if it answers another parser's line
      */
-    public boolean concerns(MajicParser parser) {
-        return asker == null || asker == parser;
+    public boolean concerns(Object source) {
+        return asker == null || asker == source;
     }
 
     /** What a line can be. */

@@ -10,10 +10,10 @@ import org.jspecify.annotations.Nullable;
 final class LineQueue {
     private final Team team;
     private final String name;
-    private final Consumer<Given> carryOut;
-    private final Deque<Given> waiting = new ArrayDeque<>();
+    private final Consumer<SubmittedLine> carryOut;
+    private final Deque<SubmittedLine> waiting = new ArrayDeque<>();
     private boolean running;
-    private @Nullable Given current;
+    private @Nullable SubmittedLine current;
 
     /**
      * An empty queue without a thread.
@@ -22,7 +22,7 @@ final class LineQueue {
      * @param name what a thread dump shows
      * @param carryOut does a line, waiting as long as it takes; must not throw
      */
-    LineQueue(Team team, String name, Consumer<Given> carryOut) {
+    LineQueue(Team team, String name, Consumer<SubmittedLine> carryOut) {
         this.team = team;
         this.name = name;
         this.carryOut = carryOut;
@@ -32,7 +32,7 @@ final class LineQueue {
         return !running;
     }
 
-    synchronized boolean isCurrent(Given line) {
+    synchronized boolean isCurrent(SubmittedLine line) {
         return line == current;
     }
 
@@ -42,10 +42,14 @@ final class LineQueue {
 
     /** Whether a line before the next one may let robots come or go. */
     synchronized boolean teamMayChange() {
-        return waiting.stream().anyMatch(Given::changesTeam) || (current != null && current.changesTeam());
+        return waiting.stream().anyMatch(LineQueue::changesTeam) || (current != null && changesTeam(current));
     }
 
-    void add(Given line) {
+    private static boolean changesTeam(SubmittedLine line) {
+        return line.has(Trait.CHANGES_TEAM);
+    }
+
+    void add(SubmittedLine line) {
         synchronized (this) {
             waiting.add(line);
             if (running) {
@@ -57,14 +61,14 @@ final class LineQueue {
     }
 
     private void run() {
-        for (Given line = next(); line != null; line = next()) {
+        for (SubmittedLine line = next(); line != null; line = next()) {
             carryOut.accept(line);
             team.changes().raise();
         }
         team.changes().raise();
     }
 
-    private synchronized @Nullable Given next() {
+    private synchronized @Nullable SubmittedLine next() {
         current = waiting.poll();
         running = current != null;
         return current;

@@ -13,7 +13,7 @@ import majic.script.syntax.Parser;
 import majic.script.syntax.Piece;
 import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.SessionCommand;
+import majic.script.syntax.ScriptText;
 import majic.script.syntax.Statement;
 import majic.script.syntax.TypedBlock;
 
@@ -22,9 +22,6 @@ import majic.script.syntax.TypedBlock;
  * has its own. Thread-safe.
  */
 public final class MajicParser {
-    static final int LONGEST_LINE = 4000;
-    static final String TOO_LONG = "the line is longer than " + LONGEST_LINE + " characters";
-
     private static final Pattern STOP = Pattern.compile("(?iu)\\bstop\\b");
     private static final Pattern READING = Pattern.compile("(?iu)\\b(acts?|trust|run)\\b");
     private static final int MOST_REMEMBERED = 10_000;
@@ -50,7 +47,7 @@ public final class MajicParser {
     private MajicParser(Session session, Source source) {
         this.session = session;
         this.source = source;
-        this.dispatcher = new Dispatcher(session, source, this);
+        this.dispatcher = new Dispatcher(session.state(), session.actions(), source, this);
     }
 
     /**
@@ -124,7 +121,7 @@ public final class MajicParser {
     }
 
     private Optional<String> parseOne(String line, String place, Consumer<String> refusedLater) {
-        session.say(Line.Kind.COMMAND, line, this);
+        session.output().say(Line.Kind.COMMAND, line, this);
         try {
             Taken taken = take(line);
             remember(line);
@@ -134,7 +131,7 @@ public final class MajicParser {
         } catch (ScriptException | BotException | ExecutionEnded e) {
             return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
         } catch (RuntimeException | Error e) {
-            return Optional.of(refuse(line, place, Mishap.told(line, e)));
+            return Optional.of(refuse(line, place, InternalError.told(line, e)));
         }
     }
 
@@ -144,7 +141,7 @@ public final class MajicParser {
             refused.accept(why);
         };
         try {
-            taken.statements().forEach(statement -> dispatcher.give(statement, taken.text(), forgotten, failed));
+            taken.lines().forEach(prepared -> dispatcher.submit(prepared, forgotten, failed));
         } catch (RuntimeException | Error e) {
             forget(line);
             throw e;
@@ -152,14 +149,14 @@ public final class MajicParser {
     }
 
     private String refuse(String line, String place, String why) {
-        dispatcher.tally().fail(line);
+        dispatcher.lines().fail(line);
         String message = VisibleText.of(place + why);
         if (STOP.matcher(line).find()) {
             message = VisibleText.of(place + "taken as STOP: " + why);
             session.team().stopAll();
             takeBlock();
         }
-        session.say(Line.Kind.ERROR, message, this);
+        session.output().say(Line.Kind.ERROR, message, this);
         return message;
     }
 
@@ -170,43 +167,36 @@ public final class MajicParser {
     /**
      * What a line lets be done now.
      *
-     * @param statements nothing while a block is open
+     * @param lines nothing while a block is open
      * @param text the line, or all lines of the block
      */
-    private record Taken(List<Statement> statements, String text) {}
+    private record Taken(List<PreparedLine> lines, String text) {}
 
     /** Reads and checks a line. Waits for no file and no robot, since it holds the lock. */
     private synchronized Taken take(String line) {
-        if (line.length() > LONGEST_LINE) {
-            throw new BotException(TOO_LONG);
+        if (line.length() > ScriptText.LONGEST_LINE) {
+            throw new BotException(ScriptText.TOO_LONG);
         }
         Parser parser = parser(line);
         Piece piece = parser.piece();
         refuseMistakes(parser.mistakes());
         if (piece instanceof Piece.Plain plain) {
-            refuseTrust(plain.statement());
-            check(plain.statement());
             return takePlain(plain, line);
         }
         return piece instanceof Piece.Nothing ? new Taken(List.of(), line) : takeBlockLine(piece, line);
     }
 
-    private void refuseTrust(Statement statement) {
-        if (source == Source.SOCKET
-                && statement instanceof Statement.ForSession line
-                && (line.command() instanceof SessionCommand.Trust
-                        || line.command() instanceof SessionCommand.TrustOff)) {
+    private Taken takePlain(Piece.Plain plain, String line) {
+        PreparedLine prepared = dispatcher.prepare(plain.statement(), line);
+        if (source == Source.SOCKET && prepared.has(Trait.LOCAL_ONLY)) {
             throw new BotException("trust: not over a socket; type it in the window or at the terminal of MAJIC");
         }
-    }
-
-    private Taken takePlain(Piece.Plain plain, String line) {
         if (block.isOpen() && !isUrgent(line)) {
             block.add(plain, line);
             return new Taken(List.of(), line);
         }
         block.take();
-        return new Taken(List.of(plain.statement()), line);
+        return new Taken(List.of(prepared), line);
     }
 
     /** Alone on a line, but for a pipe's, these two cannot wait for the end of a block; "all stop" is for use in one. */
@@ -217,7 +207,7 @@ public final class MajicParser {
 
     private Taken takeBlockLine(Piece piece, String line) {
         if (piece instanceof Piece.Open open) {
-            check(open.head());
+            dispatcher.checkHead(open.head());
         }
         block.add(piece, line);
         if (block.isOpen()) {
@@ -227,18 +217,15 @@ public final class MajicParser {
         Parser whole = parser(text);
         List<Statement> script = whole.script();
         refuseMistakes(whole.mistakes());
-        script.forEach(this::check);
-        return new Taken(script, text);
+        return new Taken(
+                script.stream()
+                        .map(statement -> dispatcher.prepare(statement, text))
+                        .toList(),
+                text);
     }
 
     private Parser parser(String text) {
-        return new Parser(Scanner.scan(text), ScriptRun.words(session));
-    }
-
-    private void check(Statement statement) {
-        if (!dispatcher.teamMayChange()) {
-            refuseMistakes(Checker.checkWithoutFiles(List.of(statement), session, dispatcher.selection()));
-        }
+        return new Parser(Scanner.scan(text), session.robotTypes());
     }
 
     private static void refuseMistakes(List<Mistake> mistakes) {
@@ -356,7 +343,7 @@ public final class MajicParser {
     public boolean isStop(String line) {
         return STOP.matcher(line).find()
                 && read(line)
-                        .map(piece -> piece instanceof Piece.Plain plain && Given.isStop(plain.statement()))
+                        .map(piece -> piece instanceof Piece.Plain plain && dispatcher.isStop(plain.statement()))
                         .orElse(true);
     }
 
@@ -376,7 +363,7 @@ public final class MajicParser {
      * @return false once a line was refused, or something it ordered failed or was stopped by anybody else
      */
     public boolean allSucceeded() {
-        return dispatcher.tally().trouble().isEmpty();
+        return dispatcher.lines().trouble().isEmpty();
     }
 
     /**
@@ -387,6 +374,6 @@ public final class MajicParser {
      * @return whole words, sorted, each to replace the one before the caret
      */
     public List<String> complete(String text, int caret) {
-        return new Completion(session, dispatcher.selection()).complete(text.substring(0, caret));
+        return session.completion().complete(text.substring(0, caret));
     }
 }

@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import majic.script.syntax.Command;
-import majic.script.syntax.Statement;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
@@ -33,42 +31,48 @@ record Recording(@Nullable SessionRecord record, @Nullable RecordedBlock block) 
         }
     }
 
-    /** Does a command, and keeps it with the time at which it was given. */
-    void command(Statement.ForRobots line, List<Member> members, Execution execution, Runnable doing) {
+    /** Runs a command, and keeps it with the time at which it was given. */
+    void run(RobotAction action, List<Member> robots, Execution execution) {
         if (record == null) {
-            doing.run();
+            action.run(execution, robots);
             return;
         }
-        Command command = line.command();
-        Set<Integer> robots = numbers(members);
-        if (command instanceof Command.Await) {
-            doing.run();
-            record.waited(ReplayScript.numbers(robots) + " wait", robots, block);
-        } else if (command instanceof Command.Stop || command instanceof Command.ActOff) {
-            long atNanos = execution.session().team().time().nanos();
-            doing.run();
-            keepStop(command, robots, atNanos, execution);
-        } else {
-            boolean moves = Commanded.orders(command);
-            RecordedEvent event = record.command(
-                    ReplayWording.of(
-                            command,
-                            robots,
-                            execution.isTyped(),
-                            execution.session().behaviours().acts()),
-                    moves ? robots : Set.of(),
-                    execution.owner(),
-                    block);
-            doing.run();
-            record.keep(event);
+        Set<Integer> numbers = numbers(robots);
+        switch (action.scheduling()) {
+            case HOLDS -> {
+                action.run(execution, robots);
+                record.waited(ReplayScript.numbers(numbers) + " " + action.text(), numbers, block);
+            }
+            case STOP -> {
+                long atNanos = execution.time().nanos();
+                action.run(execution, robots);
+                keepStop(numbers, atNanos, execution);
+            }
+            case AT_ONCE_IF_TYPED -> {
+                long atNanos = execution.time().nanos();
+                action.run(execution, robots);
+                record.calledOff(numbers, atNanos, block);
+            }
+            default -> {
+                RecordedEvent event = command(action, numbers, execution);
+                action.run(execution, robots);
+                record.keep(event);
+            }
         }
     }
 
+    private RecordedEvent command(RobotAction action, Set<Integer> numbers, Execution execution) {
+        String text = action.replayText(execution.isTyped());
+        return record.command(
+                text.isEmpty() ? "" : ReplayScript.numbers(numbers) + " " + text,
+                action.has(Trait.COMMANDS_ROBOTS) ? numbers : Set.of(),
+                execution.owner(),
+                block);
+    }
+
     /** The stop of a line is told by the team. */
-    private void keepStop(Command command, Set<Integer> robots, long atNanos, Execution execution) {
-        if (record != null && command instanceof Command.ActOff) {
-            record.calledOff(robots, atNanos, block);
-        } else if (record != null && execution.isScript()) {
+    private void keepStop(Set<Integer> robots, long atNanos, Execution execution) {
+        if (execution.isScript()) {
             record.stopped(robots, atNanos, block);
         }
     }

@@ -35,7 +35,8 @@ public final class ScriptAct extends MajicAct {
 
     /** Where it runs. */
     private record Stage(
-            Session session,
+            SessionState state,
+            Actions actions,
             Owner act,
             Map<String, Member> cast,
             @Nullable Object asker) {}
@@ -61,7 +62,7 @@ public final class ScriptAct extends MajicAct {
      * @throws BotException if it cannot be read, or is no behaviour
      */
     public static ScriptAct read(Path file) {
-        return new ScriptAct(String.valueOf(file.getFileName()), ScriptFile.read(file));
+        return new ScriptAct(String.valueOf(file.getFileName()), ScriptFiles.read(file));
     }
 
     /**
@@ -101,8 +102,8 @@ public final class ScriptAct extends MajicAct {
     }
 
     /** Tells it where it runs, before it is started; a robot for each role. */
-    void enter(Session session, Owner act, Map<String, List<Member>> cast, @Nullable Object asker) {
-        stage = new Stage(session, act, first(cast), asker);
+    void enter(Execution line, Actions actions, Owner act, Map<String, List<Member>> robots) {
+        stage = new Stage(line.state(), actions, act, first(robots), line.asker());
     }
 
     private static Map<String, Member> first(Map<String, List<Member>> cast) {
@@ -116,9 +117,9 @@ public final class ScriptAct extends MajicAct {
      *
      * @throws BotException if not, one line for each mistake, with its place
      */
-    void check(Session session, Map<String, List<Member>> cast) {
+    void check(Actions actions, Map<String, List<Member>> cast) {
         Behaviour behaviour = Behaviour.of(title, text);
-        Behaviour.refuse(title, behaviour.check(session, first(cast)));
+        Behaviour.refuse(title, behaviour.check(actions, first(cast)));
     }
 
     @Override
@@ -128,11 +129,12 @@ public final class ScriptAct extends MajicAct {
             throw new BotException("a behaviour in MAJIC Script runs in a session: 1 act FILE");
         }
         Behaviour behaviour = Behaviour.of(title, text);
-        refuse(behaviour.check(here.session, here.cast), here);
+        refuse(behaviour.check(here.actions, here.cast), here);
         try {
             run(
                     behaviour,
-                    Execution.ofAct(here.session, here.act, behaviour.among(here.cast))
+                    here.actions,
+                    Execution.ofAct(here.state, here.act, behaviour.among(here.cast))
                             .askedBy(here.asker));
         } catch (ExecutionEnded e) {
             throw e.outcome() == Answer.Outcome.STOPPED
@@ -145,14 +147,15 @@ public final class ScriptAct extends MajicAct {
 
     /** As of a script that is run, each mistake is said once and the answer counts them. */
     private void refuse(List<Mistake> mistakes, Stage here) {
-        Mistake.inOrder(mistakes, title).forEach(mistake -> here.session.say(Line.Kind.ERROR, mistake, here.asker));
+        Mistake.inOrder(mistakes, title)
+                .forEach(mistake -> here.state.output().say(Line.Kind.ERROR, mistake, here.asker));
         if (!mistakes.isEmpty()) {
             throw new BotException(Mistake.counted(mistakes.size()) + " in it, nothing was run");
         }
     }
 
-    private static void run(Behaviour behaviour, Execution execution) {
-        new Interpreter(execution).run(behaviour.statements());
+    private static void run(Behaviour behaviour, Actions actions, Execution execution) {
+        new Interpreter(execution, actions).run(behaviour.statements());
         execution.finish();
     }
 }

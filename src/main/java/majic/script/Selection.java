@@ -50,11 +50,14 @@ final class Selection {
     }
 
     /**
-     * The robots named, each once.
+     * The robots named, each once; none for null.
      *
      * @throws ScriptException if a robot named by number is not there, or none of those that are chosen
      */
-    List<Member> members(Robots robots) {
+    List<Member> members(@Nullable Robots robots) {
+        if (robots == null) {
+            return List.of();
+        }
         Set<Member> found = new LinkedHashSet<>();
         robots.items().forEach(item -> found.addAll(members(item)));
         return List.copyOf(found);

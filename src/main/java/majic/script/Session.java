@@ -1,25 +1,18 @@
 package majic.script;
 
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import majic.act.Acts;
+import majic.bot.BotType;
 import majic.log.ParameterLog;
 import majic.log.Sampling;
 import majic.log.SessionLog;
 import majic.team.Answer;
 import majic.team.BotFactory;
 import majic.team.Member;
-import majic.team.StopCount;
 import majic.team.Team;
 import majic.team.TeamListener;
-import org.jspecify.annotations.Nullable;
 
 /**
  * What everything in one running MAJIC has in common: the team, where robots come from, and what is said. Window,
@@ -27,22 +20,14 @@ import org.jspecify.annotations.Nullable;
  * Thread-safe.
  */
 public final class Session {
-    private static final Logger LOG = System.getLogger(Session.class.getName());
-
-    private static final long FLUSH_BOUND_MS = 1000;
-
     private final Team team;
     private final BotFactory factory;
     private final SessionLog log;
-    private final Runnable quit;
-    private final List<Listening> listeners = new CopyOnWriteArrayList<>();
-    private final Object saying = new Object();
-    private final Behaviours behaviours;
+    private final SessionOutput output;
+    private final SessionState state;
     private final ActOffers offers;
-    private final Comings comings;
-    private final SessionRecord sessionRecord;
-    private final ParameterLog parameterLog = new ParameterLog();
-    private final Sampling sampling;
+    private final RobotConnector connector;
+    private final Actions actions;
 
     /**
      * A session with nobody listening yet.
@@ -57,12 +42,14 @@ public final class Session {
         this.team = team;
         this.factory = factory;
         this.log = log;
-        this.quit = quit;
-        this.behaviours = new Behaviours(this, acts);
-        this.offers = new ActOffers(this, acts);
-        this.comings = new Comings(this);
-        this.sessionRecord = new SessionRecord(team);
-        this.sampling = new Sampling(parameterLog, team.time(), notice -> say(Line.Kind.NOTICE, notice));
+        this.output = new SessionOutput(log);
+        this.state = new SessionState(team, output, new SessionRecord(team));
+        this.offers = new ActOffers(output, acts);
+        this.connector = new RobotConnector(state, factory);
+        ParameterLog readings = new ParameterLog();
+        Sampling sampling = new Sampling(readings, team.time(), notice -> output.say(Line.Kind.NOTICE, notice));
+        SessionActs runner = new SessionActs(state, acts, offers);
+        this.actions = new ActionTable(state, factory, connector, runner, readings, sampling, quit);
         log.onTrouble(this::alarm);
         team.addListener(new TeamRelay());
     }
@@ -73,7 +60,7 @@ public final class Session {
      * @param text a sentence
      */
     public void alarm(String text) {
-        say(Line.Kind.ERROR, text);
+        output.say(Line.Kind.ERROR, text);
     }
 
     /**
@@ -118,7 +105,7 @@ public final class Session {
      * @param listener who
      */
     public void addListener(SessionListener listener) {
-        listeners.add(new Listening(listener).start());
+        output.addListener(listener);
     }
 
     /**
@@ -127,11 +114,7 @@ public final class Session {
      * @param listener who was added
      */
     public void removeListener(SessionListener listener) {
-        for (Listening listening : listeners) {
-            if (listening.isTo(listener) && listeners.remove(listening)) {
-                listening.end();
-            }
-        }
+        output.removeListener(listener);
     }
 
     /**
@@ -141,22 +124,12 @@ public final class Session {
      * @param task what to do; must return soon
      */
     public void afterwards(SessionListener listener, Runnable task) {
-        listeners.stream()
-                .filter(listening -> listening.isTo(listener))
-                .forEach(listening -> listening.afterwards(task));
+        output.afterwards(listener, task);
     }
 
     /** Waits until everybody has heard what was said so far, for one second at most. */
     public void flush() {
-        CountDownLatch deaf = new CountDownLatch(listeners.size());
-        listeners.forEach(listening -> listening.afterwards(deaf::countDown));
-        try {
-            if (!deaf.await(FLUSH_BOUND_MS, TimeUnit.MILLISECONDS)) {
-                LOG.log(Level.DEBUG, "a listener of the session does not listen");
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        output.flush();
     }
 
     /**
@@ -167,7 +140,7 @@ public final class Session {
      * @param address where it is, as {@code add} would take it
      */
     public void joined(Member member, String address) {
-        comings.joined(member, address);
+        connector.joined(member, address);
     }
 
     /**
@@ -178,94 +151,67 @@ public final class Session {
      * @return a robot of the team; empty if none is lost there
      */
     public Optional<Member> lostAt(String address) {
-        return comings.lost(address, OptionalInt.empty());
+        return connector.lost(address, OptionalInt.empty());
     }
 
-    /** Says something to everybody; never waits. One lock keeps the order the same for all. */
-    void say(Line.Kind kind, String text) {
-        say(new Line(kind, text));
+    SessionOutput output() {
+        return output;
     }
 
-    /** As {@link #say(Line.Kind, String)}, for one source of lines in the first place. */
-    void say(Line.Kind kind, String text, @Nullable Object asker) {
-        say(new Line(kind, text, asker));
+    SessionState state() {
+        return state;
     }
 
-    private void say(Line line) {
-        synchronized (saying) {
-            log.write(line.kind().name().toLowerCase(Locale.ROOT), line.text());
-            listeners.forEach(listening -> listening.tell(line));
-        }
+    Actions actions() {
+        return actions;
     }
 
-    void quit() {
-        quit.run();
+    /** The words that stand for all robots of a type. */
+    List<String> robotTypes() {
+        return factory.types().stream().map(BotType::name).toList();
     }
 
-    /** How often robots were stopped; who waits compares it with what it was. */
-    StopCount stops() {
-        return team.stops();
-    }
-
-    /** Where robots come from and go to. */
-    Comings comings() {
-        return comings;
-    }
-
-    /** The behaviours that can be loaded and those that run. */
-    Behaviours behaviours() {
-        return behaviours;
-    }
-
-    /** What was done so far, to be replayed. */
-    SessionRecord record() {
-        return sessionRecord;
-    }
-
-    ParameterLog parameterLog() {
-        return parameterLog;
-    }
-
-    Sampling sampling() {
-        return sampling;
+    Completion completion() {
+        return new Completion(team, factory, new Selection(team)::present, offers);
     }
 
     /** Puts what the team says into words for the session. */
     private final class TeamRelay implements TeamListener {
         @Override
         public void answered(Answer answer) {
-            say(Line.Kind.ANSWER, answer.text(), answer.asker());
+            output.say(Line.Kind.ANSWER, answer.text(), answer.asker());
         }
 
         @Override
         public void noticed(int robot, String message) {
-            say(Line.Kind.NOTICE, message);
+            output.say(Line.Kind.NOTICE, message);
         }
 
         @Override
         public void lost(Member member, String reason) {
-            String hint = comings.address(member)
+            String hint = connector
+                    .address(member)
                     .map(address -> "; \"add " + address + "\" connects it again")
                     .orElse("");
-            say(Line.Kind.NOTICE, member.number() + ": " + reason + hint);
+            output.say(Line.Kind.NOTICE, member.number() + ": " + reason + hint);
         }
 
         @Override
         public void regained(Member member) {
             String where =
-                    comings.address(member).map(address -> " at " + address).orElse("");
+                    connector.address(member).map(address -> " at " + address).orElse("");
             String label = member.bot().type().label();
-            say(Line.Kind.ANSWER, member.number() + ": " + label + where + " connected again");
+            output.say(Line.Kind.ANSWER, member.number() + ": " + label + where + " connected again");
         }
 
         @Override
         public void removed(Member member) {
-            say(Line.Kind.ANSWER, "Bot " + member.number() + " is dead");
+            output.say(Line.Kind.ANSWER, "Bot " + member.number() + " is dead");
         }
 
         @Override
         public void latchChanged(boolean latched) {
-            say(
+            output.say(
                     Line.Kind.NOTICE,
                     latched
                             ? "STOP is latched; \"release\" allows motion again"

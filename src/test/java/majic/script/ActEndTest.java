@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import majic.act.ActDetails;
-import majic.act.ActFile;
 import majic.act.ActMaker;
 import majic.bot.FakeBot;
 import majic.team.Owner;
@@ -146,7 +145,7 @@ class ActEndTest {
                         + "}\n");
         Path act =
                 Files.write(folder.resolve("Deaf.act"), ActMaker.from(source).make("Deaf", ActDetails.named("Deaf")));
-        desk.session.behaviours().acts().trust().agree(ActFile.read(act));
+        desk.session.offers().agree(desk.session.offers().find(act.toString()));
         return '"' + act.toString() + '"';
     }
 

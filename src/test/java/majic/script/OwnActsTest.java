@@ -115,6 +115,6 @@ class OwnActsTest {
     void aSavedSessionNamesItsFileInFull() throws Exception {
         script("wander.majic", "me move 70");
         desk.runPipe("2 act wander.majic", "2 wait");
-        assertThat(desk.session.record().lines()).contains("2 act " + folder.resolve("wander.majic"));
+        assertThat(desk.session.state().record().lines()).contains("2 act " + folder.resolve("wander.majic"));
     }
 }

@@ -42,7 +42,7 @@ class SessionRecordTest {
         type("1 move 300");
         desk.pause(3);
         type("1 turn 90  # left");
-        assertThat(desk.session.record().lines())
+        assertThat(desk.session.state().record().lines())
                 .containsExactly("add sim:aibo as 1", "add sim:pioneer as 2", "1 move 300", "wait 3s", "1 turn 90");
     }
 
@@ -54,14 +54,14 @@ class SessionRecordTest {
         type("2 move 300");
         desk.pause(0.5);
         type("1 move 30");
-        assertThat(desk.session.record().lines().subList(2, 7))
+        assertThat(desk.session.state().record().lines().subList(2, 7))
                 .containsExactly("1 move 300", "1 wait", "wait 0.5s", "2 move 300", "wait 0.5s");
     }
 
     @Test
     void doesNotPauseAgainForWhatTakesItsTimeAnyway() throws InterruptedException {
         desk.runPipe("add sim:aibo", "repeat 2", "  1 move 300", "  1 wait", "end", "wait 2s", "1 turn 90");
-        assertThat(desk.session.record().lines())
+        assertThat(desk.session.state().record().lines())
                 .containsExactly(
                         "add sim:aibo as 1", "repeat 2", "  1 move 300", "  1 wait", "end", "wait 2s", "1 turn 90");
     }
@@ -71,7 +71,7 @@ class SessionRecordTest {
         desk.runPipe("add sim:aibo as 1", "1 move 30", "add sim:aibo as 1", "1 move 30");
         assertThat(desk.pipe.allSucceeded()).isTrue();
         assertThat(desk.said()).contains("1: at sim:aibo, connected already");
-        assertThat(desk.session.record().lines()).containsOnlyOnce("add sim:aibo as 1");
+        assertThat(desk.session.state().record().lines()).containsOnlyOnce("add sim:aibo as 1");
     }
 
     @Test
@@ -81,7 +81,7 @@ class SessionRecordTest {
         type("1 help");
         desk.prompt.parseText("1 mvoe 3");
         desk.prompt.parseText("1 set x 3");
-        assertThat(desk.session.record().lines()).hasSize(2);
+        assertThat(desk.session.state().record().lines()).hasSize(2);
     }
 
     @Test
@@ -91,7 +91,8 @@ class SessionRecordTest {
         desk.pause(1);
         type("stop");
         type("release");
-        assertThat(desk.session.record().lines().subList(2, 5)).containsExactly("1 move 3m", "wait 1s", "1,2 stop");
+        assertThat(desk.session.state().record().lines().subList(2, 5))
+                .containsExactly("1 move 3m", "wait 1s", "1,2 stop");
     }
 
     @Test
@@ -99,7 +100,7 @@ class SessionRecordTest {
         addTwo();
         type("1 move 300");
         type("1 get x");
-        assertThat(desk.session.record().lines()).endsWith("1 get now x");
+        assertThat(desk.session.state().record().lines()).endsWith("1 get now x");
     }
 
     @Test
@@ -130,7 +131,7 @@ class SessionRecordTest {
         desk.pause(0.96);
         desk.team.stopAll();
         desk.prompt.awaitAll();
-        assertThat(desk.session.record().lines())
+        assertThat(desk.session.state().record().lines())
                 .endsWith("2 move 300", "2 wait", "wait 1s", "1 move 999", "wait 0.96s", "1,2 stop");
         assertThatReplayEndsWhereThisDid();
     }
@@ -142,7 +143,7 @@ class SessionRecordTest {
         desk.pause(1.21);
         desk.team.stop(List.of(desk.team.member(2)), null);
         desk.prompt.awaitAll();
-        assertThat(desk.session.record().lines()).endsWith("1,2 move 999", "wait 1.21s", "2 stop");
+        assertThat(desk.session.state().record().lines()).endsWith("1,2 move 999", "wait 1.21s", "2 stop");
         assertThatReplayEndsWhereThisDid();
     }
 
@@ -153,7 +154,7 @@ class SessionRecordTest {
         desk.pause(1);
         desk.prompt.parseText("1 stopp stop");
         desk.prompt.awaitAll();
-        assertThat(desk.session.record().lines()).endsWith("1 move 999", "wait 1s", "1,2 stop");
+        assertThat(desk.session.state().record().lines()).endsWith("1 move 999", "wait 1s", "1,2 stop");
     }
 
     @Test
@@ -166,7 +167,7 @@ class SessionRecordTest {
         desk.pause(3.03);
         desk.team.stop(List.of(desk.team.member(2)), null);
         desk.prompt.awaitAll();
-        assertThat(desk.session.record().lines().subList(2, 7))
+        assertThat(desk.session.state().record().lines().subList(2, 7))
                 .containsExactly("1 move 300", "2 move 5m", "wait 2s", "1 turn 90", "wait 3.03s");
         assertThatReplayEndsWhereThisDid();
     }
@@ -180,7 +181,7 @@ class SessionRecordTest {
         desk.pause(3.03);
         desk.team.stopAll();
         desk.prompt.awaitAll();
-        assertThat(desk.session.record().lines())
+        assertThat(desk.session.state().record().lines())
                 .doesNotContain("repeat")
                 .containsSubsequence("1,2 move 100", "1 turn 90", "1,2 move 100", "1 turn 90", "1,2 stop");
         assertThatReplayEndsWhereThisDid();
@@ -218,7 +219,7 @@ class SessionRecordTest {
         desk.pause(1);
         type("remove 2");
         desk.prompt.awaitAll();
-        assertThat(desk.session.record().lines()).endsWith("2 move 3m", "wait 1s", "2 stop", "remove 2");
+        assertThat(desk.session.state().record().lines()).endsWith("2 move 3m", "wait 1s", "2 stop", "remove 2");
     }
 
     @Test
@@ -232,7 +233,7 @@ class SessionRecordTest {
         hand.close();
         desk.pause(1);
         type("1 turn 90");
-        assertThat(desk.session.record().lines())
+        assertThat(desk.session.state().record().lines())
                 .endsWith("1 drive 200 0 for 0.6s", "wait 0.6s", "1 drive 200 15.5 for 0.9s", "wait 1.9s", "1 turn 90");
     }
 
@@ -244,7 +245,7 @@ class SessionRecordTest {
         desk.pause(5);
         hand.close();
         desk.pause(1);
-        assertThat(desk.session.record().lines()).endsWith("1 drive 200 0 for 0.6s");
+        assertThat(desk.session.state().record().lines()).endsWith("1 drive 200 0 for 0.6s");
     }
 
     @Test
@@ -254,7 +255,7 @@ class SessionRecordTest {
         hand.set("headPan", 12.5);
         hand.finish();
         desk.pause(1);
-        assertThat(desk.session.record().lines()).endsWith("1 set headPan 12.5");
+        assertThat(desk.session.state().record().lines()).endsWith("1 set headPan 12.5");
     }
 
     @Test
@@ -264,7 +265,7 @@ class SessionRecordTest {
         type("aibo set light on");
         type("1-2 set title \"a b\"");
         type("1 move 100 until (bumped == yes or headPan > 3) and not distanceFront < 10");
-        assertThat(desk.session.record().lines())
+        assertThat(desk.session.state().record().lines())
                 .endsWith(
                         "1,2 move 100",
                         "1 set light on",
@@ -283,13 +284,13 @@ class SessionRecordTest {
         type("2 act \"" + relative + "\"");
         desk.prompt.awaitAll();
         Path absolute = working.resolve(relative);
-        assertThat(desk.session.record().lines()).contains("run " + absolute, "2 act " + absolute);
+        assertThat(desk.session.state().record().lines()).contains("run " + absolute, "2 act " + absolute);
     }
 
     /** Both robots drive ahead only, or turn; a replay must not get further, and at most a little less far. */
     private void assertThatReplayEndsWhereThisDid() throws Exception {
         Path file = folder.resolve("saved.majic");
-        desk.session.record().save(file);
+        desk.session.state().record().save(file);
         try (Desk again = new Desk()) {
             again.runPipe("run \"" + file + "\"");
             assertThat(again.pipe.allSucceeded()).as(again.said().toString()).isTrue();

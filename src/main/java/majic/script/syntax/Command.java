@@ -1,15 +1,31 @@
 package majic.script.syntax;
 
+import java.math.BigDecimal;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
-/** What a robot can be told. {@link Wording} puts it into the words that answers repeat. */
+/** A command for robots. */
 public sealed interface Command {
     /** Where the command's own word stands. */
     Token at();
 
     <R> R accept(Visitor<R> visitor);
+
+    /** The words that answers repeat: without robots, in lower case, numbers as they were written. */
+    String text();
+
+    /** The condition that ends a motion early; null for none. */
+    default @Nullable Condition until() {
+        return null;
+    }
+
+    /** The parameters that it reads or sets. */
+    default List<Token> parameters() {
+        return List.of();
+    }
 
     /** One method for each command. */
     interface Visitor<R> {
@@ -40,21 +56,33 @@ public sealed interface Command {
         R own(Own own);
     }
 
+    /** Drives straight. */
     record Move(Token at, Literal distance, @Nullable Condition until) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.move(this);
         }
+
+        @Override
+        public String text() {
+            return "move " + distance.text() + untilText(until);
+        }
     }
 
+    /** Turns on the spot. */
     record Turn(Token at, Literal angle, @Nullable Condition until) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.turn(this);
         }
+
+        @Override
+        public String text() {
+            return "turn " + angle.text() + untilText(until);
+        }
     }
 
-    /** Seconds are missing where none were written. */
+    /** Drives a curve; seconds are missing where none were written. */
     record Drive(
             Token at,
             Literal speed,
@@ -65,69 +93,135 @@ public sealed interface Command {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.drive(this);
         }
+
+        @Override
+        public String text() {
+            String speeds = "drive " + speed.text() + " " + rate.text();
+            return seconds.isPresent()
+                    ? speeds + " for " + inFull(seconds.getAsDouble()) + "s"
+                    : speeds + untilText(until);
+        }
     }
 
+    /** Stops the robots. */
     record Stop(Token at) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.stop(this);
         }
+
+        @Override
+        public String text() {
+            return "stop";
+        }
     }
 
+    /** Reads parameters; with {@code now} beside the queue. */
     record Get(Token at, List<Token> parameters, boolean now) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.get(this);
         }
+
+        @Override
+        public String text() {
+            return "get " + (now ? "now " : "") + names(parameters);
+        }
     }
 
+    /** Sets a parameter. */
     record Set(Token at, Token parameter, List<Literal> values) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.set(this);
         }
+
+        @Override
+        public List<Token> parameters() {
+            return List.of(parameter);
+        }
+
+        @Override
+        public String text() {
+            return "set " + parameter.text() + valueTexts(values);
+        }
     }
 
+    /** Logs parameters from now on, one reading each period. */
     record Log(Token at, List<Token> parameters, Literal period) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.log(this);
         }
+
+        @Override
+        public String text() {
+            return "log " + names(parameters) + " every " + period.text();
+        }
     }
 
+    /** Ends logging. */
     record LogOff(Token at) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.logOff(this);
         }
+
+        @Override
+        public String text() {
+            return "log off";
+        }
     }
 
-    /** With the robots for its further roles, in their order. */
+    /** Runs a behaviour, with the robots for its further roles in their order. */
     record Act(Token at, Literal name, @Nullable Robots others) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.act(this);
         }
+
+        @Override
+        public String text() {
+            return "act " + name.text() + (others == null ? "" : " with " + others.text());
+        }
     }
 
+    /** Ends the behaviour that a robot runs. */
     record ActOff(Token at) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.actOff(this);
         }
+
+        @Override
+        public String text() {
+            return "act off";
+        }
     }
 
+    /** Waits until the robots have finished. */
     record Await(Token at) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.await(this);
         }
+
+        @Override
+        public String text() {
+            return "wait";
+        }
     }
 
+    /** Lists the commands and parameters of a robot, or describes one. */
     record Help(Token at, @Nullable Token parameter) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.help(this);
+        }
+
+        @Override
+        public String text() {
+            return parameter == null ? "help" : "help " + parameter.text();
         }
     }
 
@@ -137,5 +231,27 @@ public sealed interface Command {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.own(this);
         }
+
+        @Override
+        public String text() {
+            return at.text().toLowerCase(Locale.ROOT) + valueTexts(arguments);
+        }
+    }
+
+    /** In full: a rounded time would drive further. */
+    private static String inFull(double seconds) {
+        return BigDecimal.valueOf(seconds).stripTrailingZeros().toPlainString();
+    }
+
+    private static String untilText(@Nullable Condition condition) {
+        return condition == null ? "" : " until " + condition;
+    }
+
+    private static String names(List<Token> parameters) {
+        return parameters.stream().map(Token::text).collect(Collectors.joining(","));
+    }
+
+    private static String valueTexts(List<Literal> values) {
+        return values.stream().map(value -> " " + value.text()).collect(Collectors.joining());
     }
 }

@@ -17,6 +17,7 @@ public sealed interface Condition {
         R comparison(Comparison comparison);
     }
 
+    /** True if one of two conditions is. */
     record Or(Condition left, Condition right) implements Condition {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -29,6 +30,7 @@ public sealed interface Condition {
         }
     }
 
+    /** True if both conditions are. */
     record And(Condition left, Condition right) implements Condition {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -41,6 +43,7 @@ public sealed interface Condition {
         }
     }
 
+    /** True if a condition is not. */
     record Not(Condition inner) implements Condition {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -63,7 +66,7 @@ public sealed interface Condition {
         @Override
         public String toString() {
             String what = parameter.text() + " " + operator + " " + value.text();
-            return robots == null ? what : Wording.of(robots) + " " + what;
+            return robots == null ? what : robots.text() + " " + what;
         }
     }
 

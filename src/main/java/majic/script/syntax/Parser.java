@@ -50,7 +50,7 @@ public final class Parser {
         return mistakes;
     }
 
-    /** {@code script = lines ;} */
+    /** Reads a whole script: {@code script = lines ;}. */
     public List<Statement> script() {
         List<Statement> statements = new ArrayList<>(lines());
         while (!at.check(Kind.END)) {

@@ -1,6 +1,7 @@
 package majic.script.syntax;
 
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * The robots a command or a condition speaks of.
@@ -38,5 +39,10 @@ public record Robots(Token at, List<Item> items) {
 
     boolean isAll() {
         return items.size() == 1 && items.get(0) instanceof All;
+    }
+
+    /** As answers repeat them: {@code 1,3}. */
+    public String text() {
+        return items.stream().map(item -> item.at().text()).collect(Collectors.joining(","));
     }
 }

@@ -15,7 +15,7 @@ public final class RobotsParser {
         this.at = at;
     }
 
-    /** {@code robots = robot { "," robot } ;} */
+    /** Reads the names of robots: {@code robots = robot { "," robot } ;}. */
     public Robots robots() {
         Token first = at.peek();
         List<Item> items = new ArrayList<>();

@@ -3,7 +3,7 @@ package majic.script.syntax;
 import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 
-/** What the session as a whole can be told. */
+/** A command for the session as a whole. */
 public sealed interface SessionCommand {
     <R> R accept(Visitor<R> visitor);
 
@@ -44,6 +44,7 @@ public sealed interface SessionCommand {
         R pause(Pause pause);
     }
 
+    /** Connects to a robot and adds it to the team. */
     record Add(Literal address, OptionalInt number) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -51,6 +52,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Stops robots, closes them and removes them from the team. */
     record Remove(Robots robots) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -58,6 +60,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Lists the robots and their states. */
     record Bots() implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -65,6 +68,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Reports what answers at an address. */
     record Probe(Literal address) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -96,6 +100,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Allows motion again after STOP. */
     record Release() implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -103,6 +108,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Runs a script from a file. */
     record Run(Literal file) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -110,6 +116,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Writes what was done in the session as a script. */
     record SaveSession(Literal file) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -117,6 +124,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Writes the parameter log as CSV. */
     record SaveLog(Literal file) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -124,6 +132,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Lists the true poses in the simulated lab. */
     record Lab() implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -131,6 +140,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Describes the language, or one word of it. */
     record Help(@Nullable Token topic) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -138,6 +148,7 @@ public sealed interface SessionCommand {
         }
     }
 
+    /** Ends MAJIC. */
     record Quit() implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -145,7 +156,7 @@ public sealed interface SessionCommand {
         }
     }
 
-    /** STOP. */
+    /** STOP: stops all robots and latches. */
     record StopAll() implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {

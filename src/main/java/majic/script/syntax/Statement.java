@@ -23,7 +23,7 @@ public sealed interface Statement {
         R forSession(ForSession command);
     }
 
-    /** Without times it is for ever. */
+    /** Repeats its body; for ever without a number of times. */
     record Repeat(Token at, OptionalInt times, List<Statement> body) implements Statement {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -31,6 +31,7 @@ public sealed interface Statement {
         }
     }
 
+    /** Repeats its body as long as a condition holds. */
     record While(Token at, Condition condition, List<Statement> body) implements Statement {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -38,6 +39,7 @@ public sealed interface Statement {
         }
     }
 
+    /** Runs one of two bodies. */
     record If(Token at, Condition condition, List<Statement> body, List<Statement> otherwise) implements Statement {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -45,6 +47,7 @@ public sealed interface Statement {
         }
     }
 
+    /** One command for robots. */
     record ForRobots(Token at, Robots robots, Command command) implements Statement {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -52,6 +55,7 @@ public sealed interface Statement {
         }
     }
 
+    /** One command for the session. */
     record ForSession(Token at, SessionCommand command) implements Statement {
         @Override
         public <R> R accept(Visitor<R> visitor) {

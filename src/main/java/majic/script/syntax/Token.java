@@ -10,6 +10,7 @@ package majic.script.syntax;
  * @param end the column behind its last character
  */
 public record Token(Kind kind, String text, int line, int column, int end) {
+    /** What a token can be. */
     public enum Kind {
         /** A number with or without a unit: {@code -3}, {@code 2.5m}. */
         NUMBER,
@@ -19,7 +20,7 @@ public record Token(Kind kind, String text, int line, int column, int end) {
         WORD,
         /** Text in quotes. */
         QUOTED,
-        /** A quote that nobody closed, to the end of its line. */
+        /** A quote that is never closed, to the end of its line. */
         OPEN_QUOTE,
         COMMA,
         DOT,

@@ -48,8 +48,7 @@ class ParserTest {
             })
     void repeatsALineInItsOwnWords(String text, String words) {
         Statement.ForRobots line = line(text);
-        assertThat(Wording.of(line.robots()) + " / " + Wording.of(line.command()))
-                .isEqualTo(words);
+        assertThat(line.robots().text() + " / " + line.command().text()).isEqualTo(words);
     }
 
     @ParameterizedTest

@@ -4,10 +4,10 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 
 /** What nobody has foreseen: the log gets all of it, the person a line. */
-final class Mishap {
-    private static final Logger LOG = System.getLogger(Mishap.class.getName());
+final class InternalError {
+    private static final Logger LOG = System.getLogger(InternalError.class.getName());
 
-    private Mishap() {}
+    private InternalError() {}
 
     /** Logs it, and tells how to say it. */
     static String told(String doing, Throwable why) {

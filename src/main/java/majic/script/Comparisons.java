@@ -17,10 +17,10 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Holds a parameter of one robot against the right-hand side of a comparison. */
-final class Comparing {
+final class Comparisons {
     private static final String CLEAR = "clear";
 
-    private Comparing() {}
+    private Comparisons() {}
 
     /**
      * Looks whether a whole condition makes sense for the robots it speaks of; reads nothing.
@@ -29,8 +29,8 @@ final class Comparing {
      * @throws ScriptException if it does not, or a robot is not there
      */
     static void check(Condition condition, Selection selection, @Nullable Member own) {
-        condition.accept(new EachComparison(comparison ->
-                Readings.asked(comparison, selection, own).forEach(member -> check(comparison, member.bot()))));
+        condition.accept(new EachComparison(comparison -> ConditionEvaluator.asked(comparison, selection, own)
+                .forEach(member -> check(comparison, member.bot()))));
     }
 
     /**
@@ -95,7 +95,7 @@ final class Comparing {
         Literal literal = comparison.value();
         boolean word = literal.at().kind() == Token.Kind.WORD;
         boolean number = left.kind() == Parameter.Kind.NUMBER;
-        if (!word || isWordOf(left, literal.text()) || !(number || Readings.has(bot, literal.text()))) {
+        if (!word || isWordOf(left, literal.text()) || !(number || ConditionEvaluator.has(bot, literal.text()))) {
             return null;
         }
         return readable(literal.at(), bot);

@@ -14,7 +14,7 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Finds out what a condition comes to, by asking the robots it speaks of. */
-final class Readings implements Condition.Visitor<Truth> {
+final class ConditionEvaluator implements Condition.Visitor<Truth> {
     private final Selection selection;
     private final @Nullable Member own;
 
@@ -24,7 +24,7 @@ final class Readings implements Condition.Visitor<Truth> {
      * @param selection finds robots
      * @param own whose parameters are meant where no robot is named; null where there is none
      */
-    Readings(Selection selection, @Nullable Member own) {
+    ConditionEvaluator(Selection selection, @Nullable Member own) {
         this.selection = selection;
         this.own = own;
     }
@@ -62,7 +62,7 @@ final class Readings implements Condition.Visitor<Truth> {
             return Truth.unknown(who + comparison.parameter().text() + " is unknown (connection lost)");
         }
         try {
-            Truth truth = Comparing.of(comparison, member.bot());
+            Truth truth = Comparisons.of(comparison, member.bot());
             return truth.undecided() == null ? truth : Truth.unknown(who + truth.undecided());
         } catch (MotionStopped e) {
             throw e;

@@ -7,15 +7,23 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.team.BotFactory;
 import majic.team.Member;
+import majic.team.Team;
 
-/** Robots join and leave the team here. Both block for as long as the robot takes. Thread-safe. */
-final class Comings {
-    private final Session session;
+/** Adds robots to the team and removes them. Both block for as long as the robot takes. Thread-safe. */
+final class RobotConnector {
+    private final Team team;
+    private final BotFactory factory;
+    private final SessionOutput output;
+    private final SessionRecord record;
     private final Map<Integer, String> addresses = new ConcurrentHashMap<>();
 
-    Comings(Session session) {
-        this.session = session;
+    RobotConnector(SessionState state, BotFactory factory) {
+        this.team = state.team();
+        this.factory = factory;
+        this.output = state.output();
+        this.record = state.record();
     }
 
     /**
@@ -28,7 +36,7 @@ final class Comings {
     Member add(String address, OptionalInt number) {
         Optional<Member> there = alreadyThere(address, number);
         if (there.isPresent()) {
-            session.say(Line.Kind.ANSWER, there.get().number() + ": at " + address + ", connected already");
+            output.say(Line.Kind.ANSWER, there.get().number() + ": at " + address + ", connected already");
             return there.get();
         }
         Optional<Member> lost = lost(address, number);
@@ -36,18 +44,23 @@ final class Comings {
             connect(lost.get().bot(), address);
             return lost.get();
         }
-        session.team().checkRoom(number);
-        MajicBot bot = session.factory().create(address);
+        team.checkRoom(number);
+        MajicBot bot = factory.create(address);
         connectNew(bot, address);
         Member member = join(bot, number);
         joined(member, address);
         return member;
     }
 
-    /** Whether adding takes no new number: that robot is here already, connected or not. */
-    boolean isHere(String address, OptionalInt number) {
-        return alreadyThere(address, number).isPresent()
-                || lost(address, number).isPresent();
+    /**
+     * Checks that a robot can be added: it needs no new number if it is in the team already, connected or not.
+     *
+     * @throws BotException if the number is taken or the team is full
+     */
+    void checkRoom(String address, OptionalInt number) {
+        if (alreadyThere(address, number).isEmpty() && lost(address, number).isEmpty()) {
+            team.checkRoom(number);
+        }
     }
 
     /** The robot that is connected under just this number and address. */
@@ -67,16 +80,15 @@ final class Comings {
     }
 
     private Stream<Member> at(String address) {
-        return session.team().members().stream()
-                .filter(member -> address.equalsIgnoreCase(addresses.get(member.number())));
+        return team.members().stream().filter(member -> address.equalsIgnoreCase(addresses.get(member.number())));
     }
 
     /** Says and keeps that a robot was taken in. */
     void joined(Member member, String address) {
         addresses.put(member.number(), address);
         String label = member.bot().type().label();
-        session.say(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected");
-        session.record().added(address, member.number());
+        output.say(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected");
+        record.added(address, member.number());
     }
 
     private void connectNew(MajicBot bot, String address) {
@@ -102,7 +114,7 @@ final class Comings {
 
     private Member join(MajicBot bot, OptionalInt number) {
         try {
-            return session.team().add(bot, number);
+            return team.add(bot, number);
         } catch (BotException e) {
             bot.close();
             throw e;
@@ -112,10 +124,10 @@ final class Comings {
     /** Stops a robot, closes it and lets it go; the session says so. */
     void remove(Member member) {
         boolean busy = !member.isIdle() || member.owner() != null;
-        long atNanos = session.team().time().nanos();
-        session.team().remove(member.number());
+        long atNanos = team.time().nanos();
+        team.remove(member.number());
         addresses.remove(member.number());
-        session.record().removed(member.number(), busy, atNanos);
+        record.removed(member.number(), busy, atNanos);
     }
 
     /** Where a robot was found. */

@@ -10,15 +10,15 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** The condition behind {@code until}, as a driver asks it. */
-final class Until implements Guard {
+final class UntilGuard implements Guard {
     private final Condition condition;
-    private final Readings readings;
+    private final ConditionEvaluator readings;
     private final List<MajicBot> others;
 
-    private Until(Condition condition, Selection selection, Member own) {
+    private UntilGuard(Condition condition, Selection selection, Member own) {
         this.condition = condition;
-        this.readings = new Readings(selection, own);
-        this.others = Readings.allAsked(condition, selection, own).stream()
+        this.readings = new ConditionEvaluator(selection, own);
+        this.others = ConditionEvaluator.allAsked(condition, selection, own).stream()
                 .filter(member -> member != own)
                 .map(Member::bot)
                 .toList();
@@ -31,7 +31,7 @@ final class Until implements Guard {
      * @throws ScriptException if a robot it asks is not there
      */
     static Guard of(@Nullable Condition condition, Selection selection, Member own) {
-        return condition == null ? Guard.NEVER : new Until(condition, selection, own);
+        return condition == null ? Guard.NEVER : new UntilGuard(condition, selection, own);
     }
 
     @Override

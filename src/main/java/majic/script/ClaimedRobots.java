@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * The robots that a script has to itself: those it has commanded so far. A behaviour has them on loan, and neither takes
  * nor gives back any; a line has none. Used by one thread.
  */
-final class Holdings {
+final class ClaimedRobots {
     private final Team team;
     private final @Nullable Owner owner;
     private final boolean lent;
@@ -25,7 +25,7 @@ final class Holdings {
      * @param owner who has them; null for a line
      * @param lent whether they were given to him
      */
-    Holdings(Team team, @Nullable Owner owner, boolean lent) {
+    ClaimedRobots(Team team, @Nullable Owner owner, boolean lent) {
         this.team = team;
         this.owner = owner;
         this.lent = lent;

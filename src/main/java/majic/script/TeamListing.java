@@ -6,24 +6,23 @@ import java.util.Locale;
 import majic.bot.MajicBot;
 import majic.team.Member;
 import majic.team.Owner;
+import majic.team.Team;
 
-/** The answer to {@code bots}: who is here, in which state. */
-final class Roll {
-    private Roll() {}
+/** The answer to {@code bots}: the robots and their states. */
+final class TeamListing {
+    private TeamListing() {}
 
-    static List<String> of(Session session) {
+    static List<String> of(Team team, RobotConnector connector) {
         List<String> lines = new ArrayList<>();
-        for (Member member : session.team().members()) {
-            String where = session.comings()
-                    .address(member)
-                    .map(address -> " at " + address)
-                    .orElse("");
+        for (Member member : team.members()) {
+            String where =
+                    connector.address(member).map(address -> " at " + address).orElse("");
             lines.add(member.number() + ": " + member.bot().type().label() + where + " " + state(member));
         }
         if (lines.isEmpty()) {
-            lines.add("bots: " + session.team().roll());
+            lines.add("bots: " + team.roll());
         }
-        if (session.team().isLatched()) {
+        if (team.isLatched()) {
             lines.add("bots: STOP is latched; \"release\" allows motion again");
         }
         return lines;

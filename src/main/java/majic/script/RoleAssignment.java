@@ -9,8 +9,8 @@ import majic.bot.BotException;
 import majic.team.Member;
 
 /** Gives the robots of a line their parts in a behaviour, in the order they are named. */
-final class Casting {
-    private Casting() {}
+final class RoleAssignment {
+    private RoleAssignment() {}
 
     /**
      * Who plays what.

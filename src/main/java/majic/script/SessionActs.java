@@ -19,27 +19,27 @@ import majic.bot.MotionStopped;
 import majic.bot.Permit;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
-import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.Wording;
 import majic.team.Member;
 import majic.team.Order;
 import majic.time.Signal;
 
 /** Runs behaviours on the robots of a session: finds them, sees that robots and roles fit, ends them. Thread-safe. */
-final class Behaviours {
+final class SessionActs implements ActRunner {
     private static final int SHORTEST_HASH = 8;
 
-    private final Session session;
+    private final SessionState state;
     private final Acts acts;
+    private final ActOffers offers;
     private final List<ActRun> running = new CopyOnWriteArrayList<>();
 
     /** By robot, the leave of all that was ordered since its last {@code act off} and may still wait for its turn. */
     private final Map<Member, Permit> ordered = new ConcurrentHashMap<>();
 
-    Behaviours(Session session, Acts acts) {
-        this.session = session;
+    SessionActs(SessionState state, Acts acts, ActOffers offers) {
+        this.state = state;
         this.acts = acts;
+        this.offers = offers;
     }
 
     /**
@@ -61,51 +61,44 @@ final class Behaviours {
         }
     }
 
-    Acts acts() {
-        return acts;
-    }
-
-    /**
-     * Looks whether a behaviour can be given to a robot.
-     *
-     * @throws ScriptException if not; it says what would be right
-     */
-    void check(Command.Act act, Member me, Selection selection) {
+    @Override
+    public void check(Command.Act act, RobotCheck check, Actions actions) {
         ScriptException.placed(act.name().at(), () -> {
             Found found = find(act.name());
-            Map<String, List<Member>> cast = cast(act, found, me, others(act, selection));
-            found.script().ifPresent(script -> script.check(session, cast));
+            Map<String, List<Member>> robots =
+                    assign(act, found, check.robot(), check.selection().members(act.others()));
+            found.script().ifPresent(script -> script.check(actions, robots));
         });
     }
 
-    /** Runs a behaviour in the robot's turn; the order lasts as long as it does. */
-    Order order(Command.Act act, Member me, Execution execution) {
-        String text = Wording.of(act);
-        List<Member> others = others(act, execution.selection());
+    @Override
+    public Order order(Command.Act act, Member me, Execution execution, Actions actions) {
+        List<Member> others = execution.selection().members(act.others());
         Permit leave = leave(me, others);
-        return new Order(text, true, robot -> {
+        return new Order(act.text(), true, robot -> {
             Found found = find(act.name());
-            Map<String, List<Member>> cast = cast(act, found, me, others);
-            sayIfOwn(SessionCheck.text(act.name()), me);
+            Map<String, List<Member>> robots = assign(act, found, me, others);
+            sayIfOwn(act.name().unquoted(), me);
             long began = me.time().nanos();
-            ActRun run = run(found, cast, leave, execution);
+            ActRun run = run(found, robots, leave, execution, actions);
             String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
-            return List.of(text
+            return List.of(act.text()
                     + String.format(Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
         });
     }
 
     private void sayIfOwn(String name, Member me) {
         if (acts.replacesShipped(name)) {
-            session.say(
-                    Line.Kind.NOTICE,
-                    me.number() + ": " + name + " from " + acts.folder()
-                            + ", in place of the one that comes with MAJIC");
+            state.output()
+                    .say(
+                            Line.Kind.NOTICE,
+                            me.number() + ": " + name + " from " + acts.folder()
+                                    + ", in place of the one that comes with MAJIC");
         }
     }
 
-    private static Map<String, List<Member>> cast(Command.Act act, Found found, Member me, List<Member> others) {
-        return Casting.cast(SessionCheck.text(act.name()), found.roles(), me, others);
+    private static Map<String, List<Member>> assign(Command.Act act, Found found, Member me, List<Member> others) {
+        return RoleAssignment.cast(act.name().unquoted(), found.roles(), me, others);
     }
 
     private Permit leave(Member me, List<Member> others) {
@@ -120,30 +113,25 @@ final class Behaviours {
         return member.leave().and(ordered.computeIfAbsent(member, its -> new Permit()));
     }
 
-    private ActRun run(Found found, Map<String, List<Member>> cast, Permit leave, Execution execution) {
+    private ActRun run(
+            Found found, Map<String, List<Member>> robots, Permit leave, Execution execution, Actions actions) {
         MajicAct act = found.fresh().get();
-        ActRun run = new ActRun(act, found.name(), cast, leave);
+        ActRun run = new ActRun(act, found.name(), robots, leave);
         if (act instanceof ScriptAct script) {
-            script.enter(session, run.owner(), cast, execution.asker());
+            script.enter(execution, actions, run.owner(), robots);
         }
         running.add(run);
         try {
             run.run(execution.owner());
         } finally {
             running.remove(run);
-            session.team().changes().raise();
+            state.team().changes().raise();
         }
         return run;
     }
 
-    /**
-     * Ends the behaviour that a robot runs, or plays a part in. One that was ordered and still waits for its turn is
-     * stopped when that comes.
-     *
-     * @return answers once the robot is free, which takes as long as its stop and at most {@code ActRun}'s grace; answers
-     *     at once if no behaviour runs on it
-     */
-    Order callOff(Member member) {
+    @Override
+    public Order callOff(Member member) {
         Permit before = ordered.remove(member);
         if (before != null) {
             before.revoke(() -> new MotionStopped("called off"));
@@ -159,14 +147,14 @@ final class Behaviours {
 
     private void awaitEnd(List<ActRun> ending) {
         try {
-            session.team().changes().await(() -> ending.stream().noneMatch(running::contains), Signal.FOR_EVER);
+            state.team().changes().await(() -> ending.stream().noneMatch(running::contains), Signal.FOR_EVER);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    /** One line for each behaviour that needs no path. */
-    List<String> list() {
+    @Override
+    public List<String> list() {
         List<String> names = acts.names();
         return names.isEmpty()
                 ? List.of("acts: none; \"1 act FILE\" takes any file that ends in " + Acts.ENDING + " or "
@@ -176,7 +164,7 @@ final class Behaviours {
 
     private String listed(String name) {
         try {
-            ActOffer offer = session.offers().find(name);
+            ActOffer offer = offers.find(name);
             String roles =
                     String.join(", ", offer.roles().stream().map(Role::toString).toList());
             String own = acts.replacesShipped(name) ? " (your own, in place of the one that comes with MAJIC)" : "";
@@ -186,8 +174,8 @@ final class Behaviours {
         }
     }
 
-    /** What a behaviour brings. With the beginning of its hash, the person agrees to that very file. */
-    List<String> trust(String name, String hash) {
+    @Override
+    public List<String> trust(String name, String hash) {
         ActFile file = acts.find(name);
         if (acts.trust().isTrusted(file)) {
             return List.of("trust " + name + ": agreed to already");
@@ -207,70 +195,47 @@ final class Behaviours {
         return told;
     }
 
-    /** Takes the consent to a file back. */
-    String trustOff(String nameOrHash) {
+    @Override
+    public String trustOff(String nameOrHash) {
         boolean agreed = acts.trust().takeBack(hashOf(nameOrHash));
         return "trust off " + nameOrHash + ": " + (agreed ? "done" : "nobody had agreed to that file");
     }
 
+    @Override
+    public void checkNamed(String name) {
+        acts.find(name);
+    }
+
+    @Override
+    public void checkHash(String nameOrHash) {
+        hashOf(nameOrHash);
+    }
+
+    @Override
+    public String replayName(Literal name) {
+        String text = name.unquoted();
+        return Acts.isFile(text)
+                ? SessionRecord.quoted(
+                        acts.locate(text).orElseThrow().toAbsolutePath().toString())
+                : name.text();
+    }
+
     /** The hash that was given, or that of the file. */
-    String hashOf(String nameOrHash) {
+    private String hashOf(String nameOrHash) {
         return nameOrHash.matches("[0-9a-fA-F]{64}")
                 ? nameOrHash.toLowerCase(Locale.ROOT)
                 : acts.find(nameOrHash).sha256();
     }
 
-    /** The further robots a command names. */
-    static List<Member> others(Command.Act act, Selection selection) {
-        Robots others = act.others();
-        return others == null ? List.of() : selection.members(others);
-    }
-
     private Found find(Literal name) {
-        String text = SessionCheck.text(name);
-        return scriptAt(text).map(Behaviours::script).orElseGet(() -> file(text));
-    }
-
-    /** The file of a script that goes by a name or path; empty if an act does. */
-    Optional<Path> scriptAt(String name) {
-        return acts.locate(name).filter(path -> Acts.isScript(path.toString()));
+        String text = name.unquoted();
+        return offers.scriptAt(text).map(SessionActs::script).orElseGet(() -> file(text));
     }
 
     private static Found script(Path path) {
         ScriptAct act = ScriptAct.read(path);
         String name = act.title().substring(0, act.title().length() - ScriptAct.ENDING.length());
         return new Found(name, act);
-    }
-
-    /**
-     * The robots an act asks for. A file without code may be loaded to ask the act itself: an object stream does not say,
-     * and a script tells what it needs of them.
-     *
-     * @throws BotException if it cannot be loaded
-     */
-    List<Role> roles(ActFile file) {
-        return file.carriesCode() ? file.roles() : file.load(acts.trust()).roles();
-    }
-
-    /**
-     * The behaviours that need no path and can be given to each of some robots, as far as can be told of one robot.
-     *
-     * @return their names, sorted
-     */
-    List<String> namesFor(List<Member> members) {
-        return acts.names().stream()
-                .filter(name -> fits(name, members))
-                .map(SessionRecord::quoted)
-                .toList();
-    }
-
-    private boolean fits(String name, List<Member> members) {
-        try {
-            Role first = session.offers().find(name).roles().get(0);
-            return members.stream().allMatch(member -> first.unfit(member.bot()).isEmpty());
-        } catch (BotException e) {
-            return false;
-        }
     }
 
     private Found file(String name) {

@@ -15,7 +15,7 @@ import majic.team.Pending;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps count of orders: which are still under way, and whether one did not come to a good end. Thread-safe. */
-final class Tally {
+final class QueuedCommands {
     private final Map<Pending, Member> open = new LinkedHashMap<>();
     private final Set<Pending> forgiven = new HashSet<>();
     private Optional<Trouble> trouble = Optional.empty();

@@ -1,0 +1,132 @@
+package majic.script;
+
+import static majic.script.syntax.ScriptException.placed;
+
+import java.util.List;
+import majic.bot.BotException;
+import majic.script.syntax.Command;
+import majic.script.syntax.Literal;
+import majic.script.syntax.SessionCommand;
+import majic.team.Member;
+
+/** The commands for behaviours and for the consent to their code. */
+final class ActActions {
+    private ActActions() {}
+
+    static final class ActAction extends RobotAction {
+        private final Command.Act act;
+        private final ActRunner acts;
+        private final Actions actions;
+
+        ActAction(Command.Act act, ActRunner acts, Actions actions) {
+            super(act, Scheduling.AT_ONCE, Trait.COMMANDS_ROBOTS, Trait.READS_FILES);
+            this.act = act;
+            this.acts = acts;
+            this.actions = actions;
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            if (check.readsFiles()) {
+                acts.check(act, check, actions);
+            } else {
+                check.selection().members(act.others());
+            }
+        }
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            execution.claim(execution.selection().members(act.others()));
+            execution.submit(robots, member -> acts.order(act, member, execution, actions));
+        }
+
+        @Override
+        String replayText(boolean typed) {
+            Literal name = act.name();
+            Literal found = new Literal(name.at(), name.value(), acts.replayName(name));
+            return new Command.Act(act.at(), found, act.others()).text();
+        }
+    }
+
+    static final class ActOffAction extends RobotAction {
+        private final ActRunner acts;
+
+        ActOffAction(Command.ActOff actOff, ActRunner acts) {
+            super(actOff, Scheduling.AT_ONCE_IF_TYPED);
+            this.acts = acts;
+        }
+
+        @Override
+        void check(RobotCheck check) {}
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            execution.runToEnd(robots, acts::callOff);
+        }
+    }
+
+    /** Lists the behaviours. */
+    static final class ActsAction extends SessionAction {
+        private final ActRunner acts;
+
+        ActsAction(ActRunner acts) {
+            super(Scheduling.BESIDE);
+            this.acts = acts;
+        }
+
+        @Override
+        void check(SessionCheck check) {}
+
+        @Override
+        void run(Execution execution) {
+            acts.list().forEach(execution::answer);
+        }
+    }
+
+    static final class TrustAction extends SessionAction {
+        private final SessionCommand.Trust trust;
+        private final ActRunner acts;
+
+        TrustAction(SessionCommand.Trust trust, ActRunner acts) {
+            super(Scheduling.BESIDE, Trait.READS_FILES, Trait.CHANGES_TEAM, Trait.LOCAL_ONLY);
+            this.trust = trust;
+            this.acts = acts;
+        }
+
+        @Override
+        void check(SessionCheck check) {
+            placed(trust.act().at(), () -> acts.checkNamed(trust.act().unquoted()));
+        }
+
+        @Override
+        void run(Execution execution) {
+            if (execution.isScript()) {
+                throw new BotException("trust: only a person agrees to an act's code, not a script");
+            }
+            Literal hash = trust.hash();
+            acts.trust(trust.act().unquoted(), hash == null ? "" : hash.unquoted())
+                    .forEach(execution::answer);
+        }
+    }
+
+    static final class TrustOffAction extends SessionAction {
+        private final Literal fileOrHash;
+        private final ActRunner acts;
+
+        TrustOffAction(SessionCommand.TrustOff trustOff, ActRunner acts) {
+            super(Scheduling.BESIDE, Trait.READS_FILES, Trait.CHANGES_TEAM, Trait.LOCAL_ONLY);
+            this.fileOrHash = trustOff.fileOrHash();
+            this.acts = acts;
+        }
+
+        @Override
+        void check(SessionCheck check) {
+            placed(fileOrHash.at(), () -> acts.checkHash(fileOrHash.unquoted()));
+        }
+
+        @Override
+        void run(Execution execution) {
+            execution.answer(acts.trustOff(fileOrHash.unquoted()));
+        }
+    }
+}

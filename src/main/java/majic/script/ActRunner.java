@@ -1,0 +1,58 @@
+package majic.script;
+
+import java.util.List;
+import majic.script.syntax.Command;
+import majic.script.syntax.Literal;
+import majic.team.Member;
+import majic.team.Order;
+
+/** Finds behaviours, runs them on robots and keeps the consent to their code. */
+interface ActRunner {
+    /**
+     * Checks whether a behaviour can be given to a robot. Reads files.
+     *
+     * @param actions for the commands of a behaviour that is a script
+     * @throws majic.script.syntax.ScriptException if not
+     */
+    void check(Command.Act act, RobotCheck check, Actions actions);
+
+    /** An order that runs a behaviour in the robot's turn and lasts as long as it does. */
+    Order order(Command.Act act, Member me, Execution execution, Actions actions);
+
+    /**
+     * Ends the behaviour that a robot runs or has a role in; one that is queued ends when its turn comes.
+     *
+     * @return an order that answers once the robot is free
+     */
+    Order callOff(Member member);
+
+    /** The name with which a saved session repeats a behaviour: a file by its absolute path. */
+    String replayName(Literal name);
+
+    /** One line for each behaviour that needs no path. */
+    List<String> list();
+
+    /**
+     * Describes what code a behaviour brings; with the beginning of its hash, agrees to that file.
+     *
+     * @param hash empty to be shown only
+     */
+    List<String> trust(String name, String hash);
+
+    /** Takes the consent to a file back. */
+    String trustOff(String nameOrHash);
+
+    /**
+     * Checks that a behaviour can be found.
+     *
+     * @throws majic.bot.BotException if not
+     */
+    void checkNamed(String name);
+
+    /**
+     * Checks that a file can be found, by its name or hash.
+     *
+     * @throws majic.bot.BotException if not
+     */
+    void checkHash(String nameOrHash);
+}

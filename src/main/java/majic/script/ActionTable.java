@@ -1,0 +1,188 @@
+package majic.script;
+
+import majic.log.ParameterLog;
+import majic.log.Sampling;
+import majic.script.syntax.Command;
+import majic.script.syntax.SessionCommand;
+import majic.team.BotFactory;
+
+/**
+ * Makes the action for each command and hands it what it needs. The compiler refuses a command without an action.
+ *
+ * @param state the team, the output and the record of the session
+ * @param factory makes robots
+ * @param connector adds and removes robots
+ * @param acts runs behaviours
+ * @param parameterLog the readings logged so far
+ * @param sampling takes readings for the log
+ * @param quit ends MAJIC; returns at once
+ */
+record ActionTable(
+        SessionState state,
+        BotFactory factory,
+        RobotConnector connector,
+        ActRunner acts,
+        ParameterLog parameterLog,
+        Sampling sampling,
+        Runnable quit)
+        implements Actions, Command.Visitor<RobotAction>, SessionCommand.Visitor<SessionAction> {
+    @Override
+    public RobotAction of(Command command) {
+        return command.accept(this);
+    }
+
+    @Override
+    public SessionAction of(SessionCommand command) {
+        return command.accept(this);
+    }
+
+    @Override
+    public RobotAction move(Command.Move move) {
+        return new MotionActions.MoveAction(move);
+    }
+
+    @Override
+    public RobotAction turn(Command.Turn turn) {
+        return new MotionActions.TurnAction(turn);
+    }
+
+    @Override
+    public RobotAction drive(Command.Drive drive) {
+        return new MotionActions.DriveAction(drive);
+    }
+
+    @Override
+    public RobotAction stop(Command.Stop stop) {
+        return new MotionActions.StopAction(stop);
+    }
+
+    @Override
+    public RobotAction get(Command.Get get) {
+        return new ParameterActions.GetAction(get);
+    }
+
+    @Override
+    public RobotAction set(Command.Set set) {
+        return new ParameterActions.SetAction(set);
+    }
+
+    @Override
+    public RobotAction log(Command.Log log) {
+        return new ParameterActions.LogAction(log, sampling);
+    }
+
+    @Override
+    public RobotAction logOff(Command.LogOff logOff) {
+        return new ParameterActions.LogOffAction(logOff, sampling);
+    }
+
+    @Override
+    public RobotAction act(Command.Act act) {
+        return new ActActions.ActAction(act, acts, this);
+    }
+
+    @Override
+    public RobotAction actOff(Command.ActOff actOff) {
+        return new ActActions.ActOffAction(actOff, acts);
+    }
+
+    @Override
+    public RobotAction await(Command.Await await) {
+        return new WaitActions.WaitForRobotsAction(await);
+    }
+
+    @Override
+    public RobotAction help(Command.Help help) {
+        return new HelpActions.RobotHelpAction(help);
+    }
+
+    @Override
+    public RobotAction own(Command.Own own) {
+        return new ParameterActions.OwnAction(own);
+    }
+
+    @Override
+    public SessionAction add(SessionCommand.Add add) {
+        return new TeamActions.AddAction(add, connector, factory);
+    }
+
+    @Override
+    public SessionAction remove(SessionCommand.Remove remove) {
+        return new TeamActions.RemoveAction(remove, connector);
+    }
+
+    @Override
+    public SessionAction bots(SessionCommand.Bots bots) {
+        return new TeamActions.BotsAction(state.team(), connector);
+    }
+
+    @Override
+    public SessionAction probe(SessionCommand.Probe probe) {
+        return new TeamActions.ProbeAction(probe, factory);
+    }
+
+    @Override
+    public SessionAction acts(SessionCommand.Acts list) {
+        return new ActActions.ActsAction(acts);
+    }
+
+    @Override
+    public SessionAction trust(SessionCommand.Trust trust) {
+        return new ActActions.TrustAction(trust, acts);
+    }
+
+    @Override
+    public SessionAction trustOff(SessionCommand.TrustOff trustOff) {
+        return new ActActions.TrustOffAction(trustOff, acts);
+    }
+
+    @Override
+    public SessionAction release(SessionCommand.Release release) {
+        return new TeamActions.ReleaseAction(state.team());
+    }
+
+    @Override
+    public SessionAction run(SessionCommand.Run run) {
+        return new FileActions.RunAction(run, new ScriptFiles(factory, this));
+    }
+
+    @Override
+    public SessionAction saveSession(SessionCommand.SaveSession save) {
+        return new FileActions.SaveSessionAction(save, state.record());
+    }
+
+    @Override
+    public SessionAction saveLog(SessionCommand.SaveLog save) {
+        return new FileActions.SaveLogAction(save, parameterLog);
+    }
+
+    @Override
+    public SessionAction lab(SessionCommand.Lab lab) {
+        return new TeamActions.LabAction(factory);
+    }
+
+    @Override
+    public SessionAction help(SessionCommand.Help help) {
+        return new HelpActions.LanguageHelpAction(help, factory, state.team());
+    }
+
+    @Override
+    public SessionAction quit(SessionCommand.Quit command) {
+        return new HelpActions.QuitAction(quit);
+    }
+
+    @Override
+    public SessionAction stopAll(SessionCommand.StopAll stop) {
+        return new TeamActions.StopAllAction();
+    }
+
+    @Override
+    public SessionAction await(SessionCommand.Await await) {
+        return new WaitActions.WaitForAllAction();
+    }
+
+    @Override
+    public SessionAction pause(SessionCommand.Pause pause) {
+        return new WaitActions.PauseAction(pause);
+    }
+}

@@ -1,0 +1,11 @@
+package majic.script;
+
+import majic.script.syntax.Command;
+import majic.script.syntax.SessionCommand;
+
+/** Finds the action for each command of the tree. */
+interface Actions {
+    RobotAction of(Command command);
+
+    SessionAction of(SessionCommand command);
+}

@@ -1,0 +1,89 @@
+package majic.script;
+
+import java.util.List;
+import java.util.Locale;
+import majic.bot.Suggestion;
+import majic.script.syntax.Command;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.SessionCommand;
+import majic.script.syntax.Token;
+import majic.team.BotFactory;
+import majic.team.Member;
+import majic.team.Team;
+import org.jspecify.annotations.Nullable;
+
+/** The commands that describe commands, and the one that ends MAJIC. */
+final class HelpActions {
+    private HelpActions() {}
+
+    /** Describes the commands and parameters of robots. */
+    static final class RobotHelpAction extends RobotAction {
+        private final @Nullable Token topic;
+
+        RobotHelpAction(Command.Help help) {
+            super(help, Scheduling.OVERTAKES);
+            this.topic = help.parameter();
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            if (topic != null && !check.isCommand(topic.text())) {
+                check.parameter(topic);
+            }
+        }
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            robots.forEach(member -> Help.of(member, topic).forEach(execution::answer));
+        }
+
+        @Override
+        String replayText(boolean typed) {
+            return "";
+        }
+    }
+
+    /** Describes the language. */
+    static final class LanguageHelpAction extends SessionAction {
+        private final @Nullable Token topic;
+        private final BotFactory factory;
+        private final Team team;
+
+        LanguageHelpAction(SessionCommand.Help help, BotFactory factory, Team team) {
+            super(Scheduling.OVERTAKES);
+            this.topic = help.topic();
+            this.factory = factory;
+            this.team = team;
+        }
+
+        @Override
+        void check(SessionCheck check) {
+            if (topic != null && !Help.topics().contains(topic.text().toLowerCase(Locale.ROOT))) {
+                throw new ScriptException(
+                        topic, topic.text() + ": no help on that" + Suggestion.didYouMean(topic.text(), Help.topics()));
+            }
+        }
+
+        @Override
+        void run(Execution execution) {
+            Help.of(factory, team, topic).forEach(execution::answer);
+        }
+    }
+
+    static final class QuitAction extends SessionAction {
+        private final Runnable quit;
+
+        QuitAction(Runnable quit) {
+            super(Scheduling.OVERTAKES);
+            this.quit = quit;
+        }
+
+        @Override
+        void check(SessionCheck check) {}
+
+        @Override
+        void run(Execution execution) {
+            quit.run();
+        }
+    }
+}

@@ -1,0 +1,136 @@
+package majic.script;
+
+import static majic.script.syntax.ScriptException.placed;
+
+import java.util.List;
+import majic.bot.BotControl;
+import majic.bot.Checks;
+import majic.bot.Guard;
+import majic.script.syntax.Command;
+import majic.script.syntax.Condition;
+import majic.script.syntax.Literal;
+import majic.team.Member;
+import majic.team.Order;
+import org.jspecify.annotations.Nullable;
+
+/** The commands that move a robot, and the one that stops it. */
+final class MotionActions {
+    private MotionActions() {}
+
+    /** A motion in the robot's queue, until a condition if there is one. */
+    private abstract static class MotionAction extends RobotAction {
+        private final @Nullable Condition until;
+
+        MotionAction(Command command) {
+            super(command, Scheduling.AT_ONCE, Trait.COMMANDS_ROBOTS);
+            this.until = command.until();
+        }
+
+        /** Moves the robot and returns what the answer shows in brackets. */
+        abstract Object move(BotControl robot, Guard until);
+
+        @Override
+        final void run(Execution execution, List<Member> robots) {
+            execution.submit(robots, member -> order(member, execution));
+        }
+
+        private Order order(Member member, Execution execution) {
+            Guard guard = UntilGuard.of(until, execution.selection(), member);
+            return new Order(text(), true, robot -> List.of(text() + ": done (" + move(robot, guard) + ")"));
+        }
+
+        final void checkUntil(RobotCheck check) {
+            check.until(until);
+        }
+    }
+
+    static final class MoveAction extends MotionAction {
+        private final Literal distance;
+
+        MoveAction(Command.Move move) {
+            super(move);
+            this.distance = move.distance();
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            checkUntil(check);
+            if (!check.limitMayChange()) {
+                placed(distance.at(), () -> Checks.move(check.bot(), number(distance)));
+            }
+        }
+
+        @Override
+        Object move(BotControl robot, Guard until) {
+            return robot.move(number(distance), until);
+        }
+    }
+
+    static final class TurnAction extends MotionAction {
+        private final Literal angle;
+
+        TurnAction(Command.Turn turn) {
+            super(turn);
+            this.angle = turn.angle();
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            placed(angle.at(), () -> Checks.turn(number(angle)));
+            checkUntil(check);
+        }
+
+        @Override
+        Object move(BotControl robot, Guard until) {
+            return robot.turn(number(angle), until);
+        }
+    }
+
+    static final class DriveAction extends MotionAction {
+        /** How long a drive takes without a time, seconds. */
+        private static final double DRIVE_S = 1;
+
+        /** How long a drive lasts at most if its condition does not come true, seconds: the most a robot accepts. */
+        private static final double LONGEST_DRIVE_S = 60;
+
+        private final Command.Drive drive;
+
+        DriveAction(Command.Drive drive) {
+            super(drive);
+            this.drive = drive;
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            double seconds = drive.seconds().orElse(DRIVE_S);
+            placed(
+                    drive.speed().at(),
+                    () -> Checks.drive(check.bot(), number(drive.speed()), number(drive.rate()), seconds));
+            checkUntil(check);
+        }
+
+        @Override
+        Object move(BotControl robot, Guard until) {
+            double seconds = drive.seconds().orElse(drive.until() == null ? DRIVE_S : LONGEST_DRIVE_S);
+            return robot.drive(number(drive.speed()), number(drive.rate()), seconds, until);
+        }
+    }
+
+    static final class StopAction extends RobotAction {
+        StopAction(Command.Stop stop) {
+            super(stop, Scheduling.STOP);
+        }
+
+        @Override
+        void check(RobotCheck check) {}
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            execution.stop(robots);
+        }
+    }
+
+    private static double number(Literal literal) {
+        return literal.value().number();
+    }
+}

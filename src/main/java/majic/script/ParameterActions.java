@@ -1,0 +1,220 @@
+package majic.script;
+
+import static majic.script.syntax.ScriptException.placed;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Function;
+import majic.bot.BotCommand;
+import majic.bot.Checks;
+import majic.bot.MajicBot;
+import majic.bot.Parameter;
+import majic.bot.Value;
+import majic.log.Sampling;
+import majic.script.syntax.Command;
+import majic.script.syntax.Literal;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
+import majic.team.Member;
+import majic.team.Order;
+
+/** The commands for a robot's parameters, for their log, and those that only some types of robot have. */
+final class ParameterActions {
+    private static final String LIMIT = "maxMove";
+
+    private ParameterActions() {}
+
+    static final class GetAction extends RobotAction {
+        private final Command.Get get;
+
+        GetAction(Command.Get get) {
+            super(get, Scheduling.OVERTAKES);
+            this.get = get;
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            get.parameters().forEach(check::readable);
+        }
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            if (get.now()) {
+                execution.runNow(robots, this::order);
+            } else {
+                execution.readBeside(robots, this::order);
+            }
+        }
+
+        private Order order(Member member) {
+            List<String> names = names(get.parameters(), member.bot());
+            return new Order(
+                    text(),
+                    false,
+                    robot -> names.stream()
+                            .map(name -> name + " = " + robot.get(name))
+                            .toList());
+        }
+
+        /** A typed reading was taken at once. */
+        @Override
+        String replayText(boolean typed) {
+            return new Command.Get(get.at(), get.parameters(), typed || get.now()).text();
+        }
+    }
+
+    static final class SetAction extends RobotAction {
+        private final Token parameter;
+        private final List<Literal> literals;
+
+        SetAction(Command.Set set) {
+            super(set, Scheduling.AT_ONCE, traits(set));
+            this.parameter = set.parameter();
+            this.literals = set.values();
+        }
+
+        private static Trait[] traits(Command.Set set) {
+            return set.parameter().text().equalsIgnoreCase(LIMIT)
+                    ? new Trait[] {Trait.COMMANDS_ROBOTS, Trait.CHANGES_LIMIT}
+                    : new Trait[] {Trait.COMMANDS_ROBOTS};
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            if (!check.parameter(parameter).writable()) {
+                throw new ScriptException(parameter, parameter.text() + ": can be read but not set");
+            }
+            placed(literals.get(0).at(), () -> check.bot().checkSet(parameter.text(), values(literals)));
+        }
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            execution.submit(robots, this::order);
+        }
+
+        private Order order(Member member) {
+            Parameter known = member.bot().parameter(parameter.text());
+            return new Order(text(), known.moves(), robot -> {
+                robot.set(known.name(), values(literals));
+                return List.of(text() + ": done");
+            });
+        }
+    }
+
+    /** Moves nothing, so it does not wait for a motion if it is typed. */
+    static final class LogAction extends RobotAction {
+        private static final double SHORTEST_PERIOD_S = 0.01;
+        private static final double LONGEST_PERIOD_S = 86_400;
+
+        private final Command.Log log;
+        private final Sampling sampling;
+
+        LogAction(Command.Log log, Sampling sampling) {
+            super(log, Scheduling.AT_ONCE);
+            this.log = log;
+            this.sampling = sampling;
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            log.parameters().forEach(check::readable);
+            double seconds = log.period().value().number();
+            if (seconds < SHORTEST_PERIOD_S || seconds > LONGEST_PERIOD_S) {
+                throw new ScriptException(
+                        log.period().at(),
+                        log.period().text() + ": the log takes from 10 ms to one day between readings");
+            }
+        }
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            execution.readBeside(robots, this::order);
+        }
+
+        private Order order(Member member) {
+            List<String> names = names(log.parameters(), member.bot());
+            double seconds = log.period().value().number();
+            return new Order(text(), false, robot -> {
+                sampling.start(member, names, seconds);
+                return List.of(text() + ": done");
+            });
+        }
+
+        /** Whether an order begins or ends logging. */
+        static boolean isLogging(Order order) {
+            return order.text().startsWith("log ");
+        }
+    }
+
+    static final class LogOffAction extends RobotAction {
+        private final Sampling sampling;
+
+        LogOffAction(Command.LogOff logOff, Sampling sampling) {
+            super(logOff, Scheduling.AT_ONCE);
+            this.sampling = sampling;
+        }
+
+        @Override
+        void check(RobotCheck check) {}
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            Function<Member, Order> order = member -> new Order(text(), false, robot -> {
+                sampling.stop(member);
+                return List.of(text() + ": done");
+            });
+            execution.readBeside(robots, order);
+        }
+    }
+
+    /** A command that only some type of robot has. */
+    static final class OwnAction extends RobotAction {
+        private final Token word;
+        private final List<Literal> arguments;
+
+        OwnAction(Command.Own own) {
+            super(own, Scheduling.AT_ONCE, Trait.COMMANDS_ROBOTS);
+            this.word = own.at();
+            this.arguments = own.arguments();
+        }
+
+        @Override
+        void check(RobotCheck check) {
+            if (!check.isCommand(word.text())) {
+                throw new ScriptException(word, Help.noSuchCommand(word.text(), check.bot()));
+            }
+            Token place = arguments.isEmpty() ? word : arguments.get(0).at();
+            placed(place, () -> Checks.run(check.bot(), word.text(), values(arguments)));
+        }
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            execution.submit(robots, this::order);
+        }
+
+        private Order order(Member member) {
+            boolean moves = member.bot().commands().stream()
+                    .filter(command -> command.name().equalsIgnoreCase(word.text()))
+                    .anyMatch(BotCommand::moves);
+            return new Order(text(), moves, robot -> answers(robot.run(word.text(), values(arguments))));
+        }
+
+        private List<String> answers(String said) {
+            return said.isBlank()
+                    ? List.of(text() + ": done")
+                    : Arrays.stream(said.strip().split("\\R"))
+                            .map(line -> text() + ": " + line)
+                            .toList();
+        }
+    }
+
+    private static List<Value> values(List<Literal> literals) {
+        return literals.stream().map(Literal::value).toList();
+    }
+
+    private static List<String> names(List<Token> parameters, MajicBot bot) {
+        return parameters.stream()
+                .map(name -> placed(name, () -> bot.parameter(name.text()).name()))
+                .toList();
+    }
+}

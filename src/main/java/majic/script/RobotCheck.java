@@ -1,0 +1,54 @@
+package majic.script;
+
+import static majic.script.syntax.ScriptException.placed;
+
+import java.util.Locale;
+import majic.bot.MajicBot;
+import majic.bot.Parameter;
+import majic.script.syntax.CommandParser;
+import majic.script.syntax.Condition;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
+import majic.team.Member;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a command for a robot is checked against. Its methods throw a {@link ScriptException} for what is wrong.
+ *
+ * @param selection finds the robots that conditions and roles name
+ * @param robot the robot
+ * @param limitMayChange whether {@code maxMove} may be another one when the command's turn comes; always true for a robot
+ *     that is busy, since what it has queued is unknown here
+ * @param readsFiles whether files may be read for the check, which may block
+ */
+record RobotCheck(Selection selection, Member robot, boolean limitMayChange, boolean readsFiles) {
+    RobotCheck {
+        limitMayChange |= !robot.isIdle();
+    }
+
+    MajicBot bot() {
+        return robot.bot();
+    }
+
+    void until(@Nullable Condition condition) {
+        if (condition != null) {
+            Comparisons.check(condition, selection, robot);
+        }
+    }
+
+    Parameter parameter(Token name) {
+        return placed(name, () -> bot().parameter(name.text()));
+    }
+
+    void readable(Token name) {
+        if (!parameter(name).readable()) {
+            throw new ScriptException(name, name.text() + ": can be set but not read");
+        }
+    }
+
+    /** Whether the robot has a command of that name. */
+    boolean isCommand(String word) {
+        return CommandParser.WORDS.contains(word.toLowerCase(Locale.ROOT))
+                || bot().commands().stream().anyMatch(own -> own.name().equalsIgnoreCase(word));
+    }
+}

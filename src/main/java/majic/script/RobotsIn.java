@@ -1,0 +1,54 @@
+package majic.script;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import majic.script.syntax.Statement;
+import majic.script.syntax.Walk;
+import majic.team.Member;
+import org.jspecify.annotations.Nullable;
+
+/** Finds the robots that a script commands, as far as they are there, and whether it names files. */
+final class RobotsIn extends Walk {
+    private final Actions actions;
+    private final Selection selection;
+    private final Set<Member> commanded = new LinkedHashSet<>();
+    private boolean readsFiles;
+
+    private RobotsIn(Actions actions, Selection selection) {
+        this.actions = actions;
+        this.selection = selection;
+    }
+
+    static RobotsIn of(List<Statement> script, Actions actions, Selection selection) {
+        RobotsIn robots = new RobotsIn(actions, selection);
+        robots.walk(script);
+        return robots;
+    }
+
+    /** The robots that it makes do something; those it only reads do not count. */
+    Set<Member> commanded() {
+        return commanded;
+    }
+
+    /** Whether its check reads files. */
+    boolean readsFiles() {
+        return readsFiles;
+    }
+
+    @Override
+    public @Nullable Void forRobots(Statement.ForRobots line) {
+        RobotAction action = actions.of(line.command());
+        readsFiles |= action.has(Trait.READS_FILES);
+        if (action.has(Trait.COMMANDS_ROBOTS)) {
+            commanded.addAll(selection.present(line.robots()));
+        }
+        return null;
+    }
+
+    @Override
+    public @Nullable Void forSession(Statement.ForSession line) {
+        readsFiles |= actions.of(line.command()).has(Trait.READS_FILES);
+        return null;
+    }
+}

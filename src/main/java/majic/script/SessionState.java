@@ -1,0 +1,12 @@
+package majic.script;
+
+import majic.team.Team;
+
+/**
+ * What all lines of a session share.
+ *
+ * @param team the robots
+ * @param output where answers go
+ * @param record what was done so far
+ */
+record SessionState(Team team, SessionOutput output, SessionRecord record) {}

@@ -1,0 +1,62 @@
+package majic.script;
+
+import java.util.Collection;
+import java.util.List;
+import majic.script.syntax.Command;
+import majic.script.syntax.SessionCommand;
+import majic.team.Member;
+
+/** The commands that hold the lines behind them. */
+final class WaitActions {
+    private WaitActions() {}
+
+    /** Waits until some robots have finished. */
+    static final class WaitForRobotsAction extends RobotAction {
+        WaitForRobotsAction(Command.Await await) {
+            super(await, Scheduling.HOLDS);
+        }
+
+        @Override
+        void check(RobotCheck check) {}
+
+        @Override
+        void run(Execution execution, List<Member> robots) {
+            execution.awaitFinished(robots);
+        }
+    }
+
+    /** Waits until all robots of a line or script have finished. */
+    static final class WaitForAllAction extends SessionAction {
+        WaitForAllAction() {
+            super(Scheduling.HOLDS);
+        }
+
+        @Override
+        void check(SessionCheck check) {}
+
+        @Override
+        void run(Execution execution) {
+            Collection<Member> all = execution.allRobots();
+            execution.awaitFinished(all);
+            execution.recording().waitedForAll(all);
+        }
+    }
+
+    /** Waits for a time. */
+    static final class PauseAction extends SessionAction {
+        private final double seconds;
+
+        PauseAction(SessionCommand.Pause pause) {
+            super(Scheduling.HOLDS);
+            this.seconds = pause.time().value().number();
+        }
+
+        @Override
+        void check(SessionCheck check) {}
+
+        @Override
+        void run(Execution execution) {
+            execution.pause(seconds);
+        }
+    }
+}
