@@ -2,7 +2,7 @@ package majic.hemisson;
 
 import majic.bot.BotProfile;
 import majic.bot.Range;
-import majic.hemisson.line.Wheels;
+import majic.hemisson.line.MotorValues;
 import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.readings.Clearance;
 
@@ -17,7 +17,7 @@ final class HemissonProfile {
     /** By its calibration. */
     static BotProfile of(SpeedTable table) {
         double fastest = table.fastestMmPerSec();
-        double fastestSpin = table.spinDegPerSec(Wheels.MAX);
+        double fastestSpin = table.spinDegPerSec(MotorValues.MAX);
         return new BotProfile(
                 Clearance.HULL_MM,
                 new Range(-fastest, fastest),

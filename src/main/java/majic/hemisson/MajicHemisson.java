@@ -10,28 +10,28 @@ import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.Value;
-import majic.hemisson.line.Answers;
+import majic.hemisson.line.BlockingConversation;
+import majic.hemisson.line.CurrentSession;
 import majic.hemisson.line.Handshake;
+import majic.hemisson.line.HemissonSession;
 import majic.hemisson.line.Identity;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Reply;
-import majic.hemisson.line.Session;
-import majic.hemisson.line.Sessions;
-import majic.hemisson.line.Standstill;
+import majic.hemisson.line.StopConfirmation;
 import majic.hemisson.modules.I2cCommands;
 import majic.hemisson.modules.Modules;
-import majic.hemisson.motion.Calibration;
-import majic.hemisson.motion.Leg;
-import majic.hemisson.motion.Lesson;
-import majic.hemisson.motion.OpenLoop;
-import majic.hemisson.motion.Overseer;
+import majic.hemisson.motion.MotionRunner;
+import majic.hemisson.motion.RobotMonitor;
+import majic.hemisson.motion.SpeedCalibration;
+import majic.hemisson.motion.SpeedCalibrationRun;
 import majic.hemisson.motion.SpeedTable;
+import majic.hemisson.motion.TimedMotion;
 import majic.hemisson.panel.HemissonPanel;
 import majic.hemisson.parameters.HemissonParameters;
-import majic.hemisson.parameters.Lamps;
+import majic.hemisson.parameters.LedsAndBuzzer;
 import majic.hemisson.parameters.Pins;
 import majic.hemisson.parameters.RobotParameters;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /**
  * A K-Team Hemisson. It has neither encoders nor a watchdog: motions are timed, positions are estimates, and a robot
@@ -45,14 +45,14 @@ public final class MajicHemisson extends MajicBot {
     private static final double TICK_S = 0.05;
 
     private final Pins pins = new Pins();
-    private final Sessions sessions;
-    private final Overseer overseer;
-    private final Calibration calibration;
-    private final Standstill standstill;
-    private final Access access;
-    private final OpenLoop motions;
-    private final Lamps lamps;
-    private final HemissonViews views;
+    private final CurrentSession sessions;
+    private final RobotMonitor overseer;
+    private final SpeedCalibration calibration;
+    private final StopConfirmation standstill;
+    private final RobotReadings access;
+    private final MotionRunner motions;
+    private final LedsAndBuzzer lamps;
+    private final HemissonScenes views;
     private volatile Modules modules = Modules.NONE;
 
     /**
@@ -74,18 +74,18 @@ public final class MajicHemisson extends MajicBot {
      */
     public MajicHemisson(String address, BotEnvironment environment) {
         super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
-        this.sessions = new Sessions(address, time());
-        this.calibration = new Calibration(settings(), address, this::use);
-        this.overseer = new Overseer(new Owner(), time(), changes(), calibration.table());
-        Answers answers = new Answers(sessions, changes(), this::isConnected);
-        this.standstill = new Standstill(sessions, changes(), this::isLost, overseer.wheels()::found);
-        this.motions = new OpenLoop(sessions, answers, standstill, overseer, time());
-        this.access = new Access(overseer.senses(), answers, time());
-        this.lamps = new Lamps(answers);
-        this.views = new HemissonViews(this, sessions, overseer, lamps);
+        this.sessions = new CurrentSession(address, time());
+        this.calibration = new SpeedCalibration(settings(), address, this::use);
+        this.overseer = new RobotMonitor(new Owner(), time(), changes(), calibration.table());
+        BlockingConversation answers = new BlockingConversation(sessions, changes(), this::isConnected);
+        this.standstill = new StopConfirmation(sessions, changes(), this::isLost, overseer.wheels()::found);
+        this.motions = new MotionRunner(sessions, answers, standstill, overseer, time());
+        this.access = new RobotReadings(overseer.senses(), answers, time());
+        this.lamps = new LedsAndBuzzer(answers);
+        this.views = new HemissonScenes(this, sessions, overseer, lamps);
         profile(HemissonProfile.of(calibration.table()));
         new HemissonParameters(access, lamps, pins, calibration, new Known()).describe(table());
-        add(CalibrateCommand.of(new Lesson(calibration, motions, new Cruise())));
+        add(CalibrateCommand.of(new SpeedCalibrationRun(calibration, motions, new Cruise())));
         new I2cCommands(access).all().forEach(this::add);
     }
 
@@ -96,7 +96,7 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected void open() {
-        Session opened = sessions.open(overseer);
+        HemissonSession opened = sessions.open(overseer);
         overseer.begin(opened);
         opened.start();
         every("hemisson line", TICK_S, overseer::tick);
@@ -130,12 +130,12 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
-        return motions.run(Leg.straight(mm, cruiseMmPerSec(), calibration.table()), motion);
+        return motions.run(TimedMotion.straight(mm, cruiseMmPerSec(), calibration.table()), motion);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
-        return motions.run(Leg.spin(degrees, cruiseTurnDegPerSec(), calibration.table()), motion);
+        return motions.run(TimedMotion.spin(degrees, cruiseTurnDegPerSec(), calibration.table()), motion);
     }
 
     @Override
@@ -172,7 +172,7 @@ public final class MajicHemisson extends MajicBot {
     }
 
     /** What the monitor needs of this driver. */
-    private final class Owner implements Overseer.Owner {
+    private final class Owner implements RobotMonitor.Owner {
         @Override
         public boolean isConnected() {
             return MajicHemisson.this.isConnected();
@@ -224,7 +224,7 @@ public final class MajicHemisson extends MajicBot {
     }
 
     /** How fast it goes while it is calibrated. */
-    private final class Cruise implements Lesson.Pace {
+    private final class Cruise implements SpeedCalibrationRun.Pace {
         @Override
         public double mmPerSec() {
             return cruiseMmPerSec();

@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import majic.gui.Patience;
-import majic.hemisson.panel.LampButton;
+import majic.hemisson.panel.LedButton;
 import majic.panel.Banner;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.Robot;
@@ -162,8 +162,8 @@ class HemissonPanelWindowTest {
         });
     }
 
-    private LampButton button(String name) {
-        return mouse.finder().findByName(frame, name, LampButton.class);
+    private LedButton button(String name) {
+        return mouse.finder().findByName(frame, name, LedButton.class);
     }
 
     private Banner banner() {

@@ -8,7 +8,7 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@link Dialogue} over a link. The robot's receiver holds two characters, and a third one that arrives while it answers
+ * A {@link ConversationState} over a link. The robot's receiver holds two characters, and a third one that arrives while it answers
  * deafens it until it is switched off (Hemisson sheet 4.4). So even a stop waits for the answer under way, for a moment;
  * it takes the very next turn and is repeated until it is answered.
  *
@@ -22,13 +22,13 @@ public final class Conversation {
     private final TimeSource time;
     private final ConversationListener listener;
     private final Object lock = new Object();
-    private final Dialogue dialogue;
+    private final ConversationState dialogue;
 
     Conversation(Link link, TimeSource time, LineTimes times, ConversationListener listener) {
         this.link = link;
         this.time = time;
         this.listener = listener;
-        this.dialogue = new Dialogue(time, times);
+        this.dialogue = new ConversationState(time, times);
     }
 
     /**

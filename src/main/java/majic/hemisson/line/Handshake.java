@@ -14,10 +14,10 @@ import org.jspecify.annotations.Nullable;
 public final class Handshake {
     private static final double LONGEST_GREETING_S = 1;
 
-    private final Session session;
+    private final HemissonSession session;
     private final Signal changes;
 
-    public Handshake(Session session, Signal changes) {
+    public Handshake(HemissonSession session, Signal changes) {
         this.session = session;
         this.changes = changes;
     }
@@ -88,11 +88,11 @@ public final class Handshake {
     }
 
     private void waitForQuiet() {
-        await(() -> session.conversation().isQuiet(), Settling.QUIET_NANOS / 1e9);
+        await(() -> session.conversation().isQuiet(), LineRecovery.QUIET_NANOS / 1e9);
         double waited = 0;
         while (!session.conversation().isQuiet() && waited < LONGEST_GREETING_S) {
-            waited += Settling.QUIET_NANOS / 1e9;
-            await(() -> session.conversation().isQuiet(), Settling.QUIET_NANOS / 1e9);
+            waited += LineRecovery.QUIET_NANOS / 1e9;
+            await(() -> session.conversation().isQuiet(), LineRecovery.QUIET_NANOS / 1e9);
         }
     }
 

@@ -69,7 +69,7 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
         }
     }
 
-    public static Question wheels(Wheels wheels) {
+    public static Question wheels(MotorValues wheels) {
         return wheels.isStill()
                 ? STOP
                 : new Question("D," + wheels.left() + "," + wheels.right(), wheelsAnswer(), Purpose.MOTION, WHEELS_MS);
@@ -128,9 +128,9 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
     }
 
     /** What a command to the wheels tells them. */
-    public Wheels told() {
+    public MotorValues told() {
         String[] parts = text.split(",");
-        return new Wheels(Integer.parseInt(parts[1]), Integer.parseInt(parts[2]));
+        return new MotorValues(Integer.parseInt(parts[1]), Integer.parseInt(parts[2]));
     }
 
     /** Whether a reply is the whole answer to this question. */

@@ -3,7 +3,7 @@ package majic.hemisson.modules;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /** The module with five analogue inputs and twelve digital lines (Hemisson sheet 9). */
 final class GeneralIo implements ExtensionModule {
@@ -13,16 +13,16 @@ final class GeneralIo implements ExtensionModule {
     private static final int[] DIGITAL = {0x20, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x27, 0x28, 0x29, 0x30, 0x31};
 
     @Override
-    public void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, RobotReadings access) {
         for (int input = 0; input < ANALOG_INPUTS; input++) {
             table.add(
                     Parameter.number("analog" + input, Unit.NONE, "an analogue input, 0 to 255"),
                     access.wanted(
                             Bus.read(ADDRESS, ANALOG + input, 1),
-                            reply -> Access.count(reply.numbers().get(0))));
+                            reply -> RobotReadings.count(reply.numbers().get(0))));
         }
         for (int line = 0; line < DIGITAL.length; line++) {
-            Dial.register(ADDRESS, DIGITAL[line])
+            ModuleNumber.register(ADDRESS, DIGITAL[line])
                     .describeSwitch(
                             table,
                             access,

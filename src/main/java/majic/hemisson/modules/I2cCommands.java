@@ -9,7 +9,7 @@ import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /**
  * Raw reading and writing on the I2C bus, for what there is no other word for. Reading moves nothing; what is written
@@ -20,9 +20,9 @@ public final class I2cCommands {
     private static final int LOWEST = 0x02;
     private static final int HIGHEST = 0xFC;
 
-    private final Access access;
+    private final RobotReadings access;
 
-    public I2cCommands(Access access) {
+    public I2cCommands(RobotReadings access) {
         this.access = access;
     }
 

@@ -9,7 +9,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /** The display of two lines with its three keys (Hemisson sheet 9). */
 final class Lcd implements ExtensionModule {
@@ -27,12 +27,12 @@ final class Lcd implements ExtensionModule {
             "lowerRight", 0x23));
 
     @Override
-    public void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, RobotReadings access) {
         table.add(
                 Parameter.number("lcdKeys", Unit.NONE, "which of the display's three keys are pressed, as a number"),
                 access.wanted(
                         Bus.read(ADDRESS, KEYS, 1),
-                        reply -> Access.count(reply.numbers().get(0))));
+                        reply -> RobotReadings.count(reply.numbers().get(0))));
         writeOnly(table, access, Parameter.onOff("lcdLight", "the light behind the display"), 0x40);
         writeOnly(
                 table,
@@ -43,14 +43,14 @@ final class Lcd implements ExtensionModule {
                 0x41);
     }
 
-    private static void writeOnly(ParameterTable table, Access access, Parameter parameter, int register) {
+    private static void writeOnly(ParameterTable table, RobotReadings access, Parameter parameter, int register) {
         table.addWriteOnly(parameter)
                 .writes(values -> access.tell(
                         Bus.write(ADDRESS, register, (int) values.get(0).number())));
     }
 
     @Override
-    public List<BotCommand> commands(Access access) {
+    public List<BotCommand> commands(RobotReadings access) {
         Parameter line = Parameter.choice("line", List.copyOf(LINES.keySet()), "where");
         Parameter text = Parameter.text("text", "at most " + Bus.MOST_BYTES + " letters");
         BotCommand write = new BotCommand(
@@ -62,7 +62,7 @@ final class Lcd implements ExtensionModule {
         return List.of(write, clear);
     }
 
-    private static String write(Access access, List<Value> values) {
+    private static String write(RobotReadings access, List<Value> values) {
         String text = values.get(1).toString();
         if (!text.matches("[ -~]{1," + Bus.MOST_BYTES + "}")) {
             throw new BotException(

@@ -9,7 +9,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /**
  * The camera of one line of 102 pixels (Hemisson sheet 9 and 10). To read it takes the line for up to 37 ms, so it is not
@@ -21,8 +21,8 @@ final class LinearCamera implements ExtensionModule {
 
     private final Row pixels;
     private final Row thresholded;
-    private final Dial exposure;
-    private final Dial threshold;
+    private final ModuleNumber exposure;
+    private final ModuleNumber threshold;
     private final LampSwitching lamp;
 
     /** A reading of all pixels. */
@@ -53,10 +53,11 @@ final class LinearCamera implements ExtensionModule {
 
     /** Adds the switch of its lamp. */
     private interface LampSwitching {
-        void describe(ParameterTable table, Access access, Parameter parameter);
+        void describe(ParameterTable table, RobotReadings access, Parameter parameter);
     }
 
-    private LinearCamera(Row pixels, Row thresholded, Dial exposure, Dial threshold, LampSwitching lamp) {
+    private LinearCamera(
+            Row pixels, Row thresholded, ModuleNumber exposure, ModuleNumber threshold, LampSwitching lamp) {
         this.pixels = pixels;
         this.thresholded = thresholded;
         this.exposure = exposure;
@@ -68,22 +69,22 @@ final class LinearCamera implements ExtensionModule {
         return new LinearCamera(
                 Row.registers(0x10),
                 Row.registers(0x11),
-                Dial.register(ADDRESS, 0x21),
-                Dial.register(ADDRESS, 0x20),
-                Dial.register(ADDRESS, 0x30)::describeSwitch);
+                ModuleNumber.register(ADDRESS, 0x21),
+                ModuleNumber.register(ADDRESS, 0x20),
+                ModuleNumber.register(ADDRESS, 0x30)::describeSwitch);
     }
 
     static LinearCamera roadNarrows() {
         return new LinearCamera(
                 Row.roadNarrows('P'),
                 Row.roadNarrows('Q'),
-                Dial.roadNarrows('L', 'F', 'E'),
-                Dial.roadNarrows('L', 'U', 'T'),
+                ModuleNumber.roadNarrows('L', 'F', 'E'),
+                ModuleNumber.roadNarrows('L', 'U', 'T'),
                 LinearCamera::roadNarrowsLamp);
     }
 
     /** There is a command to switch it, and none to ask for it. */
-    private static void roadNarrowsLamp(ParameterTable table, Access access, Parameter parameter) {
+    private static void roadNarrowsLamp(ParameterTable table, RobotReadings access, Parameter parameter) {
         new UntoldSetting()
                 .describe(
                         table,
@@ -95,7 +96,7 @@ final class LinearCamera implements ExtensionModule {
     }
 
     @Override
-    public void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, RobotReadings access) {
         row(table, access, "camera", pixels, "its pixels from left to right, 0 to 255; not while it moves");
         row(table, access, "cameraThresholded", thresholded, "the same, told dark from bright; not while it moves");
         exposure.describe(
@@ -111,13 +112,13 @@ final class LinearCamera implements ExtensionModule {
         lamp.describe(table, access, Parameter.onOff("cameraLight", "the lamp of the camera"));
     }
 
-    private static void row(ParameterTable table, Access access, String name, Row row, String help) {
+    private static void row(ParameterTable table, RobotReadings access, String name, Row row, String help) {
         table.add(
                 Parameter.list(name, Unit.NONE, help),
                 access.asked(
                         row.ask(),
                         reply -> Value.many(row.values().apply(reply).stream()
-                                .map(Access::count)
+                                .map(RobotReadings::count)
                                 .toList())));
     }
 }

@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import majic.bot.BotCommand;
 import majic.bot.ParameterTable;
 import majic.hemisson.line.Reply;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -60,11 +60,11 @@ public record Modules(List<Found> found, boolean roadNarrows) {
         return found.isEmpty() ? "none" : found.stream().map(Found::name).collect(Collectors.joining(", "));
     }
 
-    public void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, RobotReadings access) {
         known().forEach(module -> module.describe(table, access));
     }
 
-    public List<BotCommand> commands(Access access) {
+    public List<BotCommand> commands(RobotReadings access) {
         return known().stream()
                 .flatMap(module -> module.commands(access).stream())
                 .toList();

@@ -8,7 +8,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /** The speech module behind the RoadNarrows firmware, which takes any text and stored phrases (Hemisson sheet 10). */
 final class RoadNarrowsSpeech implements ExtensionModule {
@@ -18,14 +18,14 @@ final class RoadNarrowsSpeech implements ExtensionModule {
     private static final Question BUSY = Question.ask("A,T,Q", "a,T,Q,[0-9A-Fa-f]{1,2}", Question.msFor(8));
 
     @Override
-    public void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, RobotReadings access) {
         table.add(
                 Speech.speaking(),
                 access.wanted(BUSY, reply -> Value.yesNo(!reply.rest().matches("T,Q,0+"))));
     }
 
     @Override
-    public List<BotCommand> commands(Access access) {
+    public List<BotCommand> commands(RobotReadings access) {
         Parameter text = Parameter.text("text", "what to say, at most " + LONGEST + " letters");
         return List.of(
                 Speech.phrase(number -> access.tell(order("C", String.format(Locale.ROOT, "%02d", number)))),

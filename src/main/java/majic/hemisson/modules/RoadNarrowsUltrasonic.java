@@ -9,7 +9,7 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 import majic.time.Patience;
 
 /**
@@ -31,7 +31,7 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
     private final UntoldSetting range = new UntoldSetting();
 
     @Override
-    public void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, RobotReadings access) {
         table.add(
                 Parameter.number("ultrasonic", Unit.MM, "the nearest echo, 30 to 6000 mm ahead; not while it moves"),
                 () -> measured(access, RoadNarrowsUltrasonic::nearest));
@@ -42,7 +42,8 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
                 Parameter.number("ultrasonicLight", Unit.NONE, "how bright its front is, 0 dark to 255"),
                 access.wanted(
                         LIGHT,
-                        reply -> Access.count(Integer.parseInt(reply.rest().substring(4), HEX))));
+                        reply -> RobotReadings.count(
+                                Integer.parseInt(reply.rest().substring(4), HEX))));
         range.describe(table, access, Ultrasonic.range().inWholes(), wish -> {
             int mm = (int) wish.number();
             String hex = String.format(Locale.ROOT, "A,U,R,%04X", mm);
@@ -51,11 +52,11 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
     }
 
     /** The robot measures only when it is asked, so a thread that must not wait gets nothing. */
-    private static Value measured(Access access, Function<List<Value>, Value> reading) {
+    private static Value measured(RobotReadings access, Function<List<Value>, Value> reading) {
         return Patience.isAllowed() ? reading.apply(echoes(access)) : Value.unknown("no echo yet");
     }
 
-    private static List<Value> echoes(Access access) {
+    private static List<Value> echoes(RobotReadings access) {
         access.tell(CENTIMETRES);
         access.tell(MEASURE);
         String[] words = access.ask(ALL).text().split(",");

@@ -7,7 +7,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /** The speech module; by stock commands it speaks the phrases stored in it (Hemisson sheet 9). */
 final class Speech implements ExtensionModule {
@@ -17,7 +17,7 @@ final class Speech implements ExtensionModule {
     private static final int PHRASES = 30;
 
     @Override
-    public void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, RobotReadings access) {
         table.add(
                 speaking(),
                 access.wanted(
@@ -26,7 +26,7 @@ final class Speech implements ExtensionModule {
     }
 
     @Override
-    public List<BotCommand> commands(Access access) {
+    public List<BotCommand> commands(RobotReadings access) {
         return List.of(phrase(number -> access.tell(Bus.write(ADDRESS, COMMAND, number))));
     }
 

@@ -9,8 +9,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
-import majic.hemisson.readings.Access;
-import majic.hemisson.readings.Look;
+import majic.hemisson.readings.PolledQuestion;
+import majic.hemisson.readings.RobotReadings;
 import majic.time.Patience;
 import org.jspecify.annotations.Nullable;
 
@@ -43,7 +43,7 @@ final class Ultrasonic implements ExtensionModule {
     private final UntoldSetting range = new UntoldSetting();
 
     /** Pings and reads in turn; while the sensor listens it is not to be pinged again, whoever wants to. */
-    private static final class PingAndListen implements Look {
+    private static final class PingAndListen implements PolledQuestion {
         private long pingedNanos;
         private boolean listening;
 
@@ -80,14 +80,16 @@ final class Ultrasonic implements ExtensionModule {
     }
 
     @Override
-    public void describe(ParameterTable table, Access access) {
+    public void describe(ParameterTable table, RobotReadings access) {
         table.add(
                 Parameter.number("ultrasonic", Unit.MM, "the nearest echo, 30 to 6000 mm ahead within 55 deg"),
                 () -> measured(access, FIRST, reply -> echo(reply.numbers(), 1)));
         table.add(
                 Parameter.number("ultrasonicLight", Unit.NONE, "how bright its front is, 0 dark to 255"),
                 () -> measured(
-                        access, FIRST, reply -> Access.count(reply.numbers().get(0))));
+                        access,
+                        FIRST,
+                        reply -> RobotReadings.count(reply.numbers().get(0))));
         table.add(
                 Parameter.list("ultrasonicEchoes", Unit.MM, "all echoes, nearest first; not while it moves"),
                 () -> measured(access, ALL, Ultrasonic::echoes));
@@ -105,7 +107,7 @@ final class Ultrasonic implements ExtensionModule {
     }
 
     /** Who asks again and again is served by the robot's watch. */
-    private Value measured(Access access, Question read, Function<Reply, Value> reading) {
+    private Value measured(RobotReadings access, Question read, Function<Reply, Value> reading) {
         access.want(pingAndListen);
         Reply reply = read == FIRST ? access.last(FIRST, RECENT_NANOS) : null;
         if (reply == null && Patience.isAllowed()) {
@@ -114,7 +116,7 @@ final class Ultrasonic implements ExtensionModule {
         return reply == null ? Value.unknown("no echo yet") : reading.apply(reply);
     }
 
-    private Reply ping(Access access, Question read) {
+    private Reply ping(RobotReadings access, Question read) {
         if (pingAndListen.begins(access.nanos())) {
             access.tell(PING);
         }

@@ -5,7 +5,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /** A setting of a module that the robot takes and does not tell; what it took last is kept here. Thread-safe. */
 final class UntoldSetting {
@@ -19,11 +19,11 @@ final class UntoldSetting {
      *
      * @param order what is sent for a value, and what it comes to
      */
-    void describe(ParameterTable table, Access access, Parameter parameter, Function<Value, Order> order) {
+    void describe(ParameterTable table, RobotReadings access, Parameter parameter, Function<Value, Order> order) {
         table.add(parameter, () -> value).writes(values -> take(access, order.apply(values.get(0))));
     }
 
-    private void take(Access access, Order order) {
+    private void take(RobotReadings access, Order order) {
         access.tell(order.question());
         value = order.value();
     }

@@ -3,7 +3,7 @@ package majic.hemisson.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import majic.hemisson.line.Wheels;
+import majic.hemisson.line.MotorValues;
 
 /**
  * How fast the wheels run for each motor value, and how far apart they are, for one robot. Nothing on the robot measures
@@ -42,7 +42,7 @@ public record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, do
             }
             before = speed;
         }
-        return speeds.size() == Wheels.MAX;
+        return speeds.size() == MotorValues.MAX;
     }
 
     /** All speeds multiplied by a factor. */
@@ -81,7 +81,7 @@ public record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, do
 
     /** The highest speed that both wheels reach, mm/s. */
     public double fastestMmPerSec() {
-        return mmPerSec(Wheels.MAX) * Math.min(leftFactor(), rightFactor());
+        return mmPerSec(MotorValues.MAX) * Math.min(leftFactor(), rightFactor());
     }
 
     /** The rate at which it spins with both wheels at a value, deg/s. */
@@ -92,7 +92,7 @@ public record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, do
     /** The value that comes nearest to a mean wheel speed; 0 or one that turns the wheel. */
     int nearest(double wantedMmPerSec) {
         int best = 0;
-        for (int value = SLOWEST; value <= Wheels.MAX; value++) {
+        for (int value = SLOWEST; value <= MotorValues.MAX; value++) {
             if (Math.abs(mmPerSec(value) - Math.abs(wantedMmPerSec))
                     < Math.abs(mmPerSec(best) - Math.abs(wantedMmPerSec))) {
                 best = value;
@@ -102,16 +102,16 @@ public record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, do
     }
 
     /** The nearest wheel values for a curve; one too fast is slowed down without bending it otherwise. */
-    public Wheels curve(double speedMmPerSec, double turnDegPerSec) {
+    public MotorValues curve(double speedMmPerSec, double turnDegPerSec) {
         double half = Math.toRadians(turnDegPerSec) * wheelDistanceMm / 2;
         double left = speedMmPerSec - half;
         double right = speedMmPerSec + half;
         double slower = Math.min(1, fastestMmPerSec() / Math.max(1, Math.max(Math.abs(left), Math.abs(right))));
-        return new Wheels(nearest(left * slower / leftFactor()), nearest(right * slower / rightFactor()));
+        return new MotorValues(nearest(left * slower / leftFactor()), nearest(right * slower / rightFactor()));
     }
 
     /** What wheel values make of it, for people. */
-    public String words(Wheels wheels) {
+    public String words(MotorValues wheels) {
         return String.format(
                 Locale.ROOT,
                 "motor values %d and %d: about %d mm/s, %d deg/s",
@@ -122,20 +122,20 @@ public record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, do
     }
 
     /** The path speed for wheel values, mm/s, ahead positive. */
-    double speedMmPerSec(Wheels wheels) {
+    double speedMmPerSec(MotorValues wheels) {
         return (leftMmPerSec(wheels) + rightMmPerSec(wheels)) / 2;
     }
 
     /** The turn rate for wheel values, deg/s, left positive. */
-    double turnDegPerSec(Wheels wheels) {
+    double turnDegPerSec(MotorValues wheels) {
         return Math.toDegrees((rightMmPerSec(wheels) - leftMmPerSec(wheels)) / wheelDistanceMm);
     }
 
-    private double leftMmPerSec(Wheels wheels) {
+    private double leftMmPerSec(MotorValues wheels) {
         return mmPerSec(wheels.left()) * leftFactor();
     }
 
-    private double rightMmPerSec(Wheels wheels) {
+    private double rightMmPerSec(MotorValues wheels) {
         return mmPerSec(wheels.right()) * rightFactor();
     }
 }

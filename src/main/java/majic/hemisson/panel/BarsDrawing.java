@@ -22,11 +22,11 @@ final class BarsDrawing {
     /** Figures smaller than this cannot be read; the bars remain. */
     private static final double LEAST_PX_PER_MM = 0.55;
 
-    private final HemissonView view;
+    private final HemissonScene view;
     private final Ink ink;
     private final double pxPerMm;
 
-    BarsDrawing(HemissonView view, Ink ink, double pxPerMm) {
+    BarsDrawing(HemissonScene view, Ink ink, double pxPerMm) {
         this.view = view;
         this.ink = ink;
         this.pxPerMm = pxPerMm;

@@ -34,7 +34,7 @@ final class FloorDrawing extends WayContent {
         super(REACH, false);
     }
 
-    void show(HemissonView view) {
+    void show(HemissonScene view) {
         pose = view.state().pose();
         connected = view.isConnected();
     }

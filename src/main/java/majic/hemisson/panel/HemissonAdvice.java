@@ -30,7 +30,7 @@ final class HemissonAdvice {
         refusedNanos = nowNanos;
     }
 
-    Words on(HemissonView view, long nowNanos) {
+    Words on(HemissonScene view, long nowNanos) {
         String why = nowNanos - refusedNanos < REFUSAL_NANOS ? refusal : null;
         if (view.line().outOfControl()) {
             return LIFT;

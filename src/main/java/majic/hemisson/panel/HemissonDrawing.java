@@ -28,15 +28,15 @@ final class HemissonDrawing extends JPanel {
     private static final double LEAST_LAMP_PX = 3.5;
     private static final int LEAST_CLICK_PX = 16;
 
-    private final transient LampSwitch lampSwitch;
-    private final transient List<LampButton> buttons;
-    private transient HemissonView view;
+    private final transient LedSwitch lampSwitch;
+    private final transient List<LedButton> buttons;
+    private transient HemissonScene view;
 
-    HemissonDrawing(HemissonView view, LampSwitch lampSwitch) {
+    HemissonDrawing(HemissonScene view, LedSwitch lampSwitch) {
         super(null);
         this.view = view;
         this.lampSwitch = lampSwitch;
-        this.buttons = Arrays.stream(Lamp.values()).map(LampButton::new).toList();
+        this.buttons = Arrays.stream(LedOrBuzzer.values()).map(LedButton::new).toList();
         setName("robot");
         setOpaque(false);
         getAccessibleContext().setAccessibleName("the Hemisson from above with its proximity readings");
@@ -48,16 +48,16 @@ final class HemissonDrawing extends JPanel {
     }
 
     /** Shows another moment; on the event dispatch thread. */
-    void show(HemissonView newView) {
+    void show(HemissonScene newView) {
         view = newView;
-        for (LampButton button : buttons) {
-            Lamp lamp = button.lamp();
+        for (LedButton button : buttons) {
+            LedOrBuzzer lamp = button.lamp();
             button.show(lamp.isOn(newView), lampSwitch.isWaiting(lamp), view.isConnected());
         }
         repaint();
     }
 
-    private void toggle(Lamp lamp) {
+    private void toggle(LedOrBuzzer lamp) {
         lampSwitch.toggle(lamp);
         buttons.stream()
                 .filter(button -> button.lamp() == lamp)
@@ -73,8 +73,8 @@ final class HemissonDrawing extends JPanel {
         double scale = pxPerMm();
         double radius = Math.max(LEAST_LAMP_PX, LAMP_MM * scale);
         int side = (int) Math.max(LEAST_CLICK_PX, 4 * radius);
-        for (LampButton button : buttons) {
-            Lamp lamp = button.lamp();
+        for (LedButton button : buttons) {
+            LedOrBuzzer lamp = button.lamp();
             double x = getWidth() / 2.0 - lamp.yMm() * scale;
             double y = getHeight() / 2.0 - lamp.xMm() * scale;
             button.scale(radius);
@@ -93,15 +93,15 @@ final class HemissonDrawing extends JPanel {
         Graphics2D robot = (Graphics2D) screen.create();
         robot.transform(onScreen(scale));
         List<Integer> light = view.light();
-        new BodyDrawing(view, ink, scale).paint(robot);
+        new HemissonBodyDrawing(view, ink, scale).paint(robot);
         if (light != null && view.isConnected()) {
             LightDrawing.paint(robot, light, ink, scale);
         }
         bars.paintBars(robot);
         robot.dispose();
         bars.paintFigures(screen);
-        paintSpeed(screen, ink, BodyDrawing.WHEEL_Y_MM, view.wheels().left());
-        paintSpeed(screen, ink, -BodyDrawing.WHEEL_Y_MM, view.wheels().right());
+        paintSpeed(screen, ink, HemissonBodyDrawing.WHEEL_Y_MM, view.wheels().left());
+        paintSpeed(screen, ink, -HemissonBodyDrawing.WHEEL_Y_MM, view.wheels().right());
         screen.dispose();
     }
 
@@ -112,7 +112,8 @@ final class HemissonDrawing extends JPanel {
         FontMetrics metrics = screen.getFontMetrics();
         double x = -y * pxPerMm() - metrics.stringWidth(text) / 2.0;
         screen.setColor(ink.line());
-        screen.drawString(text, (float) x, (float) (BodyDrawing.WHEEL_HALF_MM * pxPerMm() + metrics.getAscent()));
+        screen.drawString(
+                text, (float) x, (float) (HemissonBodyDrawing.WHEEL_HALF_MM * pxPerMm() + metrics.getAscent()));
     }
 
     private static AffineTransform onScreen(double scale) {

@@ -2,7 +2,7 @@ package majic.hemisson.panel;
 
 import java.util.List;
 import java.util.Locale;
-import majic.hemisson.panel.HemissonView.Line;
+import majic.hemisson.panel.HemissonScene.Line;
 import majic.panel.Light;
 import majic.panel.Light.Kind;
 import majic.panel.LightsPanel;
@@ -26,13 +26,13 @@ final class HemissonLights {
         return panel;
     }
 
-    void show(HemissonView view) {
+    void show(HemissonScene view) {
         showMotors(view);
         showLine(view.line());
         showMode(view);
     }
 
-    private void showMotors(HemissonView view) {
+    private void showMotors(HemissonScene view) {
         if (view.line().outOfControl()) {
             motors.show(Kind.ALARM, "may be moving");
         } else if (!view.isConnected()) {
@@ -42,7 +42,7 @@ final class HemissonLights {
         }
     }
 
-    private void showMotorsOfOneInReach(HemissonView view) {
+    private void showMotorsOfOneInReach(HemissonScene view) {
         if (!view.state().moving()) {
             motors.show(Kind.QUIET, "told to stand");
         } else if (view.isRemoteControlled()) {
@@ -66,11 +66,11 @@ final class HemissonLights {
         } else if (now.missesAnswers()) {
             line.show(Kind.WARNING, "answers missing");
         } else {
-            line.show(Kind.GOOD, HemissonNumbers.milliseconds("line", now.quality()));
+            line.show(Kind.GOOD, HemissonReadings.milliseconds("line", now.quality()));
         }
     }
 
-    private void showMode(HemissonView view) {
+    private void showMode(HemissonScene view) {
         if (view.identity().switches().isEmpty()) {
             mode.show(Kind.QUIET, "mode not known");
         } else if (view.areSwitchesMoved()) {

@@ -21,20 +21,20 @@ import majic.panel.map.ZoomableMap;
 public final class HemissonPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
-    private final transient Supplier<HemissonView> views;
+    private final transient Supplier<HemissonScene> views;
     private final HemissonDrawing drawing;
     private final transient FloorDrawing floor = new FloorDrawing();
     private final ZoomableMap map = new ZoomableMap(floor);
     private final transient HemissonLights lights = new HemissonLights();
-    private final ReadingsPanel<HemissonView> readings = HemissonNumbers.panel();
+    private final ReadingsPanel<HemissonScene> readings = HemissonReadings.panel();
     private final transient HemissonAdvice advice = new HemissonAdvice();
     private final Banner banner = new Banner();
 
-    private HemissonPanel(MajicBot bot, Supplier<HemissonView> views, Executor background) {
+    private HemissonPanel(MajicBot bot, Supplier<HemissonScene> views, Executor background) {
         super(bot);
         this.views = views;
         this.drawing = new HemissonDrawing(
-                views.get(), new LampSwitch(bot, background, lamp -> lamp.isOn(views.get()), this::refused));
+                views.get(), new LedSwitch(bot, background, lamp -> lamp.isOn(views.get()), this::refused));
         map.getAccessibleContext().setAccessibleName("Map of the way the Hemisson should have come, an estimate");
         add(drawing);
         add(lights.panel());
@@ -51,7 +51,7 @@ public final class HemissonPanel extends NewsPanel {
      * @param views takes what is to be shown; called by any thread
      * @param background runs a task on a thread of its own, for commands that wait for the robot
      */
-    public static JComponent create(MajicBot bot, Supplier<HemissonView> views, Executor background) {
+    public static JComponent create(MajicBot bot, Supplier<HemissonScene> views, Executor background) {
         HemissonPanel panel = new HemissonPanel(bot, views, background);
         panel.refreshOnNews();
         return panel;
@@ -64,7 +64,7 @@ public final class HemissonPanel extends NewsPanel {
 
     @Override
     protected void refresh() {
-        HemissonView view = views.get();
+        HemissonScene view = views.get();
         readings.show(view, view.isConnected());
         lights.show(view);
         HemissonAdvice.Words words = advice.on(view, System.nanoTime());

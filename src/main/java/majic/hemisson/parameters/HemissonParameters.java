@@ -2,8 +2,8 @@ package majic.hemisson.parameters;
 
 import majic.bot.ParameterTable;
 import majic.hemisson.modules.Modules;
-import majic.hemisson.motion.Calibration;
-import majic.hemisson.readings.Access;
+import majic.hemisson.motion.SpeedCalibration;
+import majic.hemisson.readings.RobotReadings;
 
 /**
  * What can be read from and set on every Hemisson; {@link Modules} adds what is plugged in.
@@ -15,12 +15,16 @@ import majic.hemisson.readings.Access;
  * @param robot what else is known of it
  */
 public record HemissonParameters(
-        Access access, Lamps lamps, Pins pins, Calibration calibration, RobotParameters.Source robot) {
+        RobotReadings access,
+        LedsAndBuzzer lamps,
+        Pins pins,
+        SpeedCalibration calibration,
+        RobotParameters.Source robot) {
     /** Adds all of them. */
     public void describe(ParameterTable table) {
         new InfraredParameters(table, access).describe();
-        new LampParameters(table, lamps).describe();
-        new WheelParameters(table, access, calibration).describe();
+        new LedParameters(table, lamps).describe();
+        new MotorParameters(table, access, calibration).describe();
         new RobotParameters(table, access, robot).describe();
         new PinParameters(table, access, pins).describe();
     }

@@ -8,9 +8,9 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
-import majic.hemisson.readings.Access;
 import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
+import majic.hemisson.readings.RobotReadings;
 
 /** The eight infra-red sensors: how far, how near, how bright. */
 final class InfraredParameters {
@@ -18,9 +18,9 @@ final class InfraredParameters {
             List.of("front", "front right", "front left", "right", "left", "rear", "ground right", "ground left");
 
     private final ParameterTable table;
-    private final Access access;
+    private final RobotReadings access;
 
-    InfraredParameters(ParameterTable table, Access access) {
+    InfraredParameters(ParameterTable table, RobotReadings access) {
         this.table = table;
         this.access = access;
     }
@@ -54,19 +54,19 @@ final class InfraredParameters {
         table.add(
                 Parameter.list("prox", Unit.NONE, "0 nothing to 255 near: " + String.join(", ", NAMES)),
                 access.seen(seen ->
-                        Value.many(seen.raw().stream().map(Access::count).toList())));
+                        Value.many(seen.raw().stream().map(RobotReadings::count).toList())));
         for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
             int index = sensor;
             table.add(
                     Parameter.number("prox" + sensor, Unit.NONE, "0 nothing to 255 near, in the order of prox"),
-                    access.seen(seen -> Access.count(seen.value(index))));
+                    access.seen(seen -> RobotReadings.count(seen.value(index))));
         }
     }
 
     private void describeGround() {
         table.add(
                 Parameter.number("groundRight", Unit.NONE, "what the ground reflects on the right, large when white"),
-                access.seen(seen -> Access.count(seen.value(Proximity.GROUND_RIGHT))));
+                access.seen(seen -> RobotReadings.count(seen.value(Proximity.GROUND_RIGHT))));
         table.add(
                 Parameter.number(
                         "groundLeft",
@@ -76,7 +76,7 @@ final class InfraredParameters {
     }
 
     private Value groundLeft(List<Integer> light) {
-        return access.seen(seen -> Access.count(Proximity.correctedGroundLeft(
+        return access.seen(seen -> RobotReadings.count(Proximity.correctedGroundLeft(
                         seen.value(Proximity.GROUND_LEFT),
                         light.get(Proximity.GROUND_RIGHT),
                         light.get(Proximity.GROUND_LEFT))))
@@ -89,15 +89,16 @@ final class InfraredParameters {
                         "lightSensors", Unit.NONE, "0 bright to 255 dark (infra-red): " + String.join(", ", NAMES)),
                 access.asked(
                         Question.LIGHT,
-                        light -> Value.many(
-                                light.numbers().stream().map(Access::count).toList())));
+                        light -> Value.many(light.numbers().stream()
+                                .map(RobotReadings::count)
+                                .toList())));
         for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
             int index = sensor;
             table.add(
                     Parameter.number("light" + sensor, Unit.NONE, "0 bright to 255 dark, in the order of prox"),
                     access.asked(
                             Question.LIGHT,
-                            light -> Access.count(light.numbers().get(index))));
+                            light -> RobotReadings.count(light.numbers().get(index))));
         }
     }
 }

@@ -5,18 +5,18 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
-import majic.hemisson.readings.Access;
-import majic.hemisson.readings.Look;
+import majic.hemisson.readings.PolledQuestion;
+import majic.hemisson.readings.RobotReadings;
 
 /** Three pins of the extension connector; HemiOS 1.43 and later have commands for them (Hemisson sheet 4.3). */
 final class PinParameters {
     private static final String[] NAMES = {"pinRB0", "pinRB6", "pinRB7"};
 
     private final ParameterTable table;
-    private final Access access;
+    private final RobotReadings access;
     private final Pins pins;
 
-    PinParameters(ParameterTable table, Access access, Pins pins) {
+    PinParameters(ParameterTable table, RobotReadings access, Pins pins) {
         this.table = table;
         this.access = access;
         this.pins = pins;
@@ -30,7 +30,7 @@ final class PinParameters {
 
     private void describe(int pin) {
         Question level = Question.ask("1," + pin, "1,[01]", 0.5);
-        Look look = now -> pins.output(pin) == null ? level : null;
+        PolledQuestion look = now -> pins.output(pin) == null ? level : null;
         table.add(
                         Parameter.onOff(
                                 NAMES[pin],
@@ -39,7 +39,7 @@ final class PinParameters {
                 .writes(values -> set(pin, values.get(0).isYes() ? 1 : 0));
     }
 
-    private Value read(int pin, Question question, Look look) {
+    private Value read(int pin, Question question, PolledQuestion look) {
         Integer set = pins.output(pin);
         if (set != null) {
             return Value.onOff(set == 1);

@@ -9,12 +9,12 @@ import majic.hemisson.line.Identity;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Question;
 import majic.hemisson.modules.Modules;
-import majic.hemisson.readings.Access;
+import majic.hemisson.readings.RobotReadings;
 
 /** What the robot tells of itself, how well it is heard, and what it has not. */
 public final class RobotParameters {
     private final ParameterTable table;
-    private final Access access;
+    private final RobotReadings access;
     private final Source source;
 
     /** What is known of the robot beside its answers. Read by any thread. */
@@ -29,7 +29,7 @@ public final class RobotParameters {
         LinkQuality quality();
     }
 
-    RobotParameters(ParameterTable table, Access access, Source source) {
+    RobotParameters(ParameterTable table, RobotReadings access, Source source) {
         this.table = table;
         this.access = access;
         this.source = source;
@@ -46,11 +46,14 @@ public final class RobotParameters {
                 Parameter.list("switches", Unit.NONE, "the four switches on top; 1, 1, 1, 1 is remote control"),
                 access.asked(
                         Question.SWITCHES,
-                        switches -> Value.many(
-                                switches.numbers().stream().map(Access::count).toList())));
+                        switches -> Value.many(switches.numbers().stream()
+                                .map(RobotReadings::count)
+                                .toList())));
         table.add(
                 Parameter.number("tvRemote", Unit.NONE, "the last key of a TV remote control, 0 to 63; 0 before any"),
-                access.asked(Question.REMOTE, key -> Access.count(key.numbers().get(0))));
+                access.asked(
+                        Question.REMOTE,
+                        key -> RobotReadings.count(key.numbers().get(0))));
         table.add(Parameter.text("version", "the firmware"), () -> identified(Identity::version));
         table.add(
                 Parameter.text("modules", "what was found on its I2C bus at connecting"),

@@ -9,11 +9,11 @@ import org.junit.jupiter.api.Test;
 class ConversationTest {
     private static final Question CAMERA = Question.ask("R,C0,10,66", "r(,\\d{3}){102}", Question.msFor(409));
     private static final Question ULTRASONIC = Question.ask("R,E0,01,03", "r(,\\d{3}){3}", Question.msFor(13));
-    private static final Wheels AHEAD = new Wheels(3, 3);
+    private static final MotorValues AHEAD = new MotorValues(3, 3);
 
-    private final HandClock clock = new HandClock();
+    private final ManualClock clock = new ManualClock();
     private final RecordingLink link = new RecordingLink();
-    private final Told told = new Told();
+    private final RecordedEvents told = new RecordedEvents();
     private Conversation conversation;
 
     @BeforeEach
@@ -260,7 +260,7 @@ class ConversationTest {
     void aNewerMotionReplacesOneThatWaits() {
         conversation.ask(Question.PROXIMITY);
         conversation.ask(Question.wheels(AHEAD));
-        conversation.ask(Question.wheels(new Wheels(4, 4)));
+        conversation.ask(Question.wheels(new MotorValues(4, 4)));
         hear("n,004,004,004,004,004,004,060,060");
         hear("d");
 

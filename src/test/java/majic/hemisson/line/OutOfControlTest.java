@@ -9,8 +9,9 @@ import org.junit.jupiter.api.Test;
 class OutOfControlTest {
     private static final String SEEN = "n,004,004,004,004,004,004,060,060";
 
-    private final HandClock clock = new HandClock();
-    private final Conversation conversation = new Conversation(new RecordingLink(), clock, LineTimes.CABLE, new Told());
+    private final ManualClock clock = new ManualClock();
+    private final Conversation conversation =
+            new Conversation(new RecordingLink(), clock, LineTimes.CABLE, new RecordedEvents());
 
     @BeforeEach
     void beginInRemoteControl() {
@@ -22,7 +23,7 @@ class OutOfControlTest {
         conversation.ask(Question.PROXIMITY);
         pass(0.3);
         hear(SEEN);
-        conversation.ask(Question.wheels(new Wheels(3, 3)));
+        conversation.ask(Question.wheels(new MotorValues(3, 3)));
         hear("d");
 
         assertThat(conversation.mayMove()).isTrue();
@@ -31,7 +32,7 @@ class OutOfControlTest {
 
     @Test
     void fromTheFirstMissInMotionUntilItIsKnownToStand() {
-        conversation.ask(Question.wheels(new Wheels(3, 3)));
+        conversation.ask(Question.wheels(new MotorValues(3, 3)));
         pass(0.3);
         assertThat(conversation.isUnreached()).isTrue();
 
@@ -44,7 +45,7 @@ class OutOfControlTest {
 
     @Test
     void aRobotThatWasSwitchedOnAnewStands() {
-        conversation.ask(Question.wheels(new Wheels(3, 3)));
+        conversation.ask(Question.wheels(new MotorValues(3, 3)));
         pass(0.3);
 
         hear("HemiOS V1.50 , K-Team S.A.");

@@ -13,7 +13,7 @@ class QuestionTest {
             delimiter = '|',
             value = {"12 | 12 | D,9,9", "-12 | 3 | D,-9,3", "5 | -5 | D,5,-5", "0 | 0 | D,0,0"})
     void wheelValuesAreClampedToOneDigit(int left, int right, String command) {
-        assertThat(Question.wheels(new Wheels(left, right)).text()).isEqualTo(command);
+        assertThat(Question.wheels(new MotorValues(left, right)).text()).isEqualTo(command);
     }
 
     @Test

@@ -25,7 +25,7 @@ class ReceivingFuzzTest {
             Question.LIGHT,
             Question.REMOTE,
             Question.MODULES,
-            Question.wheels(new Wheels(3, 3)),
+            Question.wheels(new MotorValues(3, 3)),
             Question.ask("R,C0,10,03", "r(,\\d{3}){3}", 1.2));
 
     @FuzzTest
@@ -35,12 +35,12 @@ class ReceivingFuzzTest {
 
         assertThat(decode(wire, chunkSize)).isEqualTo(whole);
         assertThat(decode(wire, 1)).isEqualTo(whole);
-        assertThat(whole).allMatch(line -> line.length() <= LineDecoder.LONGEST && !line.contains("\n"));
+        assertThat(whole).allMatch(line -> line.length() <= ReplyDecoder.LONGEST && !line.contains("\n"));
     }
 
     @FuzzTest
     void aGoodLineIsFoundAfterAnyNoise(byte[] noise) {
-        LineDecoder decoder = new LineDecoder();
+        ReplyDecoder decoder = new ReplyDecoder();
         decoder.feed(noise, noise.length);
         byte[] good = ("\r\n" + GOOD + "\r\n").getBytes(StandardCharsets.ISO_8859_1);
 
@@ -71,9 +71,9 @@ class ReceivingFuzzTest {
     /** What a robot that babbles may at most be told while it moves: to stand, and questions that take no time. */
     @FuzzTest
     void noAnswersMakeARobotMoveOrHoldUpItsStop(byte[] wire) {
-        HandClock clock = new HandClock();
+        ManualClock clock = new ManualClock();
         RecordingLink link = new RecordingLink();
-        Conversation conversation = new Conversation(link, clock, LineTimes.CABLE, new Told());
+        Conversation conversation = new Conversation(link, clock, LineTimes.CABLE, new RecordedEvents());
         conversation.brief(false);
         conversation.ask(Question.PROXIMITY);
         conversation.stop();
@@ -94,7 +94,7 @@ class ReceivingFuzzTest {
     }
 
     private static List<String> decode(byte[] wire, int chunkSize) {
-        LineDecoder decoder = new LineDecoder();
+        ReplyDecoder decoder = new ReplyDecoder();
         List<String> lines = new ArrayList<>();
         for (int at = 0; at < wire.length; at += chunkSize) {
             byte[] chunk = Arrays.copyOfRange(wire, at, Math.min(wire.length, at + chunkSize));

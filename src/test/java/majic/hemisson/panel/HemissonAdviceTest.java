@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import majic.bot.MajicBot.Connection;
 import majic.hemisson.line.LinkQuality;
-import majic.hemisson.line.Wheels;
-import majic.hemisson.panel.HemissonView.Line;
+import majic.hemisson.line.MotorValues;
+import majic.hemisson.panel.HemissonScene.Line;
 import org.junit.jupiter.api.Test;
 
 /** What the advice and the lights of the Hemisson's tab say, and when. */
@@ -17,29 +17,29 @@ class HemissonAdviceTest {
 
     @Test
     void whatToDoIsSaidExactlyWhileARobotNobodyReachesMayBeMoving() {
-        assertThat(advice.on(Views.standing(Views.LOST_MOVING), 0).text()).contains("lift it", "5 on a TV remote");
-        assertThat(advice.on(Views.standing(Views.LOST_MOVING), 0).urgent()).isTrue();
-        assertThat(advice.on(Views.standing(Views.LOST), 0).text()).isEmpty();
+        assertThat(advice.on(Scenes.standing(Scenes.LOST_MOVING), 0).text()).contains("lift it", "5 on a TV remote");
+        assertThat(advice.on(Scenes.standing(Scenes.LOST_MOVING), 0).urgent()).isTrue();
+        assertThat(advice.on(Scenes.standing(Scenes.LOST), 0).text()).isEmpty();
     }
 
     @Test
     void aRefusalStaysForSomeSeconds() {
         advice.refused("ledLeft: no answer", 0);
 
-        assertThat(advice.on(Views.standing(Views.WELL), 7 * SECOND).text()).isEqualTo("ledLeft: no answer");
-        assertThat(advice.on(Views.standing(Views.WELL), 9 * SECOND).text()).isEmpty();
+        assertThat(advice.on(Scenes.standing(Scenes.WELL), 7 * SECOND).text()).isEqualTo("ledLeft: no answer");
+        assertThat(advice.on(Scenes.standing(Scenes.WELL), 9 * SECOND).text()).isEmpty();
     }
 
     @Test
     void aRobotOutOfControlIsMoreUrgentThanARefusal() {
         advice.refused("ledLeft: no answer", 0);
 
-        assertThat(advice.on(Views.standing(Views.LOST_MOVING), SECOND)).isEqualTo(HemissonAdvice.LIFT);
+        assertThat(advice.on(Scenes.standing(Scenes.LOST_MOVING), SECOND)).isEqualTo(HemissonAdvice.LIFT);
     }
 
     @Test
     void anotherRunningModeIsCalledByItsName() {
-        HemissonView dancing = Views.withSwitches(Views.DANCE, Views.DANCE);
+        HemissonScene dancing = Scenes.withSwitches(Scenes.DANCE, Scenes.DANCE);
 
         assertThat(advice.on(dancing, 0).text()).contains("dance", "reads 1");
         assertThat(advice.on(dancing, 0).urgent()).isFalse();
@@ -48,9 +48,9 @@ class HemissonAdviceTest {
 
     @Test
     void switchesMovedAfterItsStartAreSaid() {
-        assertThat(light("mode", Views.withSwitches(Views.REMOTE, Views.DANCE)))
+        assertThat(light("mode", Scenes.withSwitches(Scenes.REMOTE, Scenes.DANCE)))
                 .isEqualTo("WARNING switches moved since its start");
-        assertThat(light("mode", Views.standing(Views.WELL))).isEqualTo("GOOD remote control");
+        assertThat(light("mode", Scenes.standing(Scenes.WELL))).isEqualTo("GOOD remote control");
     }
 
     @Test
@@ -60,22 +60,22 @@ class HemissonAdviceTest {
         assertThat(line(quality, false, 0.1)).isEqualTo("GOOD line 4.3 ms");
         assertThat(line(quality, true, 0.1)).isEqualTo("WARNING answers missing");
         assertThat(line(quality, true, 1.24)).isEqualTo("WARNING silent 1.2 s");
-        assertThat(light("line", Views.standing(Views.LOST))).isEqualTo("ALARM link lost");
+        assertThat(light("line", Scenes.standing(Scenes.LOST))).isEqualTo("ALARM link lost");
     }
 
     @Test
     void motorsAreSaidToBeToldNotToTurn() {
-        assertThat(light("motors", Views.driving(new Wheels(3, 3)))).isEqualTo("GOOD told to move");
-        assertThat(light("motors", Views.driving(Wheels.STILL))).isEqualTo("QUIET told to stand");
-        assertThat(light("motors", Views.dancing())).isEqualTo("WARNING moves by itself");
-        assertThat(light("motors", Views.standing(Views.LOST_MOVING))).isEqualTo("ALARM may be moving");
+        assertThat(light("motors", Scenes.driving(new MotorValues(3, 3)))).isEqualTo("GOOD told to move");
+        assertThat(light("motors", Scenes.driving(MotorValues.STILL))).isEqualTo("QUIET told to stand");
+        assertThat(light("motors", Scenes.dancing())).isEqualTo("WARNING moves by itself");
+        assertThat(light("motors", Scenes.standing(Scenes.LOST_MOVING))).isEqualTo("ALARM may be moving");
     }
 
     private String line(LinkQuality quality, boolean missing, double silentS) {
-        return light("line", Views.standing(new Line(Connection.CONNECTED, quality, missing, silentS, false)));
+        return light("line", Scenes.standing(new Line(Connection.CONNECTED, quality, missing, silentS, false)));
     }
 
-    private String light(String name, HemissonView view) {
+    private String light(String name, HemissonScene view) {
         lights.show(view);
         return lights.panel().lights().stream()
                 .filter(light -> light.getName().equals(name))

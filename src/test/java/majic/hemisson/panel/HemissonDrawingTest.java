@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import majic.bot.BotEnvironment;
 import majic.hemisson.MajicHemisson;
-import majic.hemisson.line.Wheels;
+import majic.hemisson.line.MotorValues;
 import majic.hemisson.readings.Proximity;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -37,8 +37,8 @@ class HemissonDrawingTest {
         SensorDrawing mount = SensorDrawing.ALL.get(sensor);
         List<Integer> half = new java.util.ArrayList<>(NOTHING);
         half.set(sensor, 128);
-        int[] empty = painted(Views.seeing(new Proximity(NOTHING), null));
-        int[] filled = painted(Views.seeing(new Proximity(half), null));
+        int[] empty = painted(Scenes.seeing(new Proximity(NOTHING), null));
+        int[] filled = painted(Scenes.seeing(new Proximity(half), null));
 
         assertThat(at(filled, mount.along(mount.lengthMm() * 0.4)))
                 .isNotEqualTo(at(empty, mount.along(mount.lengthMm() * 0.4)));
@@ -49,9 +49,9 @@ class HemissonDrawingTest {
     @Test
     void lightIsSunnyAndDarknessIsShadeBesideTheBar() {
         Point2D besideTheFrontBar = new Point2D.Double(90, 9);
-        int unknown = at(painted(Views.seeing(null, null)), besideTheFrontBar);
-        int bright = at(painted(Views.seeing(null, BRIGHT)), besideTheFrontBar);
-        int dark = at(painted(Views.seeing(null, DARK)), besideTheFrontBar);
+        int unknown = at(painted(Scenes.seeing(null, null)), besideTheFrontBar);
+        int bright = at(painted(Scenes.seeing(null, BRIGHT)), besideTheFrontBar);
+        int dark = at(painted(Scenes.seeing(null, DARK)), besideTheFrontBar);
 
         assertThat(blue(bright)).isLessThan(red(bright) / 2);
         assertThat(red(dark)).isEqualTo(blue(dark)).isLessThan(red(unknown));
@@ -59,11 +59,11 @@ class HemissonDrawingTest {
 
     @Test
     void aWheelIsFilledAheadOrBackward() {
-        int[] still = painted(Views.driving(Wheels.STILL));
-        int[] turning = painted(Views.driving(new Wheels(-9, 9)));
-        Point2D leftBehind = new Point2D.Double(-15, BodyDrawing.WHEEL_Y_MM);
-        Point2D leftAhead = new Point2D.Double(15, BodyDrawing.WHEEL_Y_MM);
-        Point2D rightAhead = new Point2D.Double(15, -BodyDrawing.WHEEL_Y_MM);
+        int[] still = painted(Scenes.driving(MotorValues.STILL));
+        int[] turning = painted(Scenes.driving(new MotorValues(-9, 9)));
+        Point2D leftBehind = new Point2D.Double(-15, HemissonBodyDrawing.WHEEL_Y_MM);
+        Point2D leftAhead = new Point2D.Double(15, HemissonBodyDrawing.WHEEL_Y_MM);
+        Point2D rightAhead = new Point2D.Double(15, -HemissonBodyDrawing.WHEEL_Y_MM);
 
         assertThat(at(turning, leftBehind)).isNotEqualTo(at(still, leftBehind));
         assertThat(at(turning, leftAhead)).isEqualTo(at(still, leftAhead));
@@ -72,17 +72,17 @@ class HemissonDrawingTest {
 
     @Test
     void aSwitchThatReadsZeroIsDown() {
-        int[] all = painted(Views.withSwitches(Views.REMOTE, Views.REMOTE));
-        int[] moved = painted(Views.withSwitches(Views.REMOTE, Views.DANCE));
+        int[] all = painted(Scenes.withSwitches(Scenes.REMOTE, Scenes.REMOTE));
+        int[] moved = painted(Scenes.withSwitches(Scenes.REMOTE, Scenes.DANCE));
 
         assertThat(differing(all, moved)).isBetween(100L, 1500L);
     }
 
     @Test
     void aLostRobotIsPaintedFaded() {
-        int[] here = painted(Views.standing(Views.WELL));
+        int[] here = painted(Scenes.standing(Scenes.WELL));
 
-        assertThat(differing(here, painted(Views.standing(Views.LOST)))).isGreaterThan(5000);
+        assertThat(differing(here, painted(Scenes.standing(Scenes.LOST)))).isGreaterThan(5000);
     }
 
     @Test
@@ -90,13 +90,13 @@ class HemissonDrawingTest {
         Proximity seen = new Proximity(List.of(0, 0, 0, 0, 0, 0, 60, 80));
         List<Integer> light = List.of(220, 220, 220, 220, 220, 220, 220, 200);
 
-        assertThat(Views.seeing(seen, light).proximity(Proximity.GROUND_LEFT)).isEqualTo(60);
-        assertThat(Views.seeing(seen, null).proximity(Proximity.GROUND_LEFT)).isEqualTo(80);
+        assertThat(Scenes.seeing(seen, light).proximity(Proximity.GROUND_LEFT)).isEqualTo(60);
+        assertThat(Scenes.seeing(seen, null).proximity(Proximity.GROUND_LEFT)).isEqualTo(80);
     }
 
-    private int[] painted(HemissonView view) {
+    private int[] painted(HemissonScene view) {
         HemissonDrawing drawing =
-                new HemissonDrawing(view, new LampSwitch(bot, Runnable::run, lamp -> false, why -> {}));
+                new HemissonDrawing(view, new LedSwitch(bot, Runnable::run, lamp -> false, why -> {}));
         drawing.setSize(SIZE, SIZE);
         drawing.doLayout();
         BufferedImage image = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_RGB);

@@ -1,0 +1,81 @@
+package majic.hemisson;
+
+import java.util.List;
+import majic.bot.MajicBot;
+import majic.bot.MajicBot.Connection;
+import majic.hemisson.line.CurrentSession;
+import majic.hemisson.line.HemissonSession;
+import majic.hemisson.line.LinkQuality;
+import majic.hemisson.line.Question;
+import majic.hemisson.motion.RobotMonitor;
+import majic.hemisson.panel.HemissonScene;
+import majic.hemisson.parameters.LedsAndBuzzer;
+import majic.hemisson.readings.PolledAnswers;
+import org.jspecify.annotations.Nullable;
+
+/** Collects what the panel shows, from what is known of the robot now; asks it nothing. Thread-safe. */
+final class HemissonScenes {
+    /** A light reading older than this is not shown. */
+    private static final double FRESH_S = 3;
+
+    /** How long a missed answer is shown. */
+    private static final double LATELY_S = 5;
+
+    private final MajicBot bot;
+    private final CurrentSession sessions;
+    private final RobotMonitor overseer;
+    private final LedsAndBuzzer lamps;
+
+    HemissonScenes(MajicBot bot, CurrentSession sessions, RobotMonitor overseer, LedsAndBuzzer lamps) {
+        this.bot = bot;
+        this.sessions = sessions;
+        this.overseer = overseer;
+        this.lamps = lamps;
+    }
+
+    /** What is known now. */
+    HemissonScene now() {
+        return new HemissonScene(
+                line(),
+                overseer.seen(),
+                freshLight(),
+                overseer.reckoning().track().wheels(),
+                bot.state(),
+                lamps.leds(),
+                lamps.isBuzzing(),
+                overseer.identity(),
+                switches());
+    }
+
+    private HemissonScene.Line line() {
+        LinkQuality quality = sessions.quality();
+        return new HemissonScene.Line(
+                bot.connection(),
+                quality,
+                quality.hasMissedSince(bot.time().nanos() - (long) (LATELY_S * 1e9)),
+                bot.isConnected() ? sessions.silentSeconds() : 0,
+                isOutOfControl());
+    }
+
+    private boolean isOutOfControl() {
+        HemissonSession open = sessions.current();
+        return open != null
+                && (open.conversation().isUnreached()
+                        || (bot.connection() == Connection.LOST
+                                && open.conversation().mayMove()));
+    }
+
+    /** The light on the eight sensors, 0 bright to 255 dark; null before the first reading and when it is old. */
+    private @Nullable List<Integer> freshLight() {
+        PolledAnswers.Heard heard = overseer.senses().heard(Question.LIGHT);
+        return heard != null && bot.time().nanos() - heard.nanos() < FRESH_S * 1e9
+                ? heard.reply().numbers()
+                : null;
+    }
+
+    /** The switches as they are now; those of the time of connecting before the first reading. */
+    private List<Integer> switches() {
+        PolledAnswers.Heard heard = overseer.senses().heard(Question.SWITCHES);
+        return heard == null ? overseer.identity().switches() : heard.reply().numbers();
+    }
+}

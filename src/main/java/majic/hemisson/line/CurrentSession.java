@@ -1,0 +1,90 @@
+package majic.hemisson.line;
+
+import java.io.IOException;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.link.Link;
+import majic.link.Links;
+import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/** The connections to one robot, one after the other. Thread-safe. */
+public final class CurrentSession {
+    private static final int BAUD = 115_200;
+    private static final int OPEN_TIMEOUT_MS = 3000;
+
+    private final String address;
+    private final TimeSource time;
+    private volatile @Nullable HemissonSession session;
+
+    /**
+     * Opens nothing yet.
+     *
+     * @throws BotException if the address is none
+     */
+    public CurrentSession(String address, TimeSource time) {
+        this.address = address;
+        this.time = time;
+        newLink();
+    }
+
+    private Link newLink() {
+        try {
+            return Links.of(address, 0, BAUD);
+        } catch (IllegalArgumentException e) {
+            throw new BotException("hemisson:" + e.getMessage(), e);
+        }
+    }
+
+    /** Ends the connection there is and opens another, whose reader is not yet started. */
+    public HemissonSession open(ConversationListener listener) {
+        end();
+        Link link = newLink();
+        try {
+            link.open(OPEN_TIMEOUT_MS);
+        } catch (IOException e) {
+            throw new BotException(e.getMessage(), e);
+        }
+        HemissonSession opened = new HemissonSession(link, time, listener);
+        session = opened;
+        return opened;
+    }
+
+    public void end() {
+        HemissonSession open = session;
+        session = null;
+        if (open != null) {
+            open.close();
+        }
+    }
+
+    /** The connection there is, perhaps a dead one; null if there is none. */
+    public @Nullable HemissonSession current() {
+        return session;
+    }
+
+    /**
+     * The conversation with the robot.
+     *
+     * @throws LinkLost if there is none
+     */
+    public Conversation conversation() {
+        HemissonSession open = session;
+        if (open == null) {
+            throw new LinkLost("not connected");
+        }
+        return open.conversation();
+    }
+
+    /** How long no question has been answered, seconds; 0 while there is nobody to ask. */
+    public double silentSeconds() {
+        HemissonSession open = session;
+        return open == null ? 0 : open.conversation().silentSeconds();
+    }
+
+    /** How well the line works; nothing counted while there is none. */
+    public LinkQuality quality() {
+        HemissonSession open = session;
+        return open == null ? LinkQuality.NONE : open.conversation().quality();
+    }
+}

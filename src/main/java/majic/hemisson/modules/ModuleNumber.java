@@ -1,0 +1,53 @@
+package majic.hemisson.modules;
+
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import majic.bot.Parameter;
+import majic.bot.ParameterTable;
+import majic.bot.Value;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.Reply;
+import majic.hemisson.readings.RobotReadings;
+
+/**
+ * One number of a module that can be read and set. Immutable.
+ *
+ * @param get asks for it
+ * @param number finds it in the answer
+ * @param set sets it, 0 to 255
+ */
+record ModuleNumber(Question get, Function<Reply, Integer> number, IntFunction<Question> set) {
+    /** A register (Hemisson sheet 9). */
+    static ModuleNumber register(int address, int register) {
+        return new ModuleNumber(
+                Bus.read(address, register, 1),
+                reply -> reply.numbers().get(0),
+                value -> Bus.write(address, register, value));
+    }
+
+    /** A pair of module commands of the RoadNarrows firmware (sheet 10), with a number in hex. */
+    static ModuleNumber roadNarrows(char module, char getter, char setter) {
+        String asked = "A," + module + "," + getter;
+        String set = "A," + module + "," + setter + ",";
+        return new ModuleNumber(
+                Question.ask(asked, "a," + module + "," + getter + ",[0-9A-Fa-f]{1,2}", Question.msFor(8)),
+                reply -> Integer.parseInt(reply.text().substring(asked.length() + 1), 16),
+                value -> Question.ask(
+                        set + String.format(Locale.ROOT, "%02X", value),
+                        "a," + module + "," + setter + "(,.*)?",
+                        Question.msFor(8)));
+    }
+
+    /** Makes a number of it that can be read and set. */
+    void describe(ParameterTable table, RobotReadings access, Parameter parameter) {
+        table.add(parameter.inWholes(), access.wanted(get, reply -> Value.of(number.apply(reply), parameter.unit())))
+                .writes(values -> access.tell(set.apply((int) values.get(0).number())));
+    }
+
+    /** Makes a switch of it. */
+    void describeSwitch(ParameterTable table, RobotReadings access, Parameter parameter) {
+        table.add(parameter, access.wanted(get, reply -> Value.onOff(number.apply(reply) != 0)))
+                .writes(values -> access.tell(set.apply(values.get(0).isYes() ? 1 : 0)));
+    }
+}

@@ -1,0 +1,168 @@
+package majic.hemisson.motion;
+
+import majic.bot.Motion;
+import majic.bot.MotionFailed;
+import majic.bot.Value;
+import majic.hemisson.line.BlockingConversation;
+import majic.hemisson.line.Conversation;
+import majic.hemisson.line.CurrentSession;
+import majic.hemisson.line.Exchange;
+import majic.hemisson.line.MotorValues;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.StopConfirmation;
+import majic.hemisson.readings.Proximity;
+import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Moves the robot, which measures nothing of its way: legs that are timed (Hemisson sheet 13), and drives until they
+ * expire. Thread-safe; {@code MajicBot} runs one motion at a time.
+ */
+public final class MotionRunner {
+    private final CurrentSession sessions;
+    private final BlockingConversation answers;
+    private final StopConfirmation standstill;
+    private final RobotMonitor overseer;
+    private final TimeSource time;
+    private volatile MotorValues driven = MotorValues.STILL;
+
+    public MotionRunner(
+            CurrentSession sessions,
+            BlockingConversation answers,
+            StopConfirmation standstill,
+            RobotMonitor overseer,
+            TimeSource time) {
+        this.sessions = sessions;
+        this.answers = answers;
+        this.standstill = standstill;
+        this.overseer = overseer;
+        this.time = time;
+    }
+
+    /**
+     * Drives a leg, or as much of it as the guard allows; blocks until the robot has confirmed the stop at its end.
+     *
+     * @throws MotionFailed if the robot missed an answer, disobeyed or was reset; it was stopped
+     */
+    public Value run(TimedMotion leg, Motion motion) {
+        return new Run(leg, motion).run();
+    }
+
+    /**
+     * Sets the wheels, and does not wait for the answer; the monitor stops a drive that is not renewed.
+     *
+     * @throws MotionFailed if the robot cannot be driven now; the message says why
+     */
+    public void drive(MotorValues wheels) {
+        refuseContrary();
+        overseer.motion().drives(time.nanos());
+        driven = wheels;
+        failOn(conversation().ask(Question.wheels(wheels)).failure());
+    }
+
+    /** What the wheels were set to by the last {@link #drive}. */
+    public MotorValues driven() {
+        return driven;
+    }
+
+    /** Begins no motion of a robot that has set its own speeds in place of a stop. */
+    private void refuseContrary() {
+        String found = overseer.wheels().found();
+        if (found != null && conversation().isContrary()) {
+            throw new MotionFailed(found);
+        }
+    }
+
+    private Conversation conversation() {
+        return sessions.conversation();
+    }
+
+    private static void failOn(@Nullable String trouble) {
+        if (trouble != null) {
+            throw new MotionFailed(trouble);
+        }
+    }
+
+    private static long nanos(double seconds) {
+        return (long) (seconds * 1e9);
+    }
+
+    /** One timed motion, on the thread that asked for it. */
+    private final class Run {
+        private final TimedMotion leg;
+        private final Motion motion;
+        private final MotionWatch watch = overseer.motion();
+
+        Run(TimedMotion leg, Motion motion) {
+            this.leg = leg;
+            this.motion = motion;
+        }
+
+        Value run() {
+            if (leg.seconds() <= 0 || !mayBegin()) {
+                return leg.covered(0);
+            }
+            Exchange start = begin();
+            long due = start.middleNanos() + nanos(leg.seconds()) - start.roundTripNanos() / 2;
+            watch.ends(due);
+            goOn(start.middleNanos(), due);
+            motion.send(standstill::order);
+            standstill.confirm();
+            failOn(watch.trouble());
+            return leg.covered((overseer.reckoning().track().sinceNanos() - start.middleNanos()) / 1e9);
+        }
+
+        /** Reads the sensors once more, so that a guard condition that holds already prevents the motion. */
+        private boolean mayBegin() {
+            refuseContrary();
+            Proximity before = overseer.seen();
+            Exchange look = conversation().ask(Question.PROXIMITY);
+            answers.await(() -> look.failure() != null || (look.isDone() && overseer.seen() != before));
+            motion.check();
+            failOn(look.failure());
+            return motion.pause(0);
+        }
+
+        /** The motion counts from the answer, less half of what the exchange took. */
+        private Exchange begin() {
+            Exchange[] start = new Exchange[1];
+            motion.send(() -> {
+                watch.begins(time.nanos() + nanos(leg.seconds()));
+                start[0] = conversation().ask(Question.wheels(leg.wheels()));
+            });
+            answers.await(start[0]::isDone);
+            motion.check();
+            failOn(start[0].failure());
+            return start[0];
+        }
+
+        /** Lets the time pass, and eases the faster wheel at the end of each round. */
+        private void goOn(long begunNanos, long dueNanos) {
+            long round = leg.rounds() == 0 ? 0 : (dueNanos - begunNanos) / leg.rounds();
+            for (int count = 0; count < leg.rounds(); count++) {
+                long roundNanos = begunNanos + count * round;
+                if (count > 0) {
+                    tell(leg.wheels());
+                }
+                if (!lasts(roundNanos + (long) (round * (1 - leg.easedShare())))) {
+                    return;
+                }
+                tell(leg.eased());
+                if (count < leg.rounds() - 1 && !lasts(roundNanos + round)) {
+                    return;
+                }
+            }
+            lasts(dueNanos);
+        }
+
+        private void tell(MotorValues wheels) {
+            motion.send(() -> conversation().ask(Question.wheels(wheels)));
+        }
+
+        /** Waits for a moment; false if something ends the motion before. */
+        private boolean lasts(long untilNanos) {
+            boolean met = motion.await(() -> watch.trouble() != null, (untilNanos - time.nanos()) / 1e9);
+            return !met && !motion.guardReached();
+        }
+    }
+}

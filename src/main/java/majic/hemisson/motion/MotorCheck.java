@@ -1,0 +1,48 @@
+package majic.hemisson.motion;
+
+import java.util.stream.Collectors;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.MotorValues;
+import majic.hemisson.line.Reply;
+import majic.hemisson.line.RunningMode;
+import org.jspecify.annotations.Nullable;
+
+/** Compares the speeds that the wheels are set to with those that the robot was told last. Thread-safe. */
+public final class MotorCheck {
+    private volatile MotorValues told = MotorValues.STILL;
+    private volatile @Nullable String found;
+
+    /** Takes note of what the robot confirmed. */
+    void told(MotorValues wheels) {
+        told = wheels;
+    }
+
+    /** What differed last; null if nothing does. */
+    public @Nullable String found() {
+        return found;
+    }
+
+    /**
+     * Compares them: what differs, and what a person can do about it; null if nothing does. The TV remote control and the running modes
+     * set speeds of their own (Hemisson sheet 7 and 8).
+     */
+    @Nullable
+    String compare(Reply speeds, Identity identity) {
+        String difference = difference(speeds, identity);
+        found = difference;
+        return difference;
+    }
+
+    private @Nullable String difference(Reply speeds, Identity identity) {
+        if (speeds.kind() != Reply.Kind.ANSWER || MotorValues.of(speeds).equals(told)) {
+            return null;
+        }
+        String set = speeds.numbers().stream().map(String::valueOf).collect(Collectors.joining(" and "));
+        if (identity.setsItsOwnSpeeds()) {
+            return "it runs in the mode \"" + RunningMode.of(identity.switches()) + "\" (switches "
+                    + identity.switches() + "), which sets its wheels to " + set + "; " + Identity.REMEDY;
+        }
+        return "its wheels were set to " + set + " by something else, a TV remote control"
+                + (identity.switches().isEmpty() ? " or another running mode than remote control" : "");
+    }
+}

@@ -1,0 +1,34 @@
+package majic.hemisson.motion;
+
+import majic.bot.BotState;
+import majic.bot.Pose;
+import majic.hemisson.line.MotorValues;
+
+/**
+ * Where the robot should be by what its wheels were told: dead reckoning without any measurement. Immutable.
+ *
+ * @param from where the present wheel values began
+ * @param sinceNanos when they began
+ * @param wheels the present wheel values
+ * @param table what they mean
+ */
+public record PoseEstimate(Pose from, long sinceNanos, MotorValues wheels, SpeedTable table) {
+    public static PoseEstimate standing(Pose pose, long nowNanos, SpeedTable table) {
+        return new PoseEstimate(pose, nowNanos, MotorValues.STILL, table);
+    }
+
+    Pose at(long nanos) {
+        double seconds = Math.max(0, nanos - sinceNanos) / 1e9;
+        return from.after(table.speedMmPerSec(wheels) * seconds, table.turnDegPerSec(wheels) * seconds);
+    }
+
+    /** Goes on with other wheel values from a moment on. */
+    public PoseEstimate then(MotorValues next, long nanos) {
+        return new PoseEstimate(at(nanos), Math.max(nanos, sinceNanos), next, table);
+    }
+
+    /** What is to be told of it. */
+    public BotState state(long nowNanos, boolean moving) {
+        return new BotState(at(nowNanos), table.speedMmPerSec(wheels), table.turnDegPerSec(wheels), moving, nowNanos);
+    }
+}

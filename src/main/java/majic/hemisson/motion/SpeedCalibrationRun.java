@@ -1,0 +1,100 @@
+package majic.hemisson.motion;
+
+import java.util.List;
+import java.util.Locale;
+import majic.bot.CalibrateCommand;
+import majic.bot.CalibrateCommand.Trial;
+import majic.bot.Motion;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.hemisson.line.MotorValues;
+
+/** How the robot is taught its pace: it drives or spins for a known time, and somebody measures how far it came. */
+public final class SpeedCalibrationRun implements CalibrateCommand.Pupil {
+    private static final String FORWARD = "forward";
+    private static final String SPIN = "spin";
+
+    /** Long enough for the errors of marking and timing not to matter. */
+    private static final int LESSON_S = 10;
+
+    /** What is to be believed of its speed, as a multiple of what the manual says. */
+    private static final Range SENSIBLE = new Range(0.2, 2.7);
+
+    private final SpeedCalibration calibration;
+    private final MotionRunner motions;
+    private final Pace pace;
+
+    /** How fast the robot usually goes. */
+    public interface Pace {
+        /** Straight, mm/s. */
+        double mmPerSec();
+
+        /** On the spot, deg/s. */
+        double degPerSec();
+    }
+
+    public SpeedCalibrationRun(SpeedCalibration calibration, MotionRunner motions, Pace pace) {
+        this.calibration = calibration;
+        this.motions = motions;
+        this.pace = pace;
+    }
+
+    @Override
+    public List<String> directions() {
+        return List.of(FORWARD, SPIN);
+    }
+
+    @Override
+    public Trial go(String direction, Motion motion) {
+        SpeedTable table = calibration.table();
+        return direction.equals(FORWARD) ? drive(table, motion) : spin(table, motion);
+    }
+
+    private Trial drive(SpeedTable table, Motion motion) {
+        double mmPerSec = table.mmPerSec(Math.max(SpeedTable.SLOWEST, table.nearest(pace.mmPerSec())));
+        TimedMotion leg = TimedMotion.straight(mmPerSec * LESSON_S, mmPerSec, table);
+        CalibrateCommand.letMark(
+                motion,
+                "where it stands",
+                "drives ahead for " + LESSON_S + " s, about " + Math.round(mmPerSec * LESSON_S)
+                        + " mm: keep the way free");
+        double covered = go(leg, motion);
+        double asInManual = covered * SpeedTable.USUAL.mmPerSec(MotorValues.MAX) / table.mmPerSec(MotorValues.MAX);
+        Range credible = new Range(SENSIBLE.min() * asInManual, SENSIBLE.max() * asInManual);
+        return new Trial(covered, Unit.MM, credible, measured -> learnSpeed(table, table.scaled(measured / covered)));
+    }
+
+    private Trial spin(SpeedTable table, Motion motion) {
+        double rate = pace.degPerSec();
+        TimedMotion leg = TimedMotion.spin(rate * LESSON_S, rate, table);
+        CalibrateCommand.letMark(
+                motion, "which way it looks", "spins to the left for about " + LESSON_S + " s: count the turns");
+        double covered = go(leg, motion);
+        double rolled = covered * table.wheelDistanceMm();
+        Range credible = new Range(
+                rolled / SpeedCalibration.WHEEL_DISTANCE_MM.max(), rolled / SpeedCalibration.WHEEL_DISTANCE_MM.min());
+        return new Trial(covered, Unit.DEG, credible, measured -> learnWheelDistance(table, rolled / measured));
+    }
+
+    private double go(TimedMotion leg, Motion motion) {
+        return motions.run(leg, motion).number();
+    }
+
+    private String learnSpeed(SpeedTable table, SpeedTable better) {
+        calibration.learn(better);
+        return String.format(
+                Locale.ROOT,
+                "drove %.1f mm/s at motor value 3 before, drives %.1f mm/s now; kept for this robot",
+                table.mmPerSec(3),
+                better.mmPerSec(3));
+    }
+
+    private String learnWheelDistance(SpeedTable table, double mm) {
+        calibration.learn(table.withWheelDistance(mm));
+        return String.format(
+                Locale.ROOT,
+                "wheels were %.1f mm apart before, are %.1f mm now; kept for this robot",
+                table.wheelDistanceMm(),
+                mm);
+    }
+}

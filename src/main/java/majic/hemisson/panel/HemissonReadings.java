@@ -1,0 +1,73 @@
+package majic.hemisson.panel;
+
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import majic.hemisson.line.LinkQuality;
+import majic.hemisson.readings.Clearance;
+import majic.hemisson.readings.Proximity;
+import majic.panel.ReadingsPanel;
+
+/** A Hemisson's readings as text; motion and pose are estimates ("≈"), because the robot does not measure them. */
+final class HemissonReadings {
+    private static final double SHORT_MS = 0.1;
+    private static final String LONGEST = "≈ -888 deg/s";
+
+    private HemissonReadings() {}
+
+    static ReadingsPanel<HemissonScene> panel() {
+        return new ReadingsPanel<HemissonScene>(LONGEST)
+                .with(
+                        "wheels",
+                        view -> view.wheels().left() + ", " + view.wheels().right())
+                .with("speed", view -> about("mm/s", view.state().speedMmPerSec()))
+                .with("turnRate", view -> about("deg/s", view.state().turnRateDegPerSec()))
+                .with("distanceFront", view -> distance(view, Clearance::front))
+                .with("distanceLeft", view -> distance(view, Clearance::left))
+                .with("distanceRight", view -> distance(view, Clearance::right))
+                .with("distanceBack", view -> distance(view, Clearance::back))
+                .with("x", view -> about("mm", view.state().pose().xMm()))
+                .with("y", view -> about("mm", view.state().pose().yMm()))
+                .with("heading", view -> about("deg", view.state().pose().headingDeg()))
+                .with("switches", HemissonReadings::switches)
+                .with("beep", view -> view.buzzing() ? "on" : "off")
+                .with("round trip", view -> milliseconds("", view.line().quality()))
+                .with("missed", view -> missed(view.line().quality()))
+                .with("repeated", view -> String.valueOf(view.line().quality().repeats()));
+    }
+
+    private static String distance(HemissonScene view, Function<Proximity, OptionalDouble> from) {
+        Proximity seen = view.seen();
+        if (seen == null) {
+            return ReadingsPanel.NONE;
+        }
+        OptionalDouble mm = from.apply(seen);
+        return mm.isPresent() ? about("mm", mm.getAsDouble()) : "clear";
+    }
+
+    private static String switches(HemissonScene view) {
+        return view.switches().isEmpty()
+                ? ReadingsPanel.NONE
+                : view.switches().stream().map(String::valueOf).collect(Collectors.joining(", "));
+    }
+
+    private static String missed(LinkQuality quality) {
+        return quality.misses() + " of " + (quality.misses() + quality.answers());
+    }
+
+    private static String about(String unit, double amount) {
+        return text("≈ %.0f %s", amount, unit);
+    }
+
+    /** The mean round trip, with a decimal place below 10 ms. */
+    static String milliseconds(String name, LinkQuality quality) {
+        double ms = quality.roundTripMs();
+        String format = ms < SHORT_MS ? "%s < %.1f ms" : ms < 10 ? "%s %.1f ms" : "%s %.0f ms";
+        return text(format, name, Math.max(SHORT_MS, ms)).strip();
+    }
+
+    private static String text(String format, Object... values) {
+        return String.format(Locale.ROOT, format, values);
+    }
+}

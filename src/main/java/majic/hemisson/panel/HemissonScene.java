@@ -1,0 +1,81 @@
+package majic.hemisson.panel;
+
+import java.util.List;
+import majic.bot.BotState;
+import majic.bot.MajicBot.Connection;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.Leds;
+import majic.hemisson.line.LinkQuality;
+import majic.hemisson.line.MotorValues;
+import majic.hemisson.line.RunningMode;
+import majic.hemisson.readings.Proximity;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What the panel shows, taken at one moment. Immutable.
+ *
+ * @param line how well it is reached
+ * @param seen its proximity readings; null before the first
+ * @param light the light on its sensors; null while it is not known or too old
+ * @param wheels what its motors are told
+ * @param state where it should be
+ * @param leds its lamps, as far as the driver knows
+ * @param buzzing whether its buzzer is on, as far as the driver knows
+ * @param identity who answered at connecting
+ * @param switches its switches as they are now; empty if not told
+ */
+public record HemissonScene(
+        Line line,
+        @Nullable Proximity seen,
+        @Nullable List<Integer> light,
+        MotorValues wheels,
+        BotState state,
+        Leds leds,
+        boolean buzzing,
+        Identity identity,
+        List<Integer> switches) {
+
+    /**
+     * How well the robot is reached.
+     *
+     * @param connection how the connection stands
+     * @param quality how the answers came
+     * @param missesAnswers whether one was missed lately
+     * @param silentS how long none has come, seconds
+     * @param outOfControl whether it may move though nobody can tell it anything
+     */
+    public record Line(
+            Connection connection, LinkQuality quality, boolean missesAnswers, double silentS, boolean outOfControl) {}
+
+    boolean isConnected() {
+        return line.connection() == Connection.CONNECTED;
+    }
+
+    /** What the robot's running mode is called, as its switches stood at connecting. */
+    String mode() {
+        return RunningMode.of(identity.switches());
+    }
+
+    /** Whether it does what it is told and nothing else; also if it did not tell. */
+    boolean isRemoteControlled() {
+        return identity.isRemoteControlled();
+    }
+
+    /** Whether the switches choose another mode for the next start than for this one. */
+    boolean areSwitchesMoved() {
+        return !identity.switches().isEmpty() && !switches.equals(identity.switches());
+    }
+
+    /** One proximity reading, that of the ground on the left corrected as far as the light is known (sheet 6). */
+    int proximity(int sensor) {
+        Proximity known = seen;
+        List<Integer> shade = light;
+        if (known == null) {
+            return 0;
+        }
+        return sensor == Proximity.GROUND_LEFT && shade != null
+                ? Proximity.correctedGroundLeft(
+                        known.value(sensor), shade.get(Proximity.GROUND_RIGHT), shade.get(Proximity.GROUND_LEFT))
+                : known.value(sensor);
+    }
+}

@@ -1,0 +1,131 @@
+package majic.hemisson.panel;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import javax.swing.JButton;
+import majic.panel.Ink;
+
+/**
+ * A lamp or the buzzer on the drawing, shown as the driver believes it to be, whatever was clicked; a ring of dots while
+ * the robot has not yet confirmed. For the event dispatch thread.
+ */
+public final class LedButton extends JButton {
+    private static final long serialVersionUID = 1;
+    private static final double HALO = 1.7;
+
+    private final LedOrBuzzer lamp;
+    private double radiusPx = 6;
+    private boolean on;
+    private boolean waiting;
+    private boolean faded;
+
+    LedButton(LedOrBuzzer lamp) {
+        this.lamp = lamp;
+        setName(lamp.parameter());
+        setOpaque(false);
+        setContentAreaFilled(false);
+        setBorderPainted(false);
+        setFocusPainted(false);
+        setRolloverEnabled(true);
+        setRequestFocusEnabled(false);
+        getAccessibleContext().setAccessibleName(lamp.words());
+        setToolTipText("");
+    }
+
+    LedOrBuzzer lamp() {
+        return lamp;
+    }
+
+    public boolean isOn() {
+        return on;
+    }
+
+    /** How large it is drawn. */
+    void scale(double pixels) {
+        radiusPx = pixels;
+    }
+
+    void show(boolean believedOn, boolean stillWaiting, boolean connected) {
+        on = believedOn;
+        waiting = stillWaiting;
+        faded = !connected;
+        getAccessibleContext().setAccessibleDescription(on ? "on" : "off");
+        repaint();
+    }
+
+    @Override
+    public String getToolTipText(MouseEvent event) {
+        String now = waiting ? "being switched" : on ? "on" : "off";
+        return lamp.words() + ": " + now + " \u2013 click for set " + lamp.parameter() + " " + (on ? "off" : "on");
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(20, 20);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D pen = (Graphics2D) graphics.create();
+        Ink.prepare(pen);
+        pen.translate(getWidth() / 2.0, getHeight() / 2.0);
+        Ink ink = faded ? Ink.ofTheLook().faded() : Ink.ofTheLook();
+        if (getModel().isRollover() || isFocusOwner() || waiting) {
+            paintRing(pen, ink);
+        }
+        if (lamp == LedOrBuzzer.BUZZER) {
+            paintBuzzer(pen, ink);
+        } else {
+            paintLamp(pen, ink);
+        }
+        pen.dispose();
+    }
+
+    private void paintRing(Graphics2D pen, Ink ink) {
+        pen.setColor(ink.accent());
+        float[] dots = {2, 2};
+        pen.setStroke(waiting ? new java.awt.BasicStroke(1.4f, 0, 0, 1, dots, 0) : Ink.stroke(1.4));
+        pen.draw(circle(HALO * radiusPx));
+    }
+
+    private void paintLamp(Graphics2D pen, Ink ink) {
+        if (on) {
+            pen.setColor(ink.wash(0.3));
+            pen.fill(circle(HALO * radiusPx));
+        }
+        pen.setColor(on ? ink.accent() : ink.paper());
+        pen.fill(circle(radiusPx));
+        pen.setColor(ink.grey(0.8));
+        pen.setStroke(Ink.stroke(1.3));
+        pen.draw(circle(radiusPx));
+    }
+
+    private void paintBuzzer(Graphics2D pen, Ink ink) {
+        double unit = radiusPx / 5;
+        Path2D horn = new Path2D.Double();
+        horn.moveTo(-6 * unit, -2 * unit);
+        horn.lineTo(-3 * unit, -2 * unit);
+        horn.lineTo(0, -5 * unit);
+        horn.lineTo(0, 5 * unit);
+        horn.lineTo(-3 * unit, 2 * unit);
+        horn.lineTo(-6 * unit, 2 * unit);
+        horn.closePath();
+        pen.setColor(on ? ink.accent() : ink.paper());
+        pen.fill(horn);
+        pen.setColor(on ? ink.accent() : ink.grey(0.8));
+        pen.setStroke(Ink.stroke(1.3));
+        pen.draw(horn);
+        for (double wave = 3 * unit; on && wave <= 6 * unit; wave += 3 * unit) {
+            pen.draw(new Arc2D.Double(-wave, -wave, 2 * wave, 2 * wave, -45, 90, Arc2D.OPEN));
+        }
+    }
+
+    private static Ellipse2D circle(double radius) {
+        return new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius);
+    }
+}

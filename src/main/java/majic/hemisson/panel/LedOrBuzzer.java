@@ -1,0 +1,55 @@
+package majic.hemisson.panel;
+
+import java.util.function.Predicate;
+
+/** What can be clicked on the drawing: the four lamps and the buzzer, where they sit on the robot, mm. */
+enum LedOrBuzzer {
+    LEFT("ledLeft", "front left lamp", 34, 25, view -> view.leds().left()),
+    RIGHT("ledRight", "front right lamp", 34, -25, view -> view.leds().right()),
+    ON_OFF(
+            "ledOnOff",
+            "On/Off lamp; the robot takes it back within half a second",
+            -14,
+            24,
+            view -> view.leds().onOff()),
+    PGM("ledPgm", "Pgm/Exec lamp", -14, -24, view -> view.leds().pgm()),
+    BUZZER("beep", "buzzer", -14, 0, HemissonScene::buzzing);
+
+    private final String parameter;
+    private final String words;
+    private final double xMm;
+    private final double yMm;
+    private final Predicate<HemissonScene> reader;
+
+    LedOrBuzzer(String parameter, String words, double xMm, double yMm, Predicate<HemissonScene> reader) {
+        this.parameter = parameter;
+        this.words = words;
+        this.xMm = xMm;
+        this.yMm = yMm;
+        this.reader = reader;
+    }
+
+    /** The parameter that switches it. */
+    String parameter() {
+        return parameter;
+    }
+
+    String words() {
+        return words;
+    }
+
+    /** Ahead of the robot's middle. */
+    double xMm() {
+        return xMm;
+    }
+
+    /** To the left of the robot's middle. */
+    double yMm() {
+        return yMm;
+    }
+
+    /** Whether it is on, as far as the driver can tell. */
+    boolean isOn(HemissonScene view) {
+        return reader.test(view);
+    }
+}

@@ -1,0 +1,61 @@
+package majic.hemisson.readings;
+
+import java.util.List;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.Question;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What to ask next of a robot that is watched all the while: mostly what it sees, in between how bright it is, its
+ * switches, the TV remote control and what else somebody wants. Used by one thread at a time.
+ */
+public final class PollSchedule {
+    private static final int ROUND = 16;
+
+    private final PolledAnswers senses;
+    private int turn;
+    private int wish;
+
+    public PollSchedule(PolledAnswers senses) {
+        this.senses = senses;
+    }
+
+    /**
+     * The next question.
+     *
+     * @param inMotion whether the robot may move; it is asked nothing then that takes long, and nothing that it might
+     *     refuse, for that would count as a missed answer
+     * @param identity whether it can be asked for the speeds of its wheels, and may set them itself
+     */
+    public Question next(long nowNanos, boolean inMotion, Identity identity) {
+        turn = (turn + 1) % ROUND;
+        if (inMotion && turn % 2 == 1 && identity.setsItsOwnSpeeds() && identity.tellsSpeeds()) {
+            return Question.SPEEDS;
+        }
+        Question wanted = turn % 4 == 1 ? wanted(nowNanos, inMotion) : null;
+        Question usual = wanted == null ? usual(identity.tellsSpeeds()) : wanted;
+        boolean mightBeRefused = inMotion ? !senses.knows(usual) : senses.isRefused(usual);
+        return mightBeRefused ? Question.PROXIMITY : usual;
+    }
+
+    /** Every other turn goes to what it sees, so that a moving robot is seen through every 100 ms. */
+    private Question usual(boolean checksSpeeds) {
+        return switch (turn) {
+            case 3, 11 -> Question.LIGHT;
+            case 5 -> Question.SWITCHES;
+            case 13 -> Question.REMOTE;
+            case 7, 15 -> checksSpeeds ? Question.SPEEDS : Question.PROXIMITY;
+            default -> Question.PROXIMITY;
+        };
+    }
+
+    private @Nullable Question wanted(long nowNanos, boolean inMotion) {
+        List<PolledQuestion> wanted = senses.wanted(nowNanos);
+        if (wanted.isEmpty()) {
+            return null;
+        }
+        wish = (wish + 1) % wanted.size();
+        Question question = wanted.get(wish).next(nowNanos);
+        return question == null || (inMotion && question.isLong()) ? null : question;
+    }
+}
