@@ -8,13 +8,13 @@ import majic.link.Link;
 import majic.time.Patience;
 
 /**
- * Reads a link on a daemon thread and hands each message to its handler. The thread brings the answers of the robot, so it
- * must not wait for one: it runs without {@link Patience}.
+ * Reads a link on a daemon thread and passes each message to its handler. The thread delivers the answers of the robot, so
+ * it must not wait for one: it runs without {@link Patience}.
  *
- * <p>One rule for everything thrown, {@link Error} included. What a single message causes is logged and costs that message
- * only: the link stays, because a stop has to go through it, and its answer may come next. If nothing useful arrives any
- * more, the driver's time-outs notice it. What reading or decoding causes ends the link, as its close by the peer does:
- * the handler is told once.
+ * <p>Everything thrown, {@link Error} included, is handled alike. What {@link LinkHandler#received} throws is logged and affects
+ * that message only: the link stays open, because a stop has to be sent over it and its answer may be the next message. If no
+ * useful messages arrive any more, the driver's timeouts notice it. What reading or decoding throws ends the link, as its
+ * close by the peer does: the handler is notified once.
  *
  * @param <M> a message of the protocol
  */
@@ -27,11 +27,11 @@ public final class LinkReader<M> {
     private final LinkHandler<M> handler;
 
     /**
-     * Stores what is to be read; reads nothing yet.
+     * Creates a reader; reads nothing yet.
      *
      * @param link open when {@link #start} is called
-     * @param closed what is told when the peer closes a network link, as half a sentence: "the robot closed it"
-     * @param handler takes what arrives
+     * @param closed the cause reported when the peer closes a network link, as half a sentence: "the robot closed it"
+     * @param handler receives the messages
      */
     public LinkReader(Link link, String closed, LinkHandler<M> handler) {
         this.link = link;
@@ -42,7 +42,7 @@ public final class LinkReader<M> {
     /**
      * Starts the thread. It ends with the link.
      *
-     * @param name what a thread dump shows
+     * @param name the name of the thread
      */
     public void start(String name) {
         Thread reader = new Thread(() -> Patience.without(this::run), name);

@@ -5,7 +5,7 @@ import majic.bot.ParameterTable;
 /**
  * Parameters of a robot that belong together, such as those of its battery.
  *
- * @param <E> what the driver knows about the robot's equipment, which decides what is described
+ * @param <E> describes the equipment of the robot, on which the parameters depend
  */
 public interface ParameterTheme<E> {
     /**

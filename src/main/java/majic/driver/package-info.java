@@ -1,5 +1,6 @@
 /**
- * What the drivers of all robots share: the thread that reads a link. Knows no particular robot and no protocol.
+ * What the drivers of all robots share: the reader thread of a link, parameter themes, assumed settings. Independent of
+ * robots and protocols.
  */
 @NullMarked
 package majic.driver;

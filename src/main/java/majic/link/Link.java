@@ -3,9 +3,9 @@ package majic.link;
 import java.io.IOException;
 
 /**
- * A two-way stream of bytes. One thread reads; any thread may write, and each write goes out in one piece.
+ * A two-way stream of bytes. One thread reads; any thread may write, and each write is sent in one piece.
  *
- * <p>A write has a deadline of {@value #WRITE_DEADLINE_MS} ms, after which the link is dead; nobody waits longer for it.
+ * <p>A write has a deadline of {@value #WRITE_DEADLINE_MS} ms, after which the link is dead; no call of {@link #write} takes longer.
  * Reading and the write deadline run on the system's clock, as the wire does.
  */
 public interface Link extends AutoCloseable {
@@ -16,7 +16,7 @@ public interface Link extends AutoCloseable {
      * Opens the link, once; a link that was closed does not open any more.
      *
      * @param timeoutMs how long to try at most, ms
-     * @throws IOException if it cannot be opened; the message is a sentence that says why and what to try
+     * @throws IOException if it cannot be opened; the message is a sentence with the reason and advice
      */
     void open(int timeoutMs) throws IOException;
 
@@ -37,16 +37,16 @@ public interface Link extends AutoCloseable {
      */
     void write(byte[] message) throws IOException;
 
-    /** Closes the link after what was written; wakes the reader, and ends an {@link #open} under way. Does nothing the second time. */
+    /** Closes the link after everything was written; wakes the reader, and ends an {@link #open} in progress. Does nothing the second time. */
     @Override
     void close();
 
-    /** Closes the link at once and throws away what was not yet delivered. */
+    /** Closes the link at once and discards what was not yet delivered. */
     void abort();
 
     /**
-     * Changes the speed of a serial line for what is read and written from now on. What was written before may still be
-     * on its way out at the old one.
+     * Changes the speed of a serial line for what is read and written from now on. Bytes written before may still be sent at
+     * the old speed.
      *
      * @param baud the new speed, baud
      * @return false if the link has no speed; nothing happens then
@@ -57,14 +57,14 @@ public interface Link extends AutoCloseable {
     }
 
     /**
-     * Where the link leads.
+     * The address.
      *
-     * @return the address as a person would write it: {@code tcp:10.0.0.5:8101}, {@code serial:COM3}
+     * @return the address as a user would write it: {@code tcp:10.0.0.5:8101}, {@code serial:COM3}
      */
     String address();
 
     /**
-     * What has gone through so far.
+     * The traffic so far.
      *
      * @return the counts now
      */

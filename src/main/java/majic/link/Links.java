@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** Makes links from addresses, and knows those that are open. */
+/** Creates links from addresses, and lists the open ones. */
 public final class Links {
     static final Logger LOG = System.getLogger(Links.class.getName());
 
@@ -14,14 +14,14 @@ public final class Links {
     private Links() {}
 
     /**
-     * Makes the link for a robot's address, without opening it.
+     * Creates the link of a robot's address, without opening it.
      *
-     * @param address what stands behind the robot type's name: {@code //host}, {@code //host:port},
+     * @param address what follows the name of the robot type: {@code //host}, {@code //host:port},
      *     {@code tcp://host:port}, or the name of a serial port
      * @param defaultPort the TCP port when the address names none; 0 if it must name one
      * @param baud speed of a serial port, baud
      * @return a link, not open
-     * @throws IllegalArgumentException if it is no such address; the message says what one looks like
+     * @throws IllegalArgumentException if it is no such address; the message has an example
      */
     public static Link of(String address, int defaultPort, int baud) {
         if (address.startsWith("tcp://")) {
@@ -50,8 +50,8 @@ public final class Links {
     }
 
     /**
-     * The traffic of all links that are open in this program. One that came to its end by itself is among them until its
-     * reader has done what follows from that, and ended too.
+     * The traffic of all open links of this program. A link that has ended by itself is included until its reader thread has
+     * handled the end and ended too.
      *
      * @return a snapshot
      */
@@ -65,7 +65,7 @@ public final class Links {
         OPEN.add(link);
     }
 
-    /** Forgets those that are no longer open. */
+    /** Removes links that are no longer open. */
     static void tidy() {
         OPEN.removeIf(link -> !link.traffic().open());
     }

@@ -11,9 +11,9 @@ import java.lang.System.Logger.Level;
 
 /**
  * Loads jSerialComm without its side effect on SIGHUP. While its native library is loaded ({@code JNI_OnLoad}, 2.11.4), it
- * sets seven signals of the whole process to "ignore", SIGHUP among them, by which Java otherwise ends a program whose
- * terminal was closed. Java itself does not take a signal back that is ignored, so the earlier action is saved and restored
- * through the C library. It was "ignore" under {@code nohup}, and is so again then.
+ * sets seven signals of the whole process to "ignore", SIGHUP among them, which otherwise ends a program whose terminal was
+ * closed. Java cannot handle an ignored signal again, so the earlier action is saved and restored through the C library;
+ * under {@code nohup} it is "ignore".
  */
 final class SerialLibrary {
     private static final Logger LOG = System.getLogger(SerialLibrary.class.getName());
@@ -44,7 +44,7 @@ final class SerialLibrary {
         }
     }
 
-    /** What the process does at SIGHUP, as at the time when this was made. */
+    /** The action of the process at SIGHUP, as at the creation of this object. */
     private static final class HangUpAction {
         private static final int SIGHUP = 1;
 

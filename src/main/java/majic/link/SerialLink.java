@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
  * A serial port, 8 data bits, no parity, one stop bit, no flow control.
  *
  * <p>jSerialComm ignores its own write time-out, rounds its read time-outs up to 100 ms, and keeps {@code isOpen()} true
- * after the adapter was unplugged. So reading has no time-out and is woken by closing, the deadline of a write is kept
- * here, and a negative count is what tells a dead line.
+ * after the adapter was unplugged. So reading has no time-out and is woken by closing, the deadline of a write is
+ * enforced here, and a negative count means a dead line.
  */
 final class SerialLink implements Link {
     /** A quarter of a kilobyte at 9600 baud takes no longer. */
@@ -25,7 +25,7 @@ final class SerialLink implements Link {
 
     private final String name;
     private final int baud;
-    private final Counter counter = new Counter();
+    private final TrafficCounter counter = new TrafficCounter();
     private final ReentrantLock writing = new ReentrantLock();
     private volatile @Nullable SerialPort port;
     private boolean closed;
@@ -42,17 +42,17 @@ final class SerialLink implements Link {
         opening.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         opening.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
         if (!open(opening, timeoutMs)) {
-            throw new IOException(SerialRefusal.of(name, new File(opening.getSystemPortPath())));
+            throw new IOException(SerialOpenError.of(name, new File(opening.getSystemPortPath())));
         }
         counter.opened();
         Links.register(this);
-        LastOutput.opened(this);
+        SerialShutdownDelay.opened(this);
     }
 
-    /** A Bluetooth port, for one, opens when the radio has found the robot. */
+    /** May take seconds: a Bluetooth port opens when the radio has found the robot. */
     private boolean open(SerialPort opening, int timeoutMs) throws IOException {
         try {
-            return Bounded.call("opening " + name, timeoutMs, () -> opening.openPort() && keep(opening));
+            return TimedCall.call("opening " + name, timeoutMs, () -> opening.openPort() && keep(opening));
         } catch (TimeoutException e) {
             end();
             throw new IOException(
@@ -62,7 +62,7 @@ final class SerialLink implements Link {
         }
     }
 
-    /** Takes over an open port, unless it comes too late. */
+    /** Keeps an opened port, unless the link was closed meanwhile. */
     private boolean keep(SerialPort opened) {
         synchronized (this) {
             if (!closed) {
@@ -95,7 +95,7 @@ final class SerialLink implements Link {
             }
         }
         if (count <= 0) {
-            counter.readerSawTheEnd();
+            counter.readerAtEnd();
             return -1;
         }
         counter.handedOut(count);
@@ -139,7 +139,7 @@ final class SerialLink implements Link {
         end();
     }
 
-    /** The library throws away what is still in the port's buffer when it closes the port. */
+    /** Waits for the output, because the library discards the buffer of a port when it closes the port. */
     private static void waitForOutput(SerialPort open) {
         long deadlineNanos = System.nanoTime() + LONGEST_OUTPUT_NANOS;
         while (open.bytesAwaitingWrite() > 0 && System.nanoTime() < deadlineNanos) {
@@ -159,7 +159,7 @@ final class SerialLink implements Link {
             Links.tidy();
             open.closePort();
         }
-        LastOutput.closed(this);
+        SerialShutdownDelay.closed(this);
     }
 
     @Override

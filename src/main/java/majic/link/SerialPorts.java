@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
-/** The serial ports of this machine. */
+/** The serial ports of this computer. */
 public final class SerialPorts {
     private SerialPorts() {}
 
@@ -24,7 +24,7 @@ public final class SerialPorts {
     }
 
     /**
-     * Looks for them. Takes a moment on some systems: not to be called on the event dispatch thread.
+     * Lists them. Takes up to seconds on some systems: not to be called on the event dispatch thread.
      *
      * @return the ports in the order of their names; empty if there are none
      */

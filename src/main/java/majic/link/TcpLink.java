@@ -15,20 +15,20 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A TCP connection, with Nagle's algorithm off. Built on the classic socket because interrupting a thread that uses a
- * channel closes the channel, and an act that is interrupted must not cut its robot's line.
+ * A TCP connection, with Nagle's algorithm off. Uses a classic socket because interrupting a thread that uses a channel
+ * closes the channel, and interrupting an act must not close its robot's connection.
  */
 final class TcpLink implements Link {
     private final String host;
     private final int port;
     private final Names names;
-    private final Counter counter = new Counter();
+    private final TrafficCounter counter = new TrafficCounter();
     private final ReentrantLock writing = new ReentrantLock();
     private volatile @Nullable Socket socket;
     private volatile String local = "";
     private boolean closed;
 
-    /** Where computers are found by their names. */
+    /** Resolves the names of computers. */
     @FunctionalInterface
     interface Names {
         InetAddress find(String host) throws UnknownHostException;
@@ -64,7 +64,7 @@ final class TcpLink implements Link {
 
     private InetAddress find(int timeoutMs) throws IOException {
         try {
-            return Bounded.call("looking up " + host, timeoutMs, () -> names.find(host));
+            return TimedCall.call("looking up " + host, timeoutMs, () -> names.find(host));
         } catch (UnknownHostException e) {
             throw new IOException(
                     "there is no computer named " + host + "; is the name right, or does its IP address do?", e);
@@ -74,7 +74,7 @@ final class TcpLink implements Link {
         }
     }
 
-    /** From here on {@link #close} ends the attempt. */
+    /** Creates the socket, which {@link #close} can close during the attempt. */
     private synchronized Socket begin() throws IOException {
         if (closed) {
             throw new IOException("closed while connecting");
@@ -122,7 +122,7 @@ final class TcpLink implements Link {
     }
 
     private int ended() {
-        counter.readerSawTheEnd();
+        counter.readerAtEnd();
         return -1;
     }
 

@@ -1,13 +1,13 @@
 package majic.link;
 
 /**
- * What has gone through a link. A stepped simulated lab compares it with what its robots count, to know that nothing is
- * under way.
+ * Counts of the bytes that a link has carried. A stepped simulated lab compares them with the counts of its robots, to detect
+ * bytes that have not arrived yet.
  *
- * @param local this end, as the peer sees it: {@code 127.0.0.1:40312}, or the name of the serial port
+ * @param local the address of this end: {@code 127.0.0.1:40312}, or the name of the serial port
  * @param remote the other end
- * @param written bytes handed to the system so far, counted before they are
- * @param consumed bytes read and dealt with, counted when the reader comes back for more
- * @param open false once the link is closed, or its reader's thread is over after it saw the end
+ * @param written bytes passed to the system so far, counted before they are passed
+ * @param consumed bytes read and handled, counted when the reader reads again
+ * @param open false once the link is closed, or its reader thread has ended after the end of the link
  */
 public record Traffic(String local, String remote, long written, long consumed, boolean open) {}

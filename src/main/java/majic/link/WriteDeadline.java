@@ -7,16 +7,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * Aborts a link whose write does not come back in time; that wakes the writer. One thread watches all writes; it leaves
- * the aborting, which a serial port's driver may hold up, to another one for each link. While there are writes it looks
- * after them by itself, for to wake it at each would take longer than the write.
+ * Aborts a link whose write does not return in time, which wakes the writer. One thread monitors all writes; the abort,
+ * which the driver of a serial port may block, runs on a thread of its own. The monitor runs by itself while there are
+ * writes; waking it for each write would cost more than the write.
  */
 final class WriteDeadline implements AutoCloseable {
     private static final long DEADLINE_NANOS = TimeUnit.MILLISECONDS.toNanos(Link.WRITE_DEADLINE_MS);
-    private static final ScheduledThreadPoolExecutor WATCH =
+    private static final ScheduledThreadPoolExecutor MONITOR =
             new ScheduledThreadPoolExecutor(1, body -> daemon(body, "link write deadlines"));
-    private static final Set<WriteDeadline> UNDER_WAY = ConcurrentHashMap.newKeySet();
-    private static final AtomicBoolean WATCHED = new AtomicBoolean();
+    private static final Set<WriteDeadline> IN_PROGRESS = ConcurrentHashMap.newKeySet();
+    private static final AtomicBoolean MONITORED = new AtomicBoolean();
     private static volatile boolean begun;
 
     private final Link link;
@@ -29,9 +29,9 @@ final class WriteDeadline implements AutoCloseable {
 
     static WriteDeadline start(Link link) {
         WriteDeadline deadline = new WriteDeadline(link);
-        UNDER_WAY.add(deadline);
+        IN_PROGRESS.add(deadline);
         begun = true;
-        beWatched();
+        startMonitor();
         return deadline;
     }
 
@@ -41,44 +41,44 @@ final class WriteDeadline implements AutoCloseable {
 
     @Override
     public void close() {
-        UNDER_WAY.remove(this);
+        IN_PROGRESS.remove(this);
     }
 
-    private static void beWatched() {
-        if (!WATCHED.get() && WATCHED.compareAndSet(false, true)) {
-            lookAfter(DEADLINE_NANOS);
+    private static void startMonitor() {
+        if (!MONITORED.get() && MONITORED.compareAndSet(false, true)) {
+            checkAfter(DEADLINE_NANOS);
         }
     }
 
-    private static void lookAfter(long nanos) {
-        WATCH.schedule(WriteDeadline::look, nanos, TimeUnit.NANOSECONDS);
+    private static void checkAfter(long nanos) {
+        MONITOR.schedule(WriteDeadline::check, nanos, TimeUnit.NANOSECONDS);
     }
 
-    /** Goes on as long as writes are under way or have begun since the last look, which most often are over by now. */
-    private static void look() {
+    /** Reschedules itself while writes are in progress or have begun since the last check. */
+    private static void check() {
         boolean busy = begun;
         begun = false;
         long nextNanos = DEADLINE_NANOS;
-        for (WriteDeadline write : UNDER_WAY) {
+        for (WriteDeadline write : IN_PROGRESS) {
             nextNanos = Math.min(nextNanos, write.leftNanos());
         }
-        if (busy || !UNDER_WAY.isEmpty()) {
-            lookAfter(nextNanos);
+        if (busy || !IN_PROGRESS.isEmpty()) {
+            checkAfter(nextNanos);
             return;
         }
-        WATCHED.set(false);
-        if (!UNDER_WAY.isEmpty()) {
-            beWatched();
+        MONITORED.set(false);
+        if (!IN_PROGRESS.isEmpty()) {
+            startMonitor();
         }
     }
 
-    /** Time to the next look at this write; a late one is ended and needs none. */
+    /** Time to the next check of this write; aborts a late one. */
     private long leftNanos() {
         long left = dueNanos - System.nanoTime();
         if (left > 0) {
             return left;
         }
-        UNDER_WAY.remove(this);
+        IN_PROGRESS.remove(this);
         passed = true;
         daemon(link::abort, "aborting " + link.address()).start();
         return DEADLINE_NANOS;

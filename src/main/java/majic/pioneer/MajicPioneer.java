@@ -46,29 +46,29 @@ import majic.time.Patience;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A MobileRobots Pioneer over TCP or a serial port, by the ARCOS protocol and without the maker's library. Straight and
- * turning motions are steered here at every packet of the robot, about ten times a second, and end within 10 mm and 1
- * degree by its odometry. Speeds it is told are whole mm/s and deg/s.
+ * A MobileRobots Pioneer over TCP or a serial port, by the ARCOS protocol and without the maker's library. Motions are
+ * controlled here at every SIP, about ten times a second, and end within 10 mm and 1 degree by the robot's odometry.
+ * Velocities are sent in whole mm/s and deg/s.
  *
- * <p>When the robot falls silent for 0.5 s while it moves it is told to stand and hears no more; after 1 s (3 s when it
- * stands) the connection is given up. The robot's own watchdog stops it 2 s after the last packet.
+ * <p>When a moving robot sends no SIP for 0.5 s, zero velocities are sent and then nothing more; after 1 s (3 s if it is
+ * stationary) the connection is given up. The robot's own watchdog stops it 2 s after the last packet.
  */
 public final class MajicPioneer extends MajicBot {
-    /** Long enough to brake from the highest speed. */
+    /** Long enough to brake from the highest speed, seconds. */
     private static final double HALT_S = 3;
 
     private static final double EMERGENCY_S = 1;
 
     private final String address;
     private final AtomicReference<@Nullable PioneerSession> session = new AtomicReference<>();
-    private final ActiveRamps dynamics = new ActiveRamps(Models.USUAL);
+    private final ActiveRamps ramps = new ActiveRamps(Models.USUAL);
     private final PoseOffset placement = new PoseOffset();
     private final PioneerParameters parameters;
     private final PioneerCommands commands;
     private volatile Pose lastPose = Pose.START;
 
     /**
-     * Makes the driver for a robot, with the system's clock and no settings.
+     * Creates the driver of a robot, with the system's clock and no settings.
      *
      * @param address as users type it: {@code pioneer://10.0.0.5}, {@code pioneer:/dev/ttyS0}
      * @throws BotException if it is no such address
@@ -78,7 +78,7 @@ public final class MajicPioneer extends MajicBot {
     }
 
     /**
-     * Makes the driver for a robot.
+     * Creates the driver of a robot.
      *
      * @param address what follows {@code pioneer:} — {@code //host}, {@code //host:port}, or a serial port
      * @param environment the clock and settings to use
@@ -89,7 +89,7 @@ public final class MajicPioneer extends MajicBot {
         this.address = address;
         link();
         PioneerAccess access = new PioneerAccess(session::get);
-        RampParameters pace = new RampParameters(dynamics, this::useRamps);
+        RampParameters pace = new RampParameters(ramps, this::useRamps);
         this.parameters =
                 new PioneerParameters(table(), PioneerParameters.themes(access, time(), placement, pace, this::notice));
         this.commands = new PioneerCommands(access);
@@ -106,27 +106,27 @@ public final class MajicPioneer extends MajicBot {
         }
     }
 
-    /** Describes what a robot with this equipment has and takes. */
+    /** Describes the parameters and commands of a robot with this equipment. */
     void describe(Equipment equipment) {
         parameters.describe(equipment);
         PioneerCommands.NAMES.forEach(this::removeCommand);
         commands.with(equipment).forEach(this::add);
     }
 
-    /** A motion under way has planned its braking by those in force. */
+    /** Refuses a change during a motion, whose braking is planned with the ramps in force. */
     private void useRamps(UnaryOperator<Ramps> change) {
         PioneerSession open = current();
         if (isBusy() && !isDriving()) {
             throw new BotException(name() + " is in a motion; how it speeds up and brakes can be set when it stands");
         }
-        synchronized (dynamics) {
-            open.tell(dynamics.change(change));
+        synchronized (ramps) {
+            open.send(ramps.change(change));
             adoptProfile(open.model());
         }
     }
 
     private void adoptProfile(Model model) {
-        BotProfile found = model.profile(dynamics.ramps());
+        BotProfile found = model.profile(ramps.ramps());
         if (!found.equals(profile())) {
             profile(found);
         }
@@ -142,13 +142,14 @@ public final class MajicPioneer extends MajicBot {
     }
 
     private void openOnce() {
-        PioneerSession opening = new PioneerSession(new ArcosLine(link(), time()), time(), changes(), new Owner());
+        PioneerSession opening =
+                new PioneerSession(new ArcosLine(link(), time()), time(), changes(), new SessionEvents());
         session.set(opening);
-        opening.open(lastPose, dynamics);
+        opening.open(lastPose, ramps);
         try {
             adopt(opening);
         } catch (RuntimeException e) {
-            opening.finish();
+            opening.close();
             throw e;
         }
     }
@@ -163,7 +164,7 @@ public final class MajicPioneer extends MajicBot {
         describe(Equipment.of(model, opened.config()));
     }
 
-    /** Who answers there, with its model and the name its owner gave it (ARCOS sheet 4). */
+    /** The kind of robot with its model and the name given by its owner (ARCOS sheet 4). */
     @Override
     public String introduction() {
         PioneerSession open = session.get();
@@ -175,7 +176,7 @@ public final class MajicPioneer extends MajicBot {
     protected void shut() {
         PioneerSession open = session.get();
         if (open != null) {
-            open.finish();
+            open.close();
         }
     }
 
@@ -184,7 +185,7 @@ public final class MajicPioneer extends MajicBot {
         PioneerSession open = current();
         return cover(
                 open,
-                new MotionTarget.Straight(open.state(), mm, SpeedProfile.straight(cruiseMmPerSec(), dynamics.ramps())),
+                new MotionTarget.Straight(open.state(), mm, SpeedProfile.straight(cruiseMmPerSec(), ramps.ramps())),
                 motion);
     }
 
@@ -194,23 +195,23 @@ public final class MajicPioneer extends MajicBot {
         return cover(
                 open,
                 new MotionTarget.Turning(
-                        open.state(), degrees, SpeedProfile.turning(cruiseTurnDegPerSec(), dynamics.ramps())),
+                        open.state(), degrees, SpeedProfile.turning(cruiseTurnDegPerSec(), ramps.ramps())),
                 motion);
     }
 
-    private Value cover(PioneerSession open, MotionTarget way, Motion motion) {
+    private Value cover(PioneerSession open, MotionTarget target, Motion motion) {
         if (!motion.pause(0)) {
-            return way.value(open.state());
+            return target.value(open.state());
         }
         open.motors().switchOn(motion);
         if (motion.guardReached()) {
-            return way.value(open.state());
+            return target.value(open.state());
         }
         return new Maneuver(
                         open.velocity(),
                         open.reported(),
-                        way,
-                        new MotionFaults(open.bumpers(), way.heading(), open.state()))
+                        target,
+                        new MotionFaults(open.bumpers(), target.direction(), open.state()))
                 .run(motion);
     }
 
@@ -225,7 +226,7 @@ public final class MajicPioneer extends MajicBot {
         commands.halt();
     }
 
-    /** A robot that does not brake as it should is stopped as hard as it can. */
+    /** A robot that is not stationary in time is stopped as hard as possible. */
     @Override
     public void confirmHalt() {
         PioneerSession open = current();
@@ -257,12 +258,15 @@ public final class MajicPioneer extends MajicBot {
                 open.bumpers(),
                 connection(),
                 get("age").number(),
-                open.reception(),
+                open.packetCounts(),
                 profile().speed(),
                 profile().turn());
     }
 
-    /** The session, which there is from the first connect on. */
+    /** The session.
+     *
+     * @throws BotException before the first connect
+     */
     private PioneerSession current() {
         PioneerSession open = session.get();
         if (open == null) {
@@ -274,14 +278,14 @@ public final class MajicPioneer extends MajicBot {
     private void watch() {
         PioneerSession open = session.get();
         if (open != null && isConnected()) {
-            open.watch();
+            open.checkLink();
         }
     }
 
     private void request() {
         PioneerSession open = session.get();
         if (open != null && isConnected()) {
-            open.request();
+            open.requestReports();
         }
     }
 
@@ -294,7 +298,7 @@ public final class MajicPioneer extends MajicBot {
     private void publish(PioneerSession from, PioneerState state) {
         if (from == session.get()) {
             lastPose = state.pose();
-            boolean moving = state.isMoving() || from.velocity().areDriven();
+            boolean moving = state.isMoving() || from.velocity().isNonZero();
             publish(new BotState(
                     placement.of(state.pose()),
                     state.speedMmPerSec(),
@@ -304,15 +308,15 @@ public final class MajicPioneer extends MajicBot {
         }
     }
 
-    /** Hears of the session. */
-    private final class Owner implements PioneerSession.Owner {
+    /** Handles what happens in the session. */
+    private final class SessionEvents implements PioneerSession.Listener {
         @Override
-        public void heard(PioneerSession from, PioneerState state) {
+        public void stateReported(PioneerSession from, PioneerState state) {
             publish(from, state);
         }
 
         @Override
-        public void heardMore() {
+        public void otherReported() {
             news();
         }
 
@@ -324,12 +328,12 @@ public final class MajicPioneer extends MajicBot {
         }
 
         @Override
-        public void say(String message) {
-            notice(message);
+        public void notice(String message) {
+            MajicPioneer.this.notice(message);
         }
 
         @Override
-        public boolean hasGivenUp() {
+        public boolean isCanceled() {
             return connection() == Connection.CLOSED;
         }
     }

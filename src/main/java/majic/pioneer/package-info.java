@@ -1,7 +1,7 @@
 /**
- * The MobileRobots Pioneer: a client of the ARCOS protocol and the driver above it. Bytes become frames in the decoder,
- * frames become packets with fields, packets become a state, and only the driver knows what a robot is. Nothing here
- * knows another robot, and only the panel knows Swing.
+ * The driver of the MobileRobots Pioneer. Its packages turn bytes into packets ({@code arcos}) and packets into states
+ * ({@code state}), keep a connection ({@code session}), describe parameters and commands ({@code parameters}) and show the
+ * robot ({@code panel}).
  */
 @NullMarked
 package majic.pioneer;

@@ -33,7 +33,7 @@ class CaptureTest {
         FrameDecoder decoder = new FrameDecoder();
         List<Packet> packets = decode(decoder, "R<");
 
-        assertThat(decoder.reception()).isEqualTo(new PacketCounts(packets.size(), 0, 0));
+        assertThat(decoder.counts()).isEqualTo(new PacketCounts(packets.size(), 0, 0));
         assertThat(packets).filteredOn(Packet::isSip).hasSizeGreaterThan(60).allMatch(sip -> Sip.decode(sip) != null);
     }
 
@@ -42,7 +42,7 @@ class CaptureTest {
         FrameDecoder decoder = new FrameDecoder();
 
         assertThat(decode(decoder, "C>")).hasSizeGreaterThan(30);
-        assertThat(decoder.reception().skippedBytes()).isZero();
+        assertThat(decoder.counts().skippedBytes()).isZero();
     }
 
     @Test

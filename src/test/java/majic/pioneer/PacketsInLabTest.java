@@ -51,7 +51,7 @@ class PacketsInLabTest {
     }
 
     private EncoderTicks encoders() {
-        session().subscriptions().want(Feed.ENCODERS);
+        session().subscriptions().read(Feed.ENCODERS);
         assertThat(session().reported().await(state -> state.encoders().isPresent(), 2))
                 .isTrue();
         return state().encoders().orElseThrow();

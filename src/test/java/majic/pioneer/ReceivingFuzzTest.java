@@ -47,9 +47,9 @@ class ReceivingFuzzTest {
             at = indexOf(wire, sent, at) + sent.length;
             packetBytes += sent.length;
         }
-        PacketCounts reception = decoder.reception();
-        assertThat(reception.packets()).isEqualTo(packets.size());
-        assertThat(reception.skippedBytes()).isEqualTo(wire.length - packetBytes);
+        PacketCounts counts = decoder.counts();
+        assertThat(counts.packets()).isEqualTo(packets.size());
+        assertThat(counts.skippedBytes()).isEqualTo(wire.length - packetBytes);
     }
 
     @FuzzTest
@@ -87,7 +87,7 @@ class ReceivingFuzzTest {
         for (Packet packet : decode(new FrameDecoder(), packets(plan), 512)) {
             assertThat(Config.decode(packet).frontBumpers()).isNotNegative();
             Report report = ReportDecoder.decode(packet);
-            state = report == null ? state : state.with(tracker.keep(report));
+            state = report == null ? state : state.with(tracker.add(report));
             Sip sip = Sip.decode(packet);
             state = sip == null ? state : tracker.track(sip, state.atNanos() + CYCLE_NANOS);
             assertMeansSomething(state);

@@ -4,15 +4,15 @@ package majic.pioneer.arcos;
  * The commands of a Pioneer with their numbers, arguments, units and ranges, under the manual's names (ARCOS sheet 6.1).
  * Those of arms (70 to 81) and of simulators (6.2) are left out.
  *
- * <p>The sheet only lists the numbers of those it calls rarely needed. Where it says no more, the argument here is taken from
- * commands of the same sort, and the name may be ours; look into the robot's own manual before sending one.
+ * <p>Of rarely needed commands the sheet lists only the numbers. Their arguments are taken here from commands of the same
+ * kind, and their names may be ours; check the robot's own manual before sending one.
  */
 public enum ArcosCommand {
-    /** Does nothing but restart the watchdog. */
+    /** Only restarts the watchdog. */
     PULSE(0, CommandArgument.none()),
-    /** Starts the servers and the SIPs; 1 as the makers send it. */
+    /** Starts the servers and the SIPs; 1 as ARIA sends it. */
     OPEN(1, CommandArgument.number(0, 1, "")),
-    /** Ends the session; 1 as the makers send it. */
+    /** Ends the session; 1 as ARIA sends it. */
     CLOSE(2, CommandArgument.number(0, 1, "")),
     /** The order in which sonar discs fire. */
     POLLING(3, CommandArgument.text(192, "sonar discs")),
@@ -24,9 +24,9 @@ public enum ArcosCommand {
     SETV(6, CommandArgument.size("mm/s")),
     /** Odometry to zero. */
     SETO(7, CommandArgument.none()),
-    /** Drive a distance; the makers advise no more than 5000 mm at once. */
+    /** Drive a distance; the manual advises no more than 5000 mm at once. */
     MOVE(8, CommandArgument.signed("mm")),
-    /** Turn rate, the older twin of RVEL. */
+    /** Turn rate, as RVEL, older. */
     ROTATE(9, CommandArgument.signed("deg/s")),
     /** Highest turn rate. */
     SETRV(10, CommandArgument.size("deg/s")),
@@ -40,7 +40,7 @@ public enum ArcosCommand {
     SAY(15, CommandArgument.text(40, "pairs of 20 ms and MIDI note")),
     /** Joystick packets. */
     JOYINFO(17, CommandArgument.request()),
-    /** Asks for a CONFIG packet; 1 as the makers send it. */
+    /** Requests a CONFIG packet; 1 as ARIA sends it. */
     CONFIG(18, CommandArgument.number(0, 1, "")),
     /** Encoder packets. */
     ENCODER(19, CommandArgument.request()),
@@ -80,7 +80,7 @@ public enum ArcosCommand {
     GETAUX(43, CommandArgument.number(0, 200, "bytes, 0 flush")),
     /** Which bumpers stall the robot. */
     BUMPSTALL(44, CommandArgument.number(0, 3, "0 none, 1 front, 2 rear, 3 both")),
-    /** Orders to the tilting compass. */
+    /** Commands for the tilting compass. */
     TCM2(45, CommandArgument.size("")),
     /** Whether the plugged-in joystick drives during a session. */
     JOYDRIVE(47, CommandArgument.onOff()),
@@ -138,7 +138,7 @@ public enum ArcosCommand {
     SOUNDTOG(92, CommandArgument.number(0, 1, "0 mute, 1 sound")),
     /** Encoder ticks per mm. */
     TICKSMM(93, CommandArgument.size("ticks")),
-    /** A power switch; what hangs on it depends on the model. */
+    /** A power switch; its load depends on the model. */
     POWER95(95, CommandArgument.onOff()),
     /** A power switch. */
     POWER96(96, CommandArgument.onOff()),
@@ -168,7 +168,7 @@ public enum ArcosCommand {
     HEADINGINFO(149, CommandArgument.request()),
     /** Whether the turn rate is controlled by the gyro. */
     ROTVEL_CLOSEDLOOP_ENABLE(150, CommandArgument.onOff()),
-    /** Pretends a battery voltage. */
+    /** Simulates a battery voltage. */
     BATTEST(250, CommandArgument.number(0, 255, "0.1 V, 0 the real one")),
     /** Restarts the controller. Ends the vendor's simulator. */
     RESET(253, CommandArgument.none()),
@@ -188,7 +188,7 @@ public enum ArcosCommand {
         return number;
     }
 
-    /** What it takes. */
+    /** The kind and range of its argument. */
     public CommandArgument argument() {
         return argument;
     }
@@ -207,7 +207,7 @@ public enum ArcosCommand {
      * The packet with a whole number; its sign travels in the type byte.
      *
      * @param value in the unit and range of {@link #argument()}
-     * @throws IllegalArgumentException if the command takes none, or none so large
+     * @throws IllegalArgumentException if the command takes no such argument, or the value is out of range
      */
     public byte[] packet(int value) {
         argument.check(this, CommandArgument.Kind.INT, value);
@@ -219,7 +219,7 @@ public enum ArcosCommand {
      *
      * @param low the first on the wire
      * @param high the second
-     * @throws IllegalArgumentException if the command takes none, or none so large
+     * @throws IllegalArgumentException if the command takes no such argument, or the value is out of range
      */
     public byte[] packet(int low, int high) {
         argument.check(this, CommandArgument.Kind.TWO_BYTES, low, high);
@@ -229,7 +229,7 @@ public enum ArcosCommand {
     /**
      * The packet with a length and that many bytes.
      *
-     * @throws IllegalArgumentException if the command takes none, or not so many
+     * @throws IllegalArgumentException if the command takes no bytes, or fewer
      */
     public byte[] packet(byte[] text) {
         argument.check(this, CommandArgument.Kind.STRING, text.length);

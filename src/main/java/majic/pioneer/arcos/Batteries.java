@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What each battery with electronics of its own says (ARCOS sheet 11.3); a plain Pioneer 3 has none. Immutable.
+ * The report of batteries with electronics of their own (ARCOS sheet 11.3); a plain Pioneer 3 has none. Immutable.
  *
  * @param cells in the robot's order
  */
@@ -17,8 +17,8 @@ public record Batteries(List<Cell> cells) implements Report {
      * @param flags1 bits of the battery's own
      * @param flags2 bits of the battery's own
      * @param flags3 bits of the battery's own
-     * @param relativePercent relative charge, as the battery reckons it
-     * @param absolutePercent absolute charge, as the battery reckons it
+     * @param relativePercent relative charge, as the battery computes it
+     * @param absolutePercent absolute charge, as the battery computes it
      */
     public record Cell(int flags1, int flags2, int flags3, int relativePercent, int absolutePercent) {}
 

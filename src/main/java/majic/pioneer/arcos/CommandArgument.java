@@ -1,18 +1,18 @@
 package majic.pioneer.arcos;
 
 /**
- * What follows a command's number (ARCOS sheet 3, 6). Immutable.
+ * The argument of a command (ARCOS sheet 3, 6). Immutable.
  *
- * @param kind how it is written
+ * @param kind its encoding
  * @param least the smallest number, or the smallest of each of two bytes
  * @param most the largest number, the largest of each of two bytes, or the longest string in bytes
- * @param unit what it counts; empty where it counts nothing
+ * @param unit its unit or meaning; empty if there is none
  */
 public record CommandArgument(Kind kind, int least, int most, String unit) {
-    /** As far as 16 bits with a sign of their own are understood by every firmware. */
+    /** Every firmware accepts signed 16-bit numbers, not all accept more. */
     private static final int WIDEST = 0x7FFF;
 
-    /** How arguments are written. */
+    /** Encodings of arguments. */
     public enum Kind {
         /** Nothing follows. */
         NONE,
@@ -56,7 +56,7 @@ public record CommandArgument(Kind kind, int least, int most, String unit) {
         return new CommandArgument(Kind.STRING, 0, longest, unit);
     }
 
-    /** Refuses what is of another kind or out of range, in a sentence that begins with the command's name. */
+    /** Throws {@link IllegalArgumentException} for another kind or a value out of range. */
     void check(ArcosCommand command, Kind given, int... values) {
         if (given != kind) {
             throw new IllegalArgumentException(command + " takes " + kind + ", not " + given);

@@ -52,7 +52,7 @@ public final class Config {
         throw new IllegalArgumentException(field + " is a number");
     }
 
-    /** One field that says whether something is there. */
+    /** Whether a field about equipment is not zero. */
     public boolean has(ConfigField field) {
         return number(field) != 0;
     }
@@ -61,22 +61,22 @@ public final class Config {
         return (int) number(field);
     }
 
-    /** What the robot can never exceed; 0 when it does not say. */
+    /** What the robot can never exceed; 0 if not reported. */
     public int turnTopDegPerSec() {
         return small(ConfigField.ROTVELTOP);
     }
 
-    /** What the robot can never exceed; 0 when it does not say. */
+    /** What the robot can never exceed; 0 if not reported. */
     public int speedTopMmPerSec() {
         return small(ConfigField.TRANSVELTOP);
     }
 
-    /** As set now; 0 when it does not say. */
+    /** As set now; 0 if not reported. */
     public int turnMaxDegPerSec() {
         return small(ConfigField.ROTVELMAX);
     }
 
-    /** As set now; 0 when it does not say. */
+    /** As set now; 0 if not reported. */
     public int speedMaxMmPerSec() {
         return small(ConfigField.TRANSVELMAX);
     }

@@ -34,7 +34,7 @@ public enum ConfigField {
     FRONTSONAR(Kind.UINT),
     /** Whether there is a rear sonar array; one byte, unlike its neighbours. */
     REARSONAR(Kind.UBYTE),
-    /** Battery voltage at which it complains, 0.1 V. */
+    /** Battery voltage at which it sounds an alarm, 0.1 V. */
     LOWBATTERY(Kind.UINT),
     /** Difference of the encoders over a full turn, ticks. */
     REVCOUNT(Kind.UINT),
@@ -42,7 +42,7 @@ public enum ConfigField {
     WATCHDOG(Kind.UINT),
     /** Whether it sends an alternative SIP. */
     P2MPACS(Kind.UBYTE),
-    /** PWM at which a motor that stands is stalled. */
+    /** PWM from which on a stationary motor counts as stalled. */
     STALLVAL(Kind.UINT),
     /** How long motors rest after a stall, ms. */
     STALLCOUNT(Kind.UINT),
@@ -126,7 +126,7 @@ public enum ConfigField {
     POWERBITS(Kind.UINT),
     /** Kind of battery. */
     BATTERYTYPE(Kind.UBYTE),
-    /** Charge at which it complains, percent. */
+    /** Charge at which it sounds an alarm, percent. */
     LOWCHARGE(Kind.UINT),
     /** Charge at which it switches itself off, percent. */
     SHUTDOWNCHARGE(Kind.UINT),
@@ -158,7 +158,7 @@ public enum ConfigField {
         return kind == Kind.STRING;
     }
 
-    /** What stands for the field where it did not come. */
+    /** The value of a field that did not come. */
     Object missing() {
         return isText() ? "" : this == HIGHTEMP ? -128L : 0L;
     }

@@ -3,10 +3,10 @@ package majic.pioneer.arcos;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The wheels' counters, which roll over at 32 bits (ARCOS sheet 11.1). Immutable.
+ * The encoder counts of the wheels, which roll over at 32 bits (ARCOS sheet 11.1). Immutable.
  *
- * @param leftTicks ahead counts up
- * @param rightTicks ahead counts up
+ * @param leftTicks rising when moving ahead
+ * @param rightTicks rising when moving ahead
  */
 public record Encoders(int leftTicks, int rightTicks) implements Report {
     static final int TYPE = 0x90;

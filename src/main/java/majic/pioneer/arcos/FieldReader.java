@@ -7,7 +7,7 @@ import java.util.List;
 
 /**
  * Reads a packet's data field by field, low byte first (ARCOS sheet 3). Fields beyond the end read as zero or as what the
- * caller names, so a packet cut short is never an error here.
+ * caller names, so a short packet is not an error.
  */
 final class FieldReader {
     private final byte[] data;

@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 
 /**
  * Finds packets in a stream of bytes that may come in any pieces and with anything between them (ARCOS sheet 2, 14.1).
- * After a wrong checksum the search goes on right behind the header, so a packet inside the damaged one is not lost. Has
- * no socket, thread or clock. For one thread, but for {@link #reception()}.
+ * After a wrong checksum the search continues right after the header, so a packet inside the damaged one is not lost. Has
+ * no socket, thread or clock. For one thread, except {@link #counts}.
  */
 public final class FrameDecoder {
     static final int HEADER_1 = 0xFA;
@@ -20,12 +20,12 @@ public final class FrameDecoder {
     private long packets;
     private long damagedPackets;
     private long skippedBytes;
-    private volatile PacketCounts reception = PacketCounts.NONE;
+    private volatile PacketCounts counts = PacketCounts.NONE;
 
-    /** A decoder that has seen nothing yet; one for each link. */
+    /** Creates a decoder; one for each link. */
     public FrameDecoder() {}
 
-    /** Takes the first {@code count} bytes of a chunk and hands on every packet that is now complete. */
+    /** Takes the first {@code count} bytes of a chunk and passes on every packet that is now complete. */
     public void feed(byte[] chunk, int count, Consumer<Packet> sink) {
         if (filled + count > bytes.length) {
             bytes = Arrays.copyOf(bytes, filled + count);
@@ -36,8 +36,8 @@ public final class FrameDecoder {
     }
 
     /**
-     * Gives up waiting for the rest of a packet. What has come of it is searched for others, and none of it waits for
-     * more: the beginning of a second packet in it would swallow the good ones that come next.
+     * Drops a packet whose rest is overdue. Its bytes are searched for whole packets; partial ones among them are dropped
+     * too, because they would swallow the valid packets that follow.
      */
     public void dropFragment(Consumer<Packet> sink) {
         while (filled > 0) {
@@ -62,7 +62,7 @@ public final class FrameDecoder {
         }
         System.arraycopy(bytes, at, bytes, 0, filled - at);
         filled -= at;
-        reception = new PacketCounts(packets, damagedPackets, skippedBytes);
+        counts = new PacketCounts(packets, damagedPackets, skippedBytes);
     }
 
     /** The next place where a packet may begin; a last FA may be the first half of a header. */
@@ -96,8 +96,8 @@ public final class FrameDecoder {
         return Checksum.of(bytes, at + 3, sumAt) == sum;
     }
 
-    /** What has come so far; safe from any thread. */
-    public PacketCounts reception() {
-        return reception;
+    /** The counts so far; from any thread. */
+    public PacketCounts counts() {
+        return counts;
     }
 }

@@ -1,6 +1,6 @@
 package majic.pioneer.arcos;
 
-/** Puts packets for the robot together (ARCOS sheet 2, 3). */
+/** Encodes packets for the robot (ARCOS sheet 2, 3). */
 public final class FrameEncoder {
     /** The protocol's limit for a whole packet, bytes. */
     private static final int LONGEST = 200;
@@ -17,7 +17,7 @@ public final class FrameEncoder {
     }
 
     /**
-     * A packet with a whole number; negative ones travel as magnitude behind another type byte.
+     * A packet with a whole number; a negative one is sent as its magnitude after another type byte.
      *
      * @throws IllegalArgumentException if the magnitude does not fit 16 bits
      */
@@ -30,7 +30,7 @@ public final class FrameEncoder {
         return frame(id, new byte[] {(byte) kind, (byte) magnitude, (byte) (magnitude >> 8)});
     }
 
-    /** A packet with two bytes in one argument, as they stand. */
+    /** A packet with an argument of two bytes. */
     static byte[] pair(int id, int low, int high) {
         return frame(id, new byte[] {POSITIVE, (byte) low, (byte) high});
     }

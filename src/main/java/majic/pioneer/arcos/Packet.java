@@ -3,7 +3,7 @@ package majic.pioneer.arcos;
 import java.util.Arrays;
 import java.util.HexFormat;
 
-/** One packet whose checksum was right: its type and its data. Immutable. */
+/** A packet with a valid checksum: its type and its data. Immutable. */
 public final class Packet {
     private static final int RESET_FROM = 0xFE;
 
@@ -23,12 +23,12 @@ public final class Packet {
         this.data = Arrays.copyOfRange(buffer, from, end);
     }
 
-    /** What the robot says with it: 0x30 to 0x3F a SIP, 0x20 CONFIG, ... (ARCOS sheet 8, 10, 11). */
+    /** The kind of packet: 0x30 to 0x3F a SIP, 0x20 CONFIG, ... (ARCOS sheet 8, 10, 11). */
     public int type() {
         return type;
     }
 
-    /** What came behind the type; a copy. */
+    /** The bytes after the type; a copy. */
     public byte[] data() {
         return data.clone();
     }

@@ -1,11 +1,11 @@
 package majic.pioneer.arcos;
 
 /**
- * How well a link has carried the robot's bytes so far. Immutable.
+ * Counts of what a link has delivered so far. Immutable.
  *
- * @param packets packets that came whole
- * @param damagedPackets headers whose packet did not fit its checksum
- * @param skippedBytes bytes that belonged to no whole packet, those of damaged ones included
+ * @param packets valid packets
+ * @param damagedPackets headers followed by a wrong checksum
+ * @param skippedBytes bytes outside of valid packets
  */
 public record PacketCounts(long packets, long damagedPackets, long skippedBytes) {
     /** Before the first byte. */

@@ -1,9 +1,9 @@
 package majic.pioneer.arcos;
 
 /**
- * How a robot introduces itself in the answer to SYNC2 (ARCOS sheet 4). Immutable.
+ * The names of a robot, from its answer to SYNC2 (ARCOS sheet 4). Immutable.
  *
- * @param name the owner's name for it
+ * @param name given by its owner
  * @param robotClass {@code Pioneer} for nearly all
  * @param subclass the model
  */
@@ -14,7 +14,7 @@ public record PioneerIdentity(String name, String robotClass, String subclass) {
         return new PioneerIdentity(fields.string(), fields.string(), fields.string());
     }
 
-    /** What follows the make in a sentence: {@code , model p3dx-sh, named "Rosa"}; names that are empty are left out. */
+    /** The model and name as they follow the make in a sentence: {@code , model p3dx-sh, named "Rosa"}; names that are empty are left out. */
     public String details() {
         String model = subclass.isEmpty() ? "" : ", model " + subclass;
         return name.isEmpty() ? model : model + ", named \"" + name + "\"";

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * A standard server information packet, field by field as sent, under the manual's names (ARCOS sheet 8). Immutable.
  *
- * @param type 0x32 standing, 0x33 moving; not to be relied on
+ * @param type 0x32 stationary, 0x33 moving; not reliable
  * @param xPos odometry counter, 16 bits
  * @param yPos odometry counter, 16 bits
  * @param thPos heading, 4096 units a turn
@@ -69,7 +69,7 @@ public record Sip(
     }
 
     /**
-     * A count that the packet cannot hold belongs to no readings: the vendor's simulator sends one such SIP after SONAR 1
+     * A count that the packet cannot hold is ignored: the vendor's simulator sends one such SIP after SONAR 1
      * (ARCOS sheet 8.2), with its tail right behind the count.
      */
     private static SonarReadings sonar(FieldReader fields) {

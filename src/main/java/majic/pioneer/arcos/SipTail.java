@@ -34,7 +34,7 @@ public record SipTail(
         int chargePercent,
         long clockMicros,
         long flags3) {
-    /** Stands for a field that did not come. */
+    /** The value of a field that did not come. */
     public static final int ABSENT = Integer.MIN_VALUE;
 
     /** Reads what is left of a SIP. */

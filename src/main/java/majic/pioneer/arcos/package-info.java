@@ -1,7 +1,7 @@
 /**
- * The packets of ARCOS and its forerunners, as the controller of a Pioneer speaks them: bytes to packets, packets to fields
- * as sent, commands to bytes, under the manual's names. No socket, thread or clock, and nothing of what a robot is: scaling,
- * odometry and meaning belong to the driver. Decoding never throws, whatever the bytes; what did not come is absent.
+ * The packets of ARCOS and its predecessors, the protocol of the Pioneer's controller: bytes to packets, packets to fields
+ * as sent, commands to bytes, under the manual's names. Has no socket, thread or clock; scaling and odometry belong to
+ * {@code majic.pioneer.state}. Decoding never throws, whatever the bytes; missing fields are absent.
  */
 @NullMarked
 package majic.pioneer.arcos;

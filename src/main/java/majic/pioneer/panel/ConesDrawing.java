@@ -9,8 +9,8 @@ import majic.pioneer.state.SonarDisc;
 import majic.pioneer.state.SonarScan;
 
 /**
- * The cone of every sonar disc as far as it heard nothing, with a bar where the echo came from. A cone lights up when its
- * disc fires and calms down within half a second; one that has not fired for long is not drawn.
+ * The cone of every sonar disc up to its range, with a bar at the echo. A cone lights up when its disc fires and fades
+ * within half a second; one that has not fired for 2 s is not drawn.
  */
 final class ConesDrawing {
     private static final double CONE_DEG = 30;
@@ -32,13 +32,13 @@ final class ConesDrawing {
 
     /** Paints in the robot's frame, mm: first what lies below. */
     void paint(Graphics2D pen, List<SonarDisc> discs) {
-        List<SonarDisc> heard = discs.stream().filter(this::isHeard).toList();
-        heard.forEach(disc -> paintCone(pen, disc));
-        heard.stream().filter(this::hasEcho).forEach(disc -> paintEcho(pen, disc));
+        List<SonarDisc> recent = discs.stream().filter(this::isRecent).toList();
+        recent.forEach(disc -> paintCone(pen, disc));
+        recent.stream().filter(this::hasEcho).forEach(disc -> paintEcho(pen, disc));
     }
 
-    private boolean isHeard(SonarDisc disc) {
-        return scan.hasHeard(disc.number()) && ageSeconds(disc) < SILENCE_S;
+    private boolean isRecent(SonarDisc disc) {
+        return scan.hasReading(disc.number()) && ageSeconds(disc) < SILENCE_S;
     }
 
     private double ageSeconds(SonarDisc disc) {

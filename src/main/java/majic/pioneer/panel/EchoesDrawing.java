@@ -11,13 +11,13 @@ import majic.panel.Ink;
 import majic.panel.map.Echoes;
 import majic.panel.map.MapView;
 
-/** Echoes as dots that get smaller and paler as they get older, and never vanish by themselves. */
+/** Echoes as dots that get smaller and paler with age, but never disappear. */
 final class EchoesDrawing {
     private static final double[] UNTIL_S = {0.5, 3, 15, 60, Double.POSITIVE_INFINITY};
     private static final double[] RADIUS_PX = {3.4, 2.9, 2, 1.5, 1.5};
     private static final double[] SHARE = {1, 0.8, 0.65, 0.6, 0.45};
 
-    /** From this age on they are squares, for there can be thousands of them. */
+    /** From this age on they are squares, because there can be thousands of them. */
     private static final int FIRST_SQUARE = 2;
 
     private final MapView view;

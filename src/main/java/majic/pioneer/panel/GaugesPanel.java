@@ -10,7 +10,7 @@ import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Power;
 import net.miginfocom.swing.MigLayout;
 
-/** How fast a Pioneer goes and turns, and how its battery stands. For the event thread. */
+/** Speed, turn rate and battery of a Pioneer. For the event thread. */
 final class GaugesPanel extends JPanel {
     private static final long serialVersionUID = 1;
 

@@ -12,7 +12,7 @@ import majic.pioneer.state.SonarDisc;
 
 /**
  * The robot itself in its own frame, mm: hull, bumpers, wheels, an arrow ahead; wheels are crossed where they are stalled.
- * Seen from so far away that this cannot be told, only the arrow is left, large enough to be found.
+ * In a map at a small scale only the arrow is drawn, large enough to be found.
  */
 final class PioneerBodyDrawing {
     private static final double CORNER = 0.3;

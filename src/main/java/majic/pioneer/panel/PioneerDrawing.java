@@ -16,8 +16,8 @@ import majic.pioneer.state.SonarScan;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A Pioneer on its floor, to scale: where it started, the way it came, what its sonars met on that way and what they hear
- * now. {@link #hear} is for the driver's threads, everything else for the event thread.
+ * A Pioneer on its floor, to scale: its start, its path, the echoes along that path and the cones of its sonars now.
+ * {@link #record} is for the driver's threads, everything else for the event thread.
  */
 final class PioneerDrawing extends WayContent {
     private static final Reach REACH = new Reach(0.065, 2000, 4200, 900);
@@ -29,8 +29,8 @@ final class PioneerDrawing extends WayContent {
         super(REACH, true);
     }
 
-    /** Remembers where the robot was and what it heard there. */
-    void hear(Model model, PioneerState state) {
+    /** Adds a pose to the path, and its echoes. */
+    void record(Model model, PioneerState state) {
         hear(state.pose());
         if (state.sip().sonar().count() > 0) {
             model.discs().stream()

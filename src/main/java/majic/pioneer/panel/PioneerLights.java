@@ -10,12 +10,12 @@ import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.PioneerState;
 
-/** What is on, what is in the way and how the link stands, each by word and shape. For the event thread. */
+/** Motors, sonars, contacts and link, each shown by word and shape. For the event thread. */
 final class PioneerLights {
     private static final String LONGEST = "STOP pressed";
     private static final double SILENT_MS = 500;
 
-    /** More damaged packets than one in so many are worth a look. */
+    /** More damaged packets than one in so many are shown as a warning. */
     private static final long DAMAGED_ONE_IN = 200;
 
     private final Light motors = new Light("motors", "Whether the motors are on; the first motion switches them on");
@@ -30,12 +30,12 @@ final class PioneerLights {
     private final LightsPanel panel =
             new LightsPanel(LONGEST, List.of(motors, sonars, stallLeft, stallRight, bumpers, button, link));
 
-    /** All of them. */
+    /** The panel with all lights. */
     LightsPanel panel() {
         return panel;
     }
 
-    /** Of a robot that has said nothing yet. */
+    /** Shows a robot without a report yet. */
     void show(MajicBot.Connection connection) {
         switch (connection) {
             case NEW, CONNECTING -> link.show(Kind.QUIET, "connecting");
@@ -79,14 +79,14 @@ final class PioneerLights {
         } else if (scene.silenceMs() > SILENT_MS) {
             link.show(Kind.WARNING, String.format(Locale.ROOT, "silent %.1f s", scene.silenceMs() / 1000));
         } else {
-            showRate(scene.state().sipsPerSec(), scene.reception());
+            showRate(scene.state().sipsPerSec(), scene.packets());
         }
     }
 
-    private void showRate(double perSecond, PacketCounts reception) {
-        long damaged = reception.damagedPackets();
+    private void showRate(double perSecond, PacketCounts packets) {
+        long damaged = packets.damagedPackets();
         String rate = String.format(Locale.ROOT, "link %.0f/s", perSecond);
-        boolean bad = damaged * DAMAGED_ONE_IN > reception.packets();
+        boolean bad = damaged * DAMAGED_ONE_IN > packets.packets();
         link.show(bad ? Kind.WARNING : Kind.GOOD, damaged == 0 ? rate : rate + ", " + damaged + " bad");
     }
 }

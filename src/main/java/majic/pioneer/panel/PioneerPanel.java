@@ -13,15 +13,15 @@ import majic.panel.ReadingsPanel;
 import majic.panel.map.ZoomableMap;
 
 /**
- * Shows one Pioneer: a map with the robot, its sonar cones, what they met and the way it came; gauges, lights and readings.
- * It only shows: nothing in it sends the robot anything, so nothing can be switched by a slip of the mouse.
+ * Shows one Pioneer: a map with the robot, its sonar cones, echoes and path; gauges, lights and readings. Sends the robot
+ * nothing, so that a slip of the mouse has no effect.
  */
 public final class PioneerPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
     private static final String LONGEST_READING = "-88888.8 mm";
 
-    /** None of them asks the robot. */
+    /** None of these parameters sends a request. */
     private static final List<String> READINGS = List.of(
             "distanceFront",
             "distanceLeft",
@@ -59,7 +59,7 @@ public final class PioneerPanel extends NewsPanel {
     /**
      * Makes the panel; on the event dispatch thread.
      *
-     * @param scenes takes what is to be shown, from any thread; empty until the first report of the robot
+     * @param scenes gives what to show, on any thread; empty before the first report of the robot
      */
     public static JComponent create(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
         PioneerPanel panel = new PioneerPanel(bot, scenes);
@@ -69,7 +69,7 @@ public final class PioneerPanel extends NewsPanel {
 
     @Override
     protected void heard(BotState state) {
-        scenes.get().ifPresent(scene -> drawing.hear(scene.model(), scene.state()));
+        scenes.get().ifPresent(scene -> drawing.record(scene.model(), scene.state()));
     }
 
     @Override

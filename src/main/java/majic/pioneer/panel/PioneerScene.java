@@ -8,14 +8,14 @@ import majic.pioneer.state.Model;
 import majic.pioneer.state.PioneerState;
 
 /**
- * What is shown of a Pioneer, taken at one moment. Immutable.
+ * A snapshot of what the panel of a Pioneer shows. Immutable.
  *
- * @param model its hull and where its sonars sit
- * @param state what it last said
- * @param bumpers the segments it really has
- * @param connection how the link stands
- * @param silenceMs since its last word
- * @param reception how well its packets arrived
+ * @param model its hull and its sonars
+ * @param state the last state reported
+ * @param bumpers the segments that it has
+ * @param connection state of the connection
+ * @param silenceMs since the last report
+ * @param packets counts of packets and damaged bytes
  * @param speedLimits mm/s, both signs
  * @param turnLimits deg/s, both signs
  */
@@ -25,7 +25,7 @@ public record PioneerScene(
         Bumpers bumpers,
         MajicBot.Connection connection,
         double silenceMs,
-        PacketCounts reception,
+        PacketCounts packets,
         Range speedLimits,
         Range turnLimits) {
 

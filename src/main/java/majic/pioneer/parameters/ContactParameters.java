@@ -13,7 +13,7 @@ import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 
-/** What the robot touches, and what holds it: bumpers, stalls, the STOP button, steps. */
+/** Contacts and what blocks the robot: bumpers, stalls, the STOP button, steps. */
 final class ContactParameters implements ParameterTheme<Equipment> {
     /** As BUMPSTALL numbers them (ARCOS sheet 6.1, 17). */
     private static final List<String> SIDES = List.of("none", "front", "rear", "both");
@@ -57,7 +57,7 @@ final class ContactParameters implements ParameterTheme<Equipment> {
                         values.get(0)));
     }
 
-    /** Something that is so or not. */
+    /** A condition of a state. */
     private interface Question {
         boolean of(PioneerState state);
     }

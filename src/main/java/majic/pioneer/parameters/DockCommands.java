@@ -5,9 +5,9 @@ import majic.bot.BotCommand;
 import majic.bot.Motion;
 import majic.pioneer.arcos.ArcosCommand;
 
-/** Puts the docking mechanism down onto the charger and takes it up again. It moves, so it belongs to whoever moves the robot. */
+/** The commands that move the docking mechanism. Like motions they need permission to move. */
 final class DockCommands {
-    /** Time for the mechanism to find its contacts, seconds. */
+    /** Time for the mechanism to reach its contacts, seconds. */
     private static final double CONTACT_S = 5;
 
     private final PioneerAccess access;

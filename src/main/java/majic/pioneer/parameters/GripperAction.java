@@ -6,11 +6,11 @@ import java.util.Locale;
 import java.util.function.Predicate;
 import majic.pioneer.state.Gripper;
 
-/** What gripper and lift can be told to do, with the argument of the command (ARCOS sheet 11.5). */
+/** Actions of gripper and lift, with the argument of the command (ARCOS sheet 11.5). */
 enum GripperAction {
     /** Paddles apart. */
     OPEN(1, Gripper::open),
-    /** Paddles together, or on what is between them. */
+    /** Paddles together, or on an object between them. */
     CLOSE(2, Gripper::closed),
     /** Lift all the way up. */
     UP(4, Gripper::liftUp),
@@ -18,9 +18,9 @@ enum GripperAction {
     DOWN(5, Gripper::liftDown),
     /** Closed and up, for driving. */
     STORE(7, gripper -> gripper.closed() && gripper.liftUp()),
-    /** Open and down, for taking hold. */
+    /** Open and down, for gripping. */
     DEPLOY(8, gripper -> gripper.open() && gripper.liftDown()),
-    /** Everything stands. */
+    /** Stop both. */
     STOP(15, gripper -> true);
 
     private final int argument;
@@ -47,7 +47,7 @@ enum GripperAction {
         return argument;
     }
 
-    /** Whether it is done, and nothing moves any more. */
+    /** Whether the action is done and nothing moves any more. */
     boolean isDone(Gripper gripper) {
         return end.test(gripper) && !gripper.moving() && !gripper.liftMoving();
     }

@@ -12,21 +12,21 @@ import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Gripper;
 
 /**
- * Moves gripper and lift. They are parts of the robot that move and pinch, so they belong to whoever moves the robot, one
- * at a time, and a stop stops them. Thread-safe.
+ * The commands that move gripper and lift. Both can pinch, so the commands need permission to move, run one at a time, and
+ * end at a stop. Thread-safe.
  */
 final class GripperCommands {
     /** Longer than the lift takes all the way, seconds. */
     private static final double LONGEST_S = 12;
 
-    /** Before this nobody need have noticed the order, seconds. */
-    private static final double NOTICE_S = 0.3;
+    /** The first reports after the command may be older than it, seconds. */
+    private static final double LATENCY_S = 0.3;
 
     private static final int CARRY = 17;
     private static final int LONGEST_CARRY_MS = 5100;
 
     private final PioneerAccess access;
-    private volatile boolean underWay;
+    private volatile boolean mayMove;
 
     GripperCommands(PioneerAccess access) {
         this.access = access;
@@ -52,33 +52,33 @@ final class GripperCommands {
     }
 
     private String run(GripperAction order, Motion motion) {
-        underWay = true;
+        mayMove = true;
         motion.send(() -> access.send(ArcosCommand.GRIPPER.packet(order.argument())));
-        motion.pause(NOTICE_S);
+        motion.pause(LATENCY_S);
         boolean done = motion.await(() -> state().filter(order::isDone).isPresent(), LONGEST_S);
-        if (!done && state().filter(GripperCommands::isTelling).isPresent()) {
+        if (!done && state().filter(GripperCommands::isReporting).isPresent()) {
             throw new MotionFailed("not done within " + Value.plain(LONGEST_S) + " s: " + words());
         }
-        underWay = false;
+        mayMove = false;
         return done ? words() : "told; this robot does not say how its gripper stands";
     }
 
     private String carry(double ms, Motion motion) {
-        underWay = true;
+        mayMove = true;
         int steps = (int) Math.round(ms / GripperParameters.STEP_MS);
         motion.send(() -> {
             access.send(ArcosCommand.GRIPPER.packet(CARRY));
             access.send(ArcosCommand.GRIPPERVAL.packet(steps));
         });
         motion.pause(Math.abs(ms) / 1000);
-        underWay = false;
+        mayMove = false;
         return "lift " + state().map(GripperParameters::lift).orElse("told");
     }
 
-    /** Stops gripper and lift where they may still move; waits for nothing. */
+    /** Stops gripper and lift if they may be moving; waits for nothing. */
     void halt() {
-        if (underWay) {
-            underWay = false;
+        if (mayMove) {
+            mayMove = false;
             access.send(ArcosCommand.GRIPPER.packet(GripperAction.STOP.argument()));
         }
     }
@@ -87,8 +87,8 @@ final class GripperCommands {
         return access.open().state().gripper();
     }
 
-    /** A gripper that says nothing at all of itself is taken for one that cannot (ARCOS sheet 17). */
-    private static boolean isTelling(Gripper gripper) {
+    /** A gripper whose flags are all clear is taken not to report its state (ARCOS sheet 17). */
+    private static boolean isReporting(Gripper gripper) {
         return gripper.open() || gripper.closed() || gripper.moving() || gripper.liftUp() || gripper.liftDown();
     }
 

@@ -12,7 +12,7 @@ import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Gripper;
 
-/** How gripper and lift stand. Moving them is a command: {@link GripperCommands}. */
+/** The state of gripper and lift. {@link GripperCommands} moves them. */
 final class GripperParameters implements ParameterTheme<Equipment> {
     static final int STEP_MS = 20;
     private static final int LONGEST_MS = 5100;
@@ -48,13 +48,13 @@ final class GripperParameters implements ParameterTheme<Equipment> {
         access.send(grasp, ArcosCommand.GRIPPERVAL.packet((int) Math.round(time.number() / STEP_MS)), time);
     }
 
-    /** How the robot's words are made. */
+    /** Makes a word of a state. */
     private interface Wording {
         String of(Gripper gripper);
     }
 
     private static Value words(Optional<Gripper> gripper, Wording wording) {
-        return gripper.map(told -> Value.text(wording.of(told))).orElse(PioneerAccess.NOT_TOLD);
+        return gripper.map(told -> Value.text(wording.of(told))).orElse(PioneerAccess.NOT_REPORTED);
     }
 
     static String paddles(Gripper gripper) {

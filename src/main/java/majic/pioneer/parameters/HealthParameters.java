@@ -7,7 +7,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 
-/** The motors, and how the controller feels. */
+/** The power of the motors, temperature and faults of the controller. */
 final class HealthParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
     private final PowerSwitches switches;
@@ -26,12 +26,12 @@ final class HealthParameters implements ParameterTheme<Equipment> {
         table.add(
                 Parameter.number("temperature", Unit.CELSIUS, "of the controller, where it has a thermometer"),
                 access.state(state -> state.temperatureC().isEmpty()
-                        ? PioneerAccess.NOT_TOLD
+                        ? PioneerAccess.NOT_REPORTED
                         : Value.of(state.temperatureC().getAsInt(), Unit.CELSIUS)));
         table.add(
                 Parameter.number("faults", Unit.NONE, "the controller's fault flags as one number, 0 when all is well"),
                 access.state(state -> state.faults().isEmpty()
-                        ? PioneerAccess.NOT_TOLD
+                        ? PioneerAccess.NOT_REPORTED
                         : Value.of(state.faults().getAsInt(), Unit.NONE)));
     }
 }

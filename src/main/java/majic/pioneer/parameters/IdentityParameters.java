@@ -11,7 +11,7 @@ import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.state.Equipment;
 
-/** Who the robot is and how its controller is set up. */
+/** The names and versions of the robot, and settings of its controller. */
 final class IdentityParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
 
@@ -50,7 +50,7 @@ final class IdentityParameters implements ParameterTheme<Equipment> {
     private void number(ParameterTable table, String name, Unit unit, ConfigField field, String help) {
         table.add(
                 Parameter.number(name, unit, help),
-                access.config(
-                        config -> config.has(field) ? Value.of(config.number(field), unit) : PioneerAccess.NOT_TOLD));
+                access.config(config ->
+                        config.has(field) ? Value.of(config.number(field), unit) : PioneerAccess.NOT_REPORTED));
     }
 }

@@ -13,7 +13,7 @@ import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Feed;
 
-/** The controller's digital and analog ports, for what a lab has mounted. Setting them moves nothing of the robot's own. */
+/** The controller's digital and analog ports, for equipment of a lab. Setting them moves no part of the robot itself. */
 final class InputOutputParameters implements ParameterTheme<Equipment> {
     private static final int LINES = 8;
     private static final int BYTE = 0xFF;
@@ -96,28 +96,28 @@ final class InputOutputParameters implements ParameterTheme<Equipment> {
             access.send(packet);
             return;
         }
-        access.order(
+        access.sendAndConfirm(
                 packet,
                 state -> (state.ports().digitalOut().orElse(~states) & mask) == states,
                 "the digital outputs did not change");
     }
 
     private void select(int port) {
-        access.order(
+        access.sendAndConfirm(
                 ArcosCommand.ADSEL.packet(port),
                 state -> state.ports().analogPort().orElse(port) == port,
                 "the robot did not change to analog input " + port);
     }
 
-    private static Value number(OptionalInt told) {
-        return told.isEmpty() ? PioneerAccess.NOT_TOLD : Value.of(told.getAsInt(), Unit.NONE);
+    private static Value number(OptionalInt reported) {
+        return reported.isEmpty() ? PioneerAccess.NOT_REPORTED : Value.of(reported.getAsInt(), Unit.NONE);
     }
 
     private static Value flag(OptionalInt bits, int bit) {
-        return bits.isEmpty() ? PioneerAccess.NOT_TOLD : Value.onOff((bits.getAsInt() & bit) != 0);
+        return bits.isEmpty() ? PioneerAccess.NOT_REPORTED : Value.onOff((bits.getAsInt() & bit) != 0);
     }
 
-    private static Value volts(OptionalDouble told) {
-        return told.isEmpty() ? PioneerAccess.NOT_TOLD : Value.of(told.getAsDouble(), Unit.V);
+    private static Value volts(OptionalDouble reported) {
+        return reported.isEmpty() ? PioneerAccess.NOT_REPORTED : Value.of(reported.getAsDouble(), Unit.V);
     }
 }

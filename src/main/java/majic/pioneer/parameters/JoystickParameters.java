@@ -26,11 +26,15 @@ final class JoystickParameters implements ParameterTheme<Equipment> {
 
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
-        axis(table, "joystickX", "sideways, -100 to 100", told -> deflection(told.x()));
-        axis(table, "joystickY", "ahead and back, -100 to 100", told -> deflection(told.y()));
-        axis(table, "joystickThrottle", "0 to 100", told -> Value.of(told.throttle() / FULL * 100, Unit.PERCENT));
-        button(table, "joystickButton1", told -> Value.yesNo(told.button1()));
-        button(table, "joystickButton2", told -> Value.yesNo(told.button2()));
+        axis(table, "joystickX", "sideways, -100 to 100", reported -> deflection(reported.x()));
+        axis(table, "joystickY", "ahead and back, -100 to 100", reported -> deflection(reported.y()));
+        axis(
+                table,
+                "joystickThrottle",
+                "0 to 100",
+                reported -> Value.of(reported.throttle() / FULL * 100, Unit.PERCENT));
+        button(table, "joystickButton1", reported -> Value.yesNo(reported.button1()));
+        button(table, "joystickButton2", reported -> Value.yesNo(reported.button2()));
         table.add(
                         Parameter.onOff(
                                 "joystickDrive", "whether the robot's joystick drives it beside us; a stop ends it"),
@@ -42,7 +46,7 @@ final class JoystickParameters implements ParameterTheme<Equipment> {
         access.send(drives, ArcosCommand.JOYDRIVE.packet(on ? 1 : 0), Value.onOff(on));
     }
 
-    /** Whoever stops the robot wants it to stand, whoever drives it. */
+    /** A stop also ends motions by the joystick. */
     @Override
     public void halt() {
         if (drives.in(access.open()).equals(Value.onOff(true))) {

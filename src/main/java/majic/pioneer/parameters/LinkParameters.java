@@ -7,7 +7,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 
-/** How well the robot is heard. */
+/** The quality of the link. */
 final class LinkParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
 
@@ -26,9 +26,9 @@ final class LinkParameters implements ParameterTheme<Equipment> {
                 access.state(state -> Value.of(state.longestSilenceS() * 1000, Unit.MS)));
         table.add(
                 Parameter.number("damagedPackets", Unit.NONE, "with a wrong checksum, since it was connected"),
-                access.session(open -> Value.of(open.reception().damagedPackets(), Unit.NONE)));
+                access.session(open -> Value.of(open.packetCounts().damagedPackets(), Unit.NONE)));
         table.add(
                 Parameter.number("skippedBytes", Unit.NONE, "that belonged to no whole packet, since it was connected"),
-                access.session(open -> Value.of(open.reception().skippedBytes(), Unit.NONE)));
+                access.session(open -> Value.of(open.packetCounts().skippedBytes(), Unit.NONE)));
     }
 }

@@ -17,17 +17,17 @@ import majic.pioneer.state.PioneerState;
 import majic.time.Patience;
 import org.jspecify.annotations.Nullable;
 
-/** The way from a parameter to the robot: what it said last, and orders it confirms. Over all sessions. Thread-safe. */
+/** Connects parameters with the robot: reads its last reports, sends commands and waits for their effect. For all sessions. Thread-safe. */
 public final class PioneerAccess {
     static final Value NOTHING_YET = Value.unknown("no reading yet");
-    static final Value NOTHING_OF_LATE = Value.unknown("no reading of late");
-    static final Value NOT_TOLD = Value.unknown("this robot does not tell");
+    static final Value NOTHING_RECENT = Value.unknown("no reading of late");
+    static final Value NOT_REPORTED = Value.unknown("this robot does not tell");
 
-    /** Time enough for a command and the SIP that shows what became of it, seconds. */
+    /** Time enough for a command and the SIP that shows its effect, seconds. */
     private static final double CONFIRM_S = 1;
 
-    /** Time enough to ask for a packet and to hear it, seconds. */
-    private static final double ASKED_S = 2 * Subscriptions.PERIOD_S;
+    /** Time enough for a request and its report, seconds. */
+    private static final double REPORT_S = 2 * Subscriptions.PERIOD_S;
 
     private final Supplier<@Nullable PioneerSession> session;
 
@@ -36,7 +36,7 @@ public final class PioneerAccess {
     }
 
     /**
-     * The session there is.
+     * The current session.
      *
      * @throws BotException if there has been none yet
      */
@@ -54,28 +54,28 @@ public final class PioneerAccess {
     }
 
     /**
-     * Reads from a packet that comes beside the SIPs. A reading when none has come of late asks for one and waits a moment,
-     * where the thread may wait.
+     * Reads from a report that comes beside the SIPs. Without a recent report one is requested and, if the thread may wait,
+     * awaited.
      */
     Supplier<Value> report(Feed feed, Function<PioneerState, Optional<Value>> reader) {
         return session(open -> {
             if (!open.hasReported()) {
                 return NOTHING_YET;
             }
-            if (hears(open, feed)) {
-                return reader.apply(open.state()).orElse(NOT_TOLD);
+            if (hasFresh(open, feed)) {
+                return reader.apply(open.state()).orElse(NOT_REPORTED);
             }
-            return open.subscriptions().isMute(feed) || Patience.isAllowed() ? NOT_TOLD : NOTHING_OF_LATE;
+            return open.subscriptions().isMissing(feed) || Patience.isAllowed() ? NOT_REPORTED : NOTHING_RECENT;
         });
     }
 
-    private static boolean hears(PioneerSession open, Feed feed) {
+    private static boolean hasFresh(PioneerSession open, Feed feed) {
         Subscriptions subscriptions = open.subscriptions();
-        subscriptions.want(feed);
-        return !subscriptions.isMute(feed) && open.reported().await(state -> subscriptions.isFresh(feed), ASKED_S);
+        subscriptions.read(feed);
+        return !subscriptions.isMissing(feed) && open.reported().await(state -> subscriptions.isFresh(feed), REPORT_S);
     }
 
-    /** Reads from what was learned at connecting. */
+    /** Reads from the session. */
     Supplier<Value> session(Function<PioneerSession, Value> reader) {
         return () -> {
             PioneerSession open = session.get();
@@ -87,23 +87,23 @@ public final class PioneerAccess {
     Supplier<Value> config(Function<Config, Value> reader) {
         return session(open -> {
             Config config = open.config();
-            return config == null ? NOT_TOLD : reader.apply(config);
+            return config == null ? NOT_REPORTED : reader.apply(config);
         });
     }
 
     /** Reads a text of the CONFIG packet. */
     Supplier<Value> config(ConfigField text) {
-        return config(config -> config.text(text).isEmpty() ? NOT_TOLD : Value.text(config.text(text)));
+        return config(config -> config.text(text).isEmpty() ? NOT_REPORTED : Value.text(config.text(text)));
     }
 
     /**
-     * Sends a command and waits for the SIP that shows it done, where the thread may wait.
+     * Sends a command and, if the thread may wait, waits for the SIP that shows its effect.
      *
-     * @param complaint what did not happen, as half a sentence: "the motors did not switch on"
+     * @param complaint the missing effect, as half a sentence: "the motors did not switch on"
      * @throws BotException if no SIP shows it in time
      * @throws LinkLost if the connection is gone
      */
-    void order(byte[] packet, Predicate<PioneerState> done, String complaint) {
+    void sendAndConfirm(byte[] packet, Predicate<PioneerState> done, String complaint) {
         PioneerSession open = open();
         open.send(packet);
         if (Patience.isAllowed() && !open.reported().await(done, CONFIRM_S)) {
@@ -128,7 +128,7 @@ public final class PioneerAccess {
         setting.sent(open, value);
     }
 
-    /** Sends a command that nothing confirms. */
+    /** Sends a command without a visible effect. */
     void send(byte[] packet) {
         open().send(packet);
     }

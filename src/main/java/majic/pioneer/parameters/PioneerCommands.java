@@ -5,9 +5,9 @@ import java.util.List;
 import majic.bot.BotCommand;
 import majic.pioneer.state.Equipment;
 
-/** The commands that only a Pioneer has, for what is an act and not a value. */
+/** The commands that only a Pioneer has. */
 public final class PioneerCommands {
-    /** All that there can be. */
+    /** The names of all of them. */
     public static final List<String> NAMES = List.of("gripper", "carry", "dock", "undock", "tones");
 
     private final TonesCommand tune;
@@ -20,7 +20,7 @@ public final class PioneerCommands {
         this.dock = new DockCommands(access);
     }
 
-    /** Those for what a robot has. */
+    /** The commands for the equipment of a robot. */
     public List<BotCommand> with(Equipment equipment) {
         List<BotCommand> commands = new ArrayList<>();
         if (equipment.gripper()) {
@@ -35,7 +35,7 @@ public final class PioneerCommands {
         return commands;
     }
 
-    /** Stops what moves on the robot besides its wheels. */
+    /** Stops moving parts other than the wheels. */
     public void halt() {
         gripper.halt();
     }

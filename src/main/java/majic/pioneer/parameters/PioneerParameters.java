@@ -9,11 +9,11 @@ import majic.pioneer.state.PoseOffset;
 import majic.time.TimeSource;
 
 /**
- * The parameters of a Pioneer besides those that every robot has, theme by theme in the order in which people read them.
+ * The parameters of a Pioneer besides those that every robot has, theme by theme in the order of the listing.
  *
- * <p>One rule for what is missing: what the model or the CONFIG packet says a robot does not have is not described, so a
- * script that asks for it is refused before anything drives. What only its readings can show, or a packet that it may not
- * send, is described and {@code unknown} with the reason.
+ * <p>Parameters of equipment that a robot does not have by its model or its CONFIG packet are not described, so a script that
+ * uses them is refused before anything moves. Parameters whose values depend on readings, or on packets that not every robot
+ * sends, are described and {@code unknown} with the reason.
  */
 public final class PioneerParameters {
     private final ParameterTable table;
@@ -24,7 +24,7 @@ public final class PioneerParameters {
         this.themes = List.copyOf(themes);
     }
 
-    /** All themes there are. */
+    /** All themes. */
     public static List<ParameterTheme<Equipment>> themes(
             PioneerAccess access, TimeSource time, PoseOffset placement, RampParameters pace, Consumer<String> notice) {
         PowerSwitches switches = new PowerSwitches(access, notice);
@@ -49,7 +49,7 @@ public final class PioneerParameters {
         table.renew(fresh -> themes.forEach(theme -> theme.describe(fresh, equipment)));
     }
 
-    /** Ends what setting one of them has made the robot do. */
+    /** Ends what setting a parameter has started. */
     public void halt() {
         themes.forEach(ParameterTheme::halt);
     }

@@ -13,7 +13,7 @@ import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.PoseOffset;
 
-/** Where the robot is, and where it is to be said to be. Setting it moves nothing. */
+/** The pose. Setting it changes the {@link PoseOffset} and moves nothing. */
 final class PoseParameters implements ParameterTheme<Equipment> {
     private static final double FARTHEST_MM = 1_000_000;
 
@@ -68,7 +68,7 @@ final class PoseParameters implements ParameterTheme<Equipment> {
                 values.size() > 2 ? values.get(2).number() : here.headingDeg());
     }
 
-    /** Returns when everybody has been told, one SIP later. */
+    /** Returns when the new pose has been published with a SIP. */
     private void put(UnaryOperator<Pose> change) {
         PioneerSession open = access.open();
         PioneerState now = open.state();

@@ -48,10 +48,10 @@ final class PowerParameters implements ParameterTheme<Equipment> {
     }
 
     private static Value volts(long tenths) {
-        return tenths == 0 ? PioneerAccess.NOT_TOLD : Value.of(tenths / 10.0, Unit.V);
+        return tenths == 0 ? PioneerAccess.NOT_REPORTED : Value.of(tenths / 10.0, Unit.V);
     }
 
     private static Value charging(Charging charging) {
-        return charging == Charging.UNKNOWN ? PioneerAccess.NOT_TOLD : Value.text(charging.words());
+        return charging == Charging.UNKNOWN ? PioneerAccess.NOT_REPORTED : Value.text(charging.words());
     }
 }

@@ -3,7 +3,7 @@ package majic.pioneer.parameters;
 import java.util.function.Consumer;
 import majic.pioneer.arcos.ArcosCommand;
 
-/** What can be switched on a Pioneer without moving it, and seen to be switched. */
+/** Switches motors and sonars on and off, and waits for the SIP that confirms it. */
 final class PowerSwitches {
     private static final int ALL_ARRAYS = 0;
 
@@ -19,14 +19,14 @@ final class PowerSwitches {
         if (on) {
             notice.accept("motors on");
         }
-        access.order(
+        access.sendAndConfirm(
                 ArcosCommand.ENABLE.packet(on ? 1 : 0),
                 state -> state.motorsOn() == on,
                 "the motors " + didNotSwitch(on));
     }
 
     void sonar(boolean on) {
-        access.order(
+        access.sendAndConfirm(
                 ArcosCommand.SONAR.packet(sonarArgument(ALL_ARRAYS, on)),
                 state -> state.sonarOn() == on,
                 "the sonars " + didNotSwitch(on));
@@ -34,7 +34,7 @@ final class PowerSwitches {
 
     /** One array, 1 to 4. */
     void sonar(int array, boolean on) {
-        access.order(
+        access.sendAndConfirm(
                 ArcosCommand.SONAR.packet(sonarArgument(array, on)),
                 state -> state.sonarOn(array) == on,
                 "sonar array " + array + " " + didNotSwitch(on));

@@ -12,19 +12,19 @@ import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Ramps;
 
-/** How fast the robot may go and how sharply it speeds up and slows down: told to it and followed by all motions. */
+/** Highest speeds, accelerations and decelerations, which are sent to the robot and hold for all motions. */
 public final class RampParameters implements ParameterTheme<Equipment> {
-    private final ActiveRamps dynamics;
+    private final ActiveRamps active;
     private final Consumer<UnaryOperator<Ramps>> change;
 
     /**
-     * For one robot.
+     * Creates the parameters of one robot.
      *
-     * @param dynamics what is in force
+     * @param active those in force
      * @param change puts other ramps in force
      */
-    public RampParameters(ActiveRamps dynamics, Consumer<UnaryOperator<Ramps>> change) {
-        this.dynamics = dynamics;
+    public RampParameters(ActiveRamps active, Consumer<UnaryOperator<Ramps>> change) {
+        this.active = active;
         this.change = change;
     }
 
@@ -40,7 +40,7 @@ public final class RampParameters implements ParameterTheme<Equipment> {
 
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
-        Limits limits = dynamics.limits();
+        Limits limits = active.limits();
         add(
                 table,
                 Parameter.number("topSpeed", Unit.MM_PER_S, "nothing drives it faster; cruise and drive stay below")
@@ -72,7 +72,7 @@ public final class RampParameters implements ParameterTheme<Equipment> {
     }
 
     private void add(ParameterTable table, Parameter parameter, Part part, Changed changed) {
-        table.add(parameter, () -> Value.of(part.of(dynamics.ramps()), parameter.unit()))
+        table.add(parameter, () -> Value.of(part.of(active.ramps()), parameter.unit()))
                 .writes(values -> change.accept(ramps ->
                         changed.by(ramps, (int) Math.round(values.get(0).number()))));
     }

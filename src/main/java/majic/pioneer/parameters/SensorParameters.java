@@ -13,7 +13,7 @@ import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Scaling;
 
-/** What tells the robot how it moves: wheels, encoders, compass, gyro. */
+/** The motion sensors: wheels, encoders, compass, gyro. */
 final class SensorParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
 
@@ -32,7 +32,7 @@ final class SensorParameters implements ParameterTheme<Equipment> {
                 Parameter.number(
                         "compass", Unit.DEG, "as the compass shows it, 2 to 358; unknown without one and at 0"),
                 access.state(state -> state.compassDeg().isEmpty()
-                        ? PioneerAccess.NOT_TOLD
+                        ? PioneerAccess.NOT_REPORTED
                         : Value.of(state.compassDeg().getAsInt(), Unit.DEG)));
         if (equipment.gyro()) {
             table.add(
@@ -56,6 +56,6 @@ final class SensorParameters implements ParameterTheme<Equipment> {
                 Parameter.number(name, Unit.NONE, help),
                 access.report(
                         Feed.ENCODERS,
-                        state -> state.encoders().map(told -> Value.of(ticks.applyAsDouble(told), Unit.NONE))));
+                        state -> state.encoders().map(counts -> Value.of(ticks.applyAsDouble(counts), Unit.NONE))));
     }
 }

@@ -14,7 +14,7 @@ import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Side;
 import majic.pioneer.state.SonarScan;
 
-/** What the sonars hear, and whether they fire. */
+/** Sonar ranges, the distances made of them, and the power of the sonars. */
 final class SonarParameters implements ParameterTheme<Equipment> {
     /** An echo from 5 m comes after 30 ms; a tenth of a second is a whole SIP. */
     private static final int FASTEST_MS = 10;
@@ -33,7 +33,7 @@ final class SonarParameters implements ParameterTheme<Equipment> {
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
         for (Side side : Side.values()) {
-            if (equipment.model().discs().stream().anyMatch(side::isWatchedBy)) {
+            if (equipment.model().discs().stream().anyMatch(side::isCoveredBy)) {
                 table.add(
                         Parameter.number(side.parameter(), Unit.MM, side.help()),
                         access.state(state -> gap(side, state)));
@@ -83,7 +83,7 @@ final class SonarParameters implements ParameterTheme<Equipment> {
     }
 
     private static Value range(int disc, PioneerState state) {
-        if (!state.sonar().hasHeard(disc)) {
+        if (!state.sonar().hasReading(disc)) {
             return state.sonarOn() ? PioneerAccess.NOTHING_YET : Value.unknown("the sonars are off");
         }
         int range = state.sonar().rangeMm(disc);

@@ -10,7 +10,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.arcos.ArcosCommand;
 
-/** The command that plays tones on the buzzer (ARCOS sheet 6.1, SAY). */
+/** The command {@code tones} of the buzzer (ARCOS sheet 6.1, SAY). */
 final class TonesCommand {
     private static final int STEP_MS = 20;
     private static final int MOST_STEPS = 255;

@@ -7,48 +7,49 @@ import majic.pioneer.state.Ramps;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The one place that knows which ramps are in force, over all sessions with one robot: it forgets them at the end of each
- * (ARCOS sheet 5.1). Thread-safe.
+ * Holds the ramps in force over all sessions with one robot, which itself loses them at the end of each session (ARCOS
+ * sheet 5.1). Thread-safe.
  */
 public final class ActiveRamps {
     private Limits limits;
     private Ramps inForce;
-    private @Nullable Ramps wanted;
+    private @Nullable Ramps requested;
 
-    /** The careful ones of a model, before anything is known of the robot itself. */
+    /** Begins with the careful ramps of a model, until the robot has reported its limits. */
     public ActiveRamps(Model model) {
         limits = Limits.of(model, null);
         inForce = Ramps.careful(limits);
     }
 
     /**
-     * Fits them to a robot that has told its limits: what was wanted before as far as it goes, else the careful ones.
+     * Fits the ramps to the limits that a robot has reported: those that a user has set, as far as the limits allow, else
+     * the careful ones.
      *
-     * @return those to tell the robot
+     * @return the ramps to send
      */
     synchronized Ramps fit(Limits found) {
         limits = found;
-        inForce = wanted == null ? Ramps.careful(found) : wanted.within(found);
+        inForce = requested == null ? Ramps.careful(found) : requested.within(found);
         return inForce;
     }
 
     /**
-     * Takes over what somebody wants, for this session and those to come.
+     * Changes the ramps for this session and later ones.
      *
-     * @param change makes those that are wanted of those in force
-     * @return those to tell the robot, which may be slower
+     * @param change makes the requested ramps from those in force
+     * @return the ramps to send, reduced to the limits where necessary
      */
     public synchronized Ramps change(UnaryOperator<Ramps> change) {
-        wanted = change.apply(inForce);
+        requested = change.apply(inForce);
         return fit(limits);
     }
 
-    /** Those that the robot was told. */
+    /** The ramps that were last sent. */
     public synchronized Ramps ramps() {
         return inForce;
     }
 
-    /** How far they may be raised. */
+    /** The upper bounds of the ramps. */
     public synchronized Limits limits() {
         return limits;
     }

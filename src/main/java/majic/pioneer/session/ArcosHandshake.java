@@ -9,9 +9,9 @@ import majic.pioneer.arcos.PioneerIdentity;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
-/** SYNC0, SYNC1, SYNC2 with the recoveries of ARCOS sheet 4. Runs on the thread that connects. */
+/** The handshake SYNC0, SYNC1, SYNC2 with the recoveries of ARCOS sheet 4. Runs on the thread that connects. */
 public final class ArcosHandshake {
-    /** Less than any SIP cycle fits in: an open session shows itself (seconds). */
+    /** Longer than any SIP cycle, so that an open session is noticed by its SIPs, seconds. */
     private static final double LISTEN_S = 0.25;
 
     private static final double ANSWER_S = 1;
@@ -31,7 +31,7 @@ public final class ArcosHandshake {
     private double limitS = LIMIT_S;
     private boolean closedASession;
 
-    /** The robot hung up because it was told to close a session left open; connecting anew will do. */
+    /** The robot closed the connection along with a session that was left open; a second attempt will succeed. */
     public static final class SessionClosed extends BotException {
         private static final long serialVersionUID = 1;
 
@@ -48,10 +48,10 @@ public final class ArcosHandshake {
     }
 
     /**
-     * Goes through the handshake.
+     * Runs the handshake.
      *
      * @throws SessionClosed if the line ended because an old session was closed
-     * @throws BotException if there is no answer, or no sensible one, within {@value #LIMIT_S} s, on a
+     * @throws BotException if there is no answer, or none of a Pioneer, within {@value #LIMIT_S} s, on a
      *     serial port {@value #SERIAL_LIMIT_S} s
      */
     PioneerIdentity run() {
@@ -68,12 +68,12 @@ public final class ArcosHandshake {
         if (closedASession) {
             return new SessionClosed(line.address() + " closed the connection with the session left open on it", cause);
         }
-        return new BotException(ConnectErrors.hungUp(line.address(), line.firstWords()), cause);
+        return new BotException(ConnectErrors.hungUp(line.address(), line.firstBytes()), cause);
     }
 
     /**
-     * A robot that talks before it is asked is still in a session, perhaps with a velocity in force that the first SYNC,
-     * being a packet, would bring back to life. So it is stopped for good before.
+     * A robot that sends before the first SYNC is still in a session, perhaps with a velocity in force that it would resume
+     * at the SYNC as at any packet. So it is stopped, and the session closed, before.
      */
     private void endOpenSession() {
         long started = time.nanos();
@@ -89,7 +89,7 @@ public final class ArcosHandshake {
     }
 
     private void refuseTelnet() {
-        if (line.firstWords().isTelnet()) {
+        if (line.firstBytes().isTelnet()) {
             throw new BotException(ConnectErrors.telnet(line.address()));
         }
     }
@@ -105,7 +105,7 @@ public final class ArcosHandshake {
             }
             step = answer != null && answer.type() == step ? step + 1 : startOver(answer);
         }
-        throw new BotException(ConnectErrors.nothingCameOfIt(line.address(), line.firstWords(), (int) limitS));
+        throw new BotException(ConnectErrors.nothingCameOfIt(line.address(), line.firstBytes(), (int) limitS));
     }
 
     private int startOver(@Nullable Packet answer) {
@@ -119,7 +119,7 @@ public final class ArcosHandshake {
         return 0;
     }
 
-    /** Listens again: what was noise at one speed may be an open session at the next. */
+    /** Looks for an open session again: its SIPs were noise at the speed before. */
     private void tryNextRate() {
         if (rates.next()) {
             limitS = SERIAL_LIMIT_S;
@@ -138,7 +138,7 @@ public final class ArcosHandshake {
         drain(DRAIN_S);
     }
 
-    /** Throws away what comes; whatever still comes from an open session is answered with CLOSE again. */
+    /** Discards packets; answers each SIP of an open session with CLOSE again. */
     private void drain(double seconds) {
         long started = time.nanos();
         Packet packet;

@@ -17,31 +17,31 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One connection's packets: those to the robot, each in one write, from any thread; those from it on the reader's thread,
- * one after the other. Ends once, in the reader.
+ * Sends and receives the packets of one connection. Any thread may send, each packet in one write; packets are received one
+ * after the other on the reader thread, which also reports the end, once.
  */
 public final class ArcosLine {
     private static final Logger LOG = System.getLogger(ArcosLine.class.getName());
     private static final int OPEN_TIMEOUT_MS = 5000;
 
-    /** A packet whose rest has not come after so long will not become whole (ARCOS sheet 14.1), seconds. */
+    /** A partial packet is dropped after so long (ARCOS sheet 14.1), seconds. */
     private static final double FRAGMENT_S = 0.3;
 
     private final Link link;
     private final TimeSource time;
     private final FrameDecoder decoder = new FrameDecoder();
-    private final FirstBytes firstWords = new FirstBytes();
-    private final SuspendDetector slumber = new SuspendDetector();
+    private final FirstBytes firstBytes = new FirstBytes();
+    private final SuspendDetector suspend = new SuspendDetector();
     private volatile int baud = BaudRates.POWER_UP;
     private volatile long sentNanos;
     private volatile @Nullable LinkLost end;
 
-    /** Who hears of a line. */
+    /** Is notified by the reader thread. */
     interface Listener {
-        /** A packet came. Quick, and never waiting on the clock. */
+        /** A packet came. Must not wait for anything. */
         void received(Packet packet);
 
-        /** The line is dead, for good. */
+        /** The line has ended. */
         void ended(LinkLost cause);
     }
 
@@ -64,7 +64,7 @@ public final class ArcosLine {
         new LinkReader<>(link, "the robot closed it", new Packets(listener)).start("pioneer reader " + link.address());
     }
 
-    /** What the robot sends. */
+    /** Decodes and passes on what the robot sends. */
     private final class Packets implements LinkHandler<Packet> {
         private final Listener listener;
         private long lastNanos = time.nanos();
@@ -79,7 +79,7 @@ public final class ArcosLine {
                 decoder.dropFragment(messages);
             }
             lastNanos = time.nanos();
-            firstWords.heard(bytes, count);
+            firstBytes.received(bytes, count);
             decoder.feed(bytes, count, messages);
         }
 
@@ -100,11 +100,11 @@ public final class ArcosLine {
     /**
      * Sends packets, each in a write of its own.
      *
-     * @throws LinkLost if the line is dead, takes nothing for a second, or the computer has slept meanwhile
+     * @throws LinkLost if the line has ended, a write takes longer than 1 s, or the computer was suspended since the last one
      */
     void send(byte[]... packets) {
         for (byte[] packet : packets) {
-            refuseAfterSlumber();
+            refuseAfterSuspend();
             LOG.log(Level.TRACE, () -> "> " + HexFormat.of().formatHex(packet));
             try {
                 link.write(packet);
@@ -115,16 +115,16 @@ public final class ArcosLine {
         }
     }
 
-    /** A robot that its watchdog has stopped would take up its last speed at the next packet. */
-    private void refuseAfterSlumber() {
-        if (slumber.isOver()) {
+    /** A robot that its watchdog has stopped would resume its last speed at the next packet. */
+    private void refuseAfterSuspend() {
+        if (suspend.wasSuspended()) {
             LinkLost cause = new LinkLost("connection lost: this computer was asleep");
             abort(cause);
             throw cause;
         }
     }
 
-    /** Sends packets if the line still takes any. */
+    /** Sends packets; throws nothing if the line has ended. */
     void sendIfPossible(byte[]... packets) {
         try {
             send(packets);
@@ -138,7 +138,7 @@ public final class ArcosLine {
         return sentNanos;
     }
 
-    /** Why the line is dead; null while it lives. */
+    /** Why the line has ended; null before. */
     @Nullable
     LinkLost end() {
         return end;
@@ -148,17 +148,17 @@ public final class ArcosLine {
         return end != null;
     }
 
-    /** What came first. */
-    FirstBytes firstWords() {
-        return firstWords;
+    /** The first bytes received. */
+    FirstBytes firstBytes() {
+        return firstBytes;
     }
 
-    /** How well the robot's bytes have come through. */
-    PacketCounts reception() {
-        return decoder.reception();
+    /** Counts of packets and damaged bytes. */
+    PacketCounts counts() {
+        return decoder.counts();
     }
 
-    /** Whether there is room for more than SIPs: not on a serial port as it is after power-up (ARCOS sheet 1). */
+    /** Whether the line can carry more than SIPs; a serial port at the power-up speed cannot (ARCOS sheet 1). */
     boolean isFast() {
         return baud > BaudRates.POWER_UP || !link.address().startsWith("serial:");
     }
@@ -178,23 +178,23 @@ public final class ArcosLine {
         }
     }
 
-    /** How a person would write where it leads. */
+    /** The address as a user would type it. */
     String address() {
         return link.address();
     }
 
-    /** Ends the line after what was sent. */
+    /** Ends the line after everything was sent. */
     void close() {
         link.close();
     }
 
-    /** Ends the line at once; what was not delivered yet is thrown away, lest the robot acts on it later. */
+    /** Ends the line at once; discards what was not delivered yet, so that the robot cannot act on it later. */
     void abort(LinkLost cause) {
         end(cause);
         link.abort();
     }
 
-    /** Only the first cause counts. */
+    /** Keeps the first cause. */
     private synchronized LinkLost end(LinkLost cause) {
         LinkLost first = end == null ? cause : end;
         end = first;

@@ -8,25 +8,26 @@ import majic.pioneer.arcos.Config;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes a serial line faster where the robot allows it: at {@value BaudRates#POWER_UP} baud one SIP with 16 readings fills the
- * whole cycle (ARCOS sheet 1). A robot that hears nothing valid for 500 ms falls back by itself, and so does this side.
+ * Raises the speed of a serial line where the robot allows it: at {@value BaudRates#POWER_UP} baud one SIP with 16 readings
+ * fills the whole cycle (ARCOS sheet 1). A robot that receives no valid packet for 500 ms falls back to the earlier speed;
+ * then this side falls back too.
  */
 final class Autobaud {
     private static final Logger LOG = System.getLogger(Autobaud.class.getName());
 
-    /** The value of CONFIG's AUTOBAUD that asks for it (ARCOS sheet 1). */
+    /** The value of CONFIG's AUTOBAUD that requests a change of speed (ARCOS sheet 1). */
     private static final int AUTOMATIC = 2;
 
-    /** Until the command is out of the port and the robot has obeyed. */
+    /** Time for the command to leave the port and to take effect in the robot. */
     private static final double SETTLE_S = 0.05;
 
     private static final double PULSE_S = 0.1;
     private static final int PULSES = 6;
 
-    /** The first SIPs after the change may have come before it, at the other speed, and have waited to be read. */
+    /** More than one, because the first SIP may have come at the old speed and waited in a buffer. */
     private static final int PROOFS = 3;
 
-    /** The robot's own 500 ms, and then a SIP (ARCOS sheet 6.1, HOSTBAUD). */
+    /** The robot's 500 ms, and time for one SIP (ARCOS sheet 6.1, HOSTBAUD). */
     private static final double FALL_BACK_S = 1;
 
     private final ArcosLine line;
@@ -39,25 +40,25 @@ final class Autobaud {
     }
 
     /**
-     * Changes the speed if the line has one, is still slow and the robot asks for it.
+     * Raises the speed if the line is a serial port at the power-up speed and the robot requests it.
      *
      * @param rate what the line is set to, baud
-     * @throws BotException if the robot is not heard any more at either speed
+     * @throws BotException if nothing is received any more at either speed
      */
     void run(@Nullable Config config, int rate) {
         if (config == null || config.autobaud() != AUTOMATIC || rate != BaudRates.POWER_UP || !line.setBaud(rate)) {
             return;
         }
         change(BaudRates.FAST_CODE, BaudRates.FAST);
-        raised = isHeard();
+        raised = isConfirmed();
         if (!raised) {
             fallBack();
         }
     }
 
     /**
-     * Makes the line as slow again as it was, for the next program that looks for the robot there. A robot that is not heard
-     * then is told to end the session at either speed. For the end of a session; throws nothing.
+     * Restores the power-up speed at the end of a session, at which the next program expects the robot. If nothing is
+     * received after that, CLOSE is sent at both speeds. Throws nothing.
      */
     void restore() {
         try {
@@ -72,7 +73,7 @@ final class Autobaud {
 
     private void slowDown() {
         change(BaudRates.POWER_UP_CODE, BaudRates.POWER_UP);
-        if (!isHeard()) {
+        if (!isConfirmed()) {
             line.send(ArcosCommand.CLOSE.packet(1));
             settle();
             line.setBaud(BaudRates.FAST);
@@ -89,8 +90,8 @@ final class Autobaud {
         state.await(any -> false, SETTLE_S);
     }
 
-    /** Any valid packet of ours tells the robot that the change has worked. */
-    private boolean isHeard() {
+    /** Sends pulses: any valid packet confirms the new speed to the robot. */
+    private boolean isConfirmed() {
         int proofs = 0;
         for (int pulse = 0; pulse < PULSES && proofs < PROOFS; pulse++) {
             long seen = state.get().atNanos();

@@ -1,8 +1,8 @@
 package majic.pioneer.session;
 
 /**
- * The speeds a Pioneer's serial port may be found at: what it has after power-up, then what a session before may have
- * left it at (ARCOS sheet 1, 6.1). For the thread that connects.
+ * The speeds that a Pioneer's serial port may have: the one after power-up, then those that an earlier session may have
+ * set (ARCOS sheet 1, 6.1). For the thread that connects.
  */
 public final class BaudRates {
     /** After power-up, baud. */
@@ -11,7 +11,7 @@ public final class BaudRates {
     /** HOSTBAUD's code of {@link #POWER_UP}. */
     static final int POWER_UP_CODE = 0;
 
-    /** What a robot that allows it is set to, baud. */
+    /** Set in robots that allow it, baud. */
     static final int FAST = 38_400;
 
     /** HOSTBAUD's code of {@link #FAST}. */
@@ -27,7 +27,7 @@ public final class BaudRates {
     }
 
     /**
-     * Goes on to the next speed, and after the last to the first again.
+     * Sets the next speed, and after the last the first again.
      *
      * @return false, with nothing done, if the line is no serial port
      */
@@ -40,7 +40,7 @@ public final class BaudRates {
         return true;
     }
 
-    /** What the port is set to now, baud. */
+    /** The speed that is set now, baud. */
     int now() {
         return LIKELIEST_FIRST[index];
     }

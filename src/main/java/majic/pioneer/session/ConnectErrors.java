@@ -1,6 +1,6 @@
 package majic.pioneer.session;
 
-/** What a person is told when a handshake comes to nothing, by what was heard instead of a Pioneer. */
+/** Messages about a handshake that failed, by what was received instead of a Pioneer's answers. */
 final class ConnectErrors {
     private ConnectErrors() {}
 
@@ -9,16 +9,16 @@ final class ConnectErrors {
                 + " speaks telnet (RFC 2217), which garbles packets; can its serial server be set to raw TCP?";
     }
 
-    static String hungUp(String address, FirstBytes heard) {
-        String line = heard.line();
+    static String hungUp(String address, FirstBytes received) {
+        String line = received.line();
         return address + " closed the connection in the handshake"
                 + (line == null ? "" : ", saying \"" + line + "\"")
                 + "; a Pioneer takes one program at a time, so is another one connected to it?";
     }
 
-    static String nothingCameOfIt(String address, FirstBytes heard, int seconds) {
-        String line = heard.line();
-        if (heard.isSilence()) {
+    static String nothingCameOfIt(String address, FirstBytes received, int seconds) {
+        String line = received.line();
+        if (received.isEmpty()) {
             return "no Pioneer answers at " + address + " within " + seconds + " s";
         }
         return "something answers at " + address + ", but not as a Pioneer does"

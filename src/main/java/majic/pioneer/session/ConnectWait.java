@@ -4,42 +4,42 @@ import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.time.Signal;
 
-/** Waits of the thread that connects: they end as soon as nobody wants the connection any more. */
+/** Waits of the thread that connects; they end as soon as the connection attempt is canceled. */
 final class ConnectWait {
     private final Signal changes;
-    private final BooleanSupplier givenUp;
+    private final BooleanSupplier canceled;
 
     /**
-     * For one session.
+     * Creates the waits of one session.
      *
-     * @param changes raised by whoever makes something so, or gives up
-     * @param givenUp whether nobody wants the connection any more
+     * @param changes raised when a condition may have changed, and at cancellation
+     * @param canceled whether the connection attempt is canceled
      */
-    ConnectWait(Signal changes, BooleanSupplier givenUp) {
+    ConnectWait(Signal changes, BooleanSupplier canceled) {
         this.changes = changes;
-        this.givenUp = givenUp;
+        this.canceled = canceled;
     }
 
     /**
-     * Waits.
+     * Waits until a condition holds.
      *
-     * @return whether it came to be so in time
-     * @throws BotException if the connection is not wanted any more, or the thread is interrupted
+     * @return whether it held in time
+     * @throws BotException if the attempt is canceled, or the thread is interrupted
      */
     boolean await(BooleanSupplier condition, double seconds) {
         try {
-            changes.await(() -> condition.getAsBoolean() || givenUp.getAsBoolean(), seconds);
+            changes.await(() -> condition.getAsBoolean() || canceled.getAsBoolean(), seconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new BotException("interrupted while connecting", e);
         }
-        if (givenUp.getAsBoolean()) {
+        if (canceled.getAsBoolean()) {
             throw new BotException("closed while connecting");
         }
         return condition.getAsBoolean();
     }
 
-    /** Makes whoever waits look again. */
+    /** Wakes the waiting thread to test its condition again. */
     void raise() {
         changes.raise();
     }

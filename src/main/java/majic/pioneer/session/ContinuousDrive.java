@@ -9,8 +9,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A drive that goes on until it is told otherwise, and ends by itself at the same troubles as a motion. Whoever drives
- * hears the reason at the next call, or else as a notice when the drive is over. For one session; thread-safe.
+ * A drive at a given velocity until the next command, which ends by itself at the same faults as a motion. The reason is
+ * thrown by the next call of {@link #drive}, or given as a notice by {@link #stop}. For one session; thread-safe.
  */
 public final class ContinuousDrive {
     private final VelocitySetpoint velocity;
@@ -19,9 +19,9 @@ public final class ContinuousDrive {
     private final MotorPower motors;
     private final TimeSource time;
     private final Consumer<String> notice;
-    private @Nullable MotionFaults troubles;
-    private MotionFaults.@Nullable Direction heading;
-    private @Nullable String untold;
+    private @Nullable MotionFaults faults;
+    private MotionFaults.@Nullable Direction direction;
+    private @Nullable String endReason;
     private long beganNanos;
 
     ContinuousDrive(
@@ -40,17 +40,17 @@ public final class ContinuousDrive {
     }
 
     /**
-     * Drives from now on.
+     * Begins a drive, or changes its velocity.
      *
-     * @throws MotionFailed if a trouble has ended the drive before; the next call begins a new one
+     * @throws MotionFailed if a fault has ended the drive; the next call begins a new one
      */
     public void drive(double mmPerSec, double degPerSec) {
         failIfEnded();
-        motors.switchOnSoon();
+        motors.switchOnWithoutWaiting();
         go(mmPerSec, degPerSec);
     }
 
-    /** Under one lock with {@link #look}: nothing is sent after what ends the drive. */
+    /** Shares its lock with {@link #check}, so that no velocity is sent after the end of the drive. */
     private synchronized void go(double mmPerSec, double degPerSec) {
         failIfEnded();
         begin(MotionFaults.Direction.of(mmPerSec));
@@ -58,7 +58,7 @@ public final class ContinuousDrive {
     }
 
     private synchronized void failIfEnded() {
-        String reason = untold;
+        String reason = endReason;
         if (reason != null) {
             end();
             throw new MotionFailed(reason);
@@ -66,42 +66,42 @@ public final class ContinuousDrive {
     }
 
     private void begin(MotionFaults.Direction now) {
-        if (now != heading) {
-            heading = now;
-            troubles = new MotionFaults(bumpers.get(), now, state.get());
+        if (now != direction) {
+            direction = now;
+            faults = new MotionFaults(bumpers.get(), now, state.get());
             beganNanos = time.nanos();
         }
     }
 
-    /** Looks at what the robot says, and lets it stand if there is a reason to. */
-    synchronized void look(PioneerState now) {
-        MotionFaults watched = troubles;
-        String reason = watched == null ? null : watched.look(now, time.secondsSince(beganNanos));
+    /** Checks a reported state, and stops the robot at a fault. */
+    synchronized void check(PioneerState now) {
+        MotionFaults watched = faults;
+        String reason = watched == null ? null : watched.check(now, time.secondsSince(beganNanos));
         if (reason != null) {
             end();
-            untold = reason;
+            endReason = reason;
             velocity.stop();
         }
     }
 
-    /** Ends the drive, if there is one, and lets the robot stand in any case. */
+    /** Ends the drive, if there is one, and stops the robot in any case. */
     public void stop() {
-        String reason = endAndStand();
+        String reason = endAndStop();
         if (reason != null) {
             notice.accept("the drive ended: " + reason);
         }
     }
 
-    private synchronized @Nullable String endAndStand() {
-        String reason = untold;
+    private synchronized @Nullable String endAndStop() {
+        String reason = endReason;
         end();
         velocity.stop();
         return reason;
     }
 
     private void end() {
-        troubles = null;
-        heading = null;
-        untold = null;
+        faults = null;
+        direction = null;
+        endReason = null;
     }
 }

@@ -3,12 +3,12 @@ package majic.pioneer.session;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
-/** The first bytes that came over a line, which tell what answers there when it is no Pioneer. Thread-safe. */
+/** The first bytes received on a line, from which a device that is no Pioneer can be identified. Thread-safe. */
 final class FirstBytes {
     private static final int MOST = 400;
     private static final int LONGEST_LINE = 80;
 
-    /** Fewer are an ornament, such as the row of stars that URBI begins with. */
+    /** A line with fewer letters is decoration, such as the row of stars that URBI begins with. */
     private static final int FEWEST_LETTERS = 8;
 
     private static final int TELNET_IAC = 0xFF;
@@ -18,23 +18,23 @@ final class FirstBytes {
     private final byte[] bytes = new byte[MOST];
     private int filled;
 
-    /** To be called by the reader with whatever comes. */
-    synchronized void heard(byte[] chunk, int count) {
+    /** Adds received bytes; called by the reader thread. */
+    synchronized void received(byte[] chunk, int count) {
         int taken = Math.min(count, MOST - filled);
         System.arraycopy(chunk, 0, bytes, filled, taken);
         filled += taken;
     }
 
-    synchronized boolean isSilence() {
+    synchronized boolean isEmpty() {
         return filled == 0;
     }
 
-    /** Whether they are a telnet negotiation, as an RFC 2217 serial server begins with. */
+    /** Whether they begin a telnet negotiation, as those of an RFC 2217 serial server do. */
     synchronized boolean isTelnet() {
         return filled >= 2 && at(0) == TELNET_IAC && at(1) >= TELNET_WILL && at(1) <= TELNET_DONT;
     }
 
-    /** The first line that says something to a person, cut to 80 characters; null if there is none. */
+    /** The first line of readable text, cut to 80 characters; null if there is none. */
     synchronized @Nullable String line() {
         return new String(bytes, 0, filled, StandardCharsets.ISO_8859_1)
                 .lines()

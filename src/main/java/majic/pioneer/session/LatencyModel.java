@@ -5,9 +5,9 @@ import java.util.Deque;
 import java.util.Iterator;
 
 /**
- * Where a robot will be when what it is told now takes effect. A reading is old when it comes and a command is late when
- * it arrives; meanwhile the robot does what it was told before. How long that takes is learned from the first reading
- * that shows it move. Has no clock. For one motion.
+ * Predicts where the robot will be when a command sent now takes effect. A report is old when it arrives and a command
+ * takes effect late; meanwhile the robot follows earlier commands. The delay is learned from the first report that shows
+ * motion. Has no clock. For one motion.
  */
 final class LatencyModel {
     private static final double USUAL_S = 0.05;
@@ -16,14 +16,14 @@ final class LatencyModel {
 
     private final double acceleration;
     private final double deceleration;
-    private final Deque<Sent> told = new ArrayDeque<>();
+    private final Deque<Sent> sent = new ArrayDeque<>();
     private double delayS = USUAL_S;
     private boolean learned;
     private int readings;
 
     private record Sent(double rate, double seconds) {}
 
-    /** A place on the way and the rate there. */
+    /** A part covered and the rate there. */
     record Moment(double covered, double rate) {}
 
     LatencyModel(double acceleration, double deceleration) {
@@ -31,49 +31,49 @@ final class LatencyModel {
         this.deceleration = deceleration;
     }
 
-    /** Takes down a command. */
-    void told(double rate, double seconds) {
-        told.add(new Sent(rate, seconds));
-        while (told.size() > 1 && told.peek().seconds < seconds - 2 * LONGEST_S) {
-            told.remove();
+    /** Records a command that is sent now. */
+    void commanded(double rate, double seconds) {
+        sent.add(new Sent(rate, seconds));
+        while (sent.size() > 1 && sent.peek().seconds < seconds - 2 * LONGEST_S) {
+            sent.remove();
         }
     }
 
-    /** Takes down a reading; one in the middle of all those that may have been the first to show motion counts. */
-    void heard(boolean moving, double seconds) {
-        if (learned || told.isEmpty()) {
+    /** Learns the delay from a report; motion began somewhere between the last two. */
+    void reported(boolean moving, double seconds) {
+        if (learned || sent.isEmpty()) {
             return;
         }
         readings++;
-        double sinceS = seconds - told.peek().seconds;
+        double sinceS = seconds - sent.peek().seconds;
         learned = moving || sinceS > LONGEST_S;
         if (moving) {
             delayS = Math.min(LONGEST_S, sinceS * (readings - 0.5) / readings);
         }
     }
 
-    /** From a reading's making to the effect of the answer, seconds. */
+    /** From the moment that a report describes to the effect of the command that answers it, seconds. */
     double delayS() {
         return delayS;
     }
 
     /**
-     * Looks ahead.
+     * Predicts.
      *
-     * @param covered of the way, by the reading that came now
+     * @param covered the part covered, by the report that came now
      * @param rate by the same
      * @param seconds now
      */
     Moment ahead(double covered, double rate, double seconds) {
         double place = covered;
         double speed = rate;
-        Iterator<Sent> orders = told.iterator();
+        Iterator<Sent> commands = sent.iterator();
         double wanted = rate;
-        Sent next = orders.hasNext() ? orders.next() : null;
+        Sent next = commands.hasNext() ? commands.next() : null;
         for (double at = seconds - delayS; at < seconds; at += STEP_S) {
             while (next != null && next.seconds <= at) {
                 wanted = next.rate;
-                next = orders.hasNext() ? orders.next() : null;
+                next = commands.hasNext() ? commands.next() : null;
             }
             speed = follow(speed, wanted);
             place += speed * STEP_S;

@@ -8,12 +8,12 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What to do about a robot's silence, and about ours. The robot's watchdog stops it after 2 s without a packet but lets
- * it take up its last velocities at the next one, so a silent robot that moves must hear of zero first and then nothing
- * more (ARCOS sheet 5.3).
+ * Monitors both directions of the link: sends a pulse before the robot's watchdog expires, and acts when the robot stops
+ * reporting. The watchdog stops the robot after 2 s without a packet but lets it resume its last velocities at the next
+ * one, so a moving robot that has stopped reporting is sent zero velocities and then nothing more (ARCOS sheet 5.3).
  */
 public final class LinkWatch {
-    /** How often to look, seconds; with {@link #PULSE_S} no two packets are more than 400 ms apart. */
+    /** How often to call {@link #check}, seconds; with {@link #PULSE_S} no two packets are more than 400 ms apart. */
     public static final double PERIOD_S = 0.1;
 
     private static final double PULSE_S = 0.25;
@@ -21,7 +21,7 @@ public final class LinkWatch {
     private static final double LOST_MOVING_S = 1;
     private static final double LOST_STANDING_S = 3;
 
-    /** What is to be done now. */
+    /** What has to be done now. */
     enum Verdict {
         /** Nothing. */
         WAIT,
@@ -29,32 +29,32 @@ public final class LinkWatch {
         PULSE,
         /** Send zero velocities and no more pulses. */
         HOLD,
-        /** Give the line up. */
+        /** Give the connection up. */
         GIVE_UP
     }
 
     private final ArcosLine line;
-    private final VelocitySetpoint wheels;
+    private final VelocitySetpoint velocity;
     private final TimeSource time;
     private final Signal changes;
 
-    LinkWatch(ArcosLine line, VelocitySetpoint wheels, TimeSource time, Signal changes) {
+    LinkWatch(ArcosLine line, VelocitySetpoint velocity, TimeSource time, Signal changes) {
         this.line = line;
-        this.wheels = wheels;
+        this.velocity = velocity;
         this.time = time;
         this.changes = changes;
     }
 
     /**
-     * Looks once, and sends what is due.
+     * Checks both directions once, and sends what is due.
      *
-     * @param last what the robot said last
-     * @return why the line is to be given up; null if it is not
+     * @param last the last state that the robot reported
+     * @return why the connection has to be given up; null if it has not
      */
     @Nullable
-    LinkLost look(PioneerState last) {
-        wheels.standIfForgotten();
-        boolean moving = last.isMoving() || wheels.areDriven() || wheels.areHeld();
+    LinkLost check(PioneerState last) {
+        velocity.stopIfNotRenewed();
+        boolean moving = last.isMoving() || velocity.isNonZero() || velocity.isHeld();
         double silence = time.secondsSince(last.atNanos());
         switch (judge(silence, time.secondsSince(line.sentNanos()), moving)) {
             case WAIT -> {}
@@ -69,18 +69,18 @@ public final class LinkWatch {
     }
 
     private void holdOnce() {
-        if (!wheels.areHeld()) {
-            wheels.hold();
+        if (!velocity.isHeld()) {
+            velocity.hold();
             changes.raise();
         }
     }
 
     /**
-     * Judges.
+     * Decides what has to be done.
      *
      * @param silenceS since the last SIP, seconds
      * @param unsentS since the last packet to the robot, seconds
-     * @param moving whether the robot moves or was told to, or did when it fell silent
+     * @param moving whether the robot moves, has a velocity to follow, or had one when its reports stopped
      */
     static Verdict judge(double silenceS, double unsentS, boolean moving) {
         if (silenceS >= (moving ? LOST_MOVING_S : LOST_STANDING_S)) {

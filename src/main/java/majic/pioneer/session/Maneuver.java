@@ -6,63 +6,63 @@ import majic.bot.Value;
 import majic.pioneer.state.PioneerState;
 
 /**
- * Covers a way by telling the robot a new speed at each SIP. The robot's own MOVE and HEAD are not used: they overshoot,
- * creep or take the short way round, each server in its own way (ARCOS sheet 7.3). For one motion.
+ * Moves the robot by a distance or an angle, with a new velocity at each SIP. The robot's own MOVE and HEAD are not used:
+ * depending on the server they overshoot, creep or turn the short target round (ARCOS sheet 7.3). For one motion.
  */
 public final class Maneuver {
-    /** More than the longest silence the session allows while the robot moves, seconds. */
+    /** Longer than a moving robot may go without a SIP before the connection is given up, seconds. */
     private static final double SIP_S = 1.5;
 
-    private static final double STAND_S = 4;
+    private static final double STOP_S = 4;
 
-    /** After so long a robot that was told to go and does not stir will not, seconds. */
-    private static final double HELD_S = 3;
+    /** A robot that has not moved for so long in spite of a velocity is taken to be blocked, seconds. */
+    private static final double BLOCKED_S = 3;
 
-    /** Before the robot's own rhythm is known, seconds. */
+    /** Assumed before the robot's SIP cycle is known, seconds. */
     private static final double USUAL_CYCLE_S = 0.1;
 
     private final VelocitySetpoint velocity;
     private final ReportedState state;
-    private final MotionTarget way;
-    private final MotionFaults troubles;
+    private final MotionTarget target;
+    private final MotionFaults faults;
     private final double limitS;
     private final int holdsBefore;
-    private final SpeedController steering;
+    private final SpeedController speeds;
     private double movedS;
 
-    public Maneuver(VelocitySetpoint velocity, ReportedState state, MotionTarget way, MotionFaults troubles) {
+    public Maneuver(VelocitySetpoint velocity, ReportedState state, MotionTarget target, MotionFaults faults) {
         this.velocity = velocity;
         this.state = state;
-        this.way = way;
-        this.troubles = troubles;
-        this.limitS = way.approach().limitS(Math.abs(way.target()));
-        this.steering = new SpeedController(way.approach(), way.target());
+        this.target = target;
+        this.faults = faults;
+        this.limitS = target.profile().limitS(Math.abs(target.amount()));
+        this.speeds = new SpeedController(target.profile(), target.amount());
         this.holdsBefore = velocity.holds();
     }
 
     /**
-     * Covers the way.
+     * Runs the motion.
      *
-     * @return how much was covered: all of it, or less where the guard ended it
-     * @throws MotionFailed if the robot will not
+     * @return the distance or angle covered; less than the target where the guard condition ended the motion
+     * @throws MotionFailed if a fault ended it, the robot did not move, or its reports stopped
      */
     public Value run(Motion motion) {
         double startedS = motion.seconds();
-        while (!steering.isThere(motion.seconds() - startedS)) {
+        while (!speeds.hasArrived(motion.seconds() - startedS)) {
             PioneerState now = state.get();
-            double rate = steering.next(way.covered(now), way.rate(now), motion.seconds() - startedS, cycleS(now));
-            motion.send(() -> way.go(velocity, rate, now));
-            if (!hearsNext(now, motion)) {
+            double rate = speeds.next(target.covered(now), target.rate(now), motion.seconds() - startedS, cycleS(now));
+            motion.send(() -> target.go(velocity, rate, now));
+            if (!awaitSip(now, motion)) {
                 return endEarly(motion);
             }
-            look(state.get(), motion.seconds() - startedS);
+            check(state.get(), motion.seconds() - startedS);
         }
-        motion.send(velocity::stand);
-        return way.value(state.get());
+        motion.send(velocity::zero);
+        return target.value(state.get());
     }
 
-    /** Waits for the next SIP, and looks at the guard at whatever else comes. */
-    private boolean hearsNext(PioneerState last, Motion motion) {
+    /** Waits for the next SIP; checks the guard condition also at other reports. */
+    private boolean awaitSip(PioneerState last, Motion motion) {
         return motion.await(() -> state.get().sip() != last.sip(), SIP_S) && motion.pause(0);
     }
 
@@ -70,18 +70,18 @@ public final class Maneuver {
         return now.sipsPerSec() > 0 ? 1 / now.sipsPerSec() : USUAL_CYCLE_S;
     }
 
-    private void look(PioneerState now, double seconds) {
-        steering.heard(way.covered(now), way.rate(now), now.isMoving(), seconds);
+    private void check(PioneerState now, double seconds) {
+        speeds.reported(target.covered(now), target.rate(now), now.isMoving(), seconds);
         movedS = now.isMoving() ? seconds : movedS;
-        String trouble = troubles.look(now, seconds);
-        if (trouble != null) {
-            throw failed(trouble, now);
+        String fault = faults.check(now, seconds);
+        if (fault != null) {
+            throw failed(fault, now);
         }
         if (velocity.holds() != holdsBefore) {
             throw failed("the robot fell silent", now);
         }
-        if (seconds - movedS > HELD_S && !steering.isThere(seconds)) {
-            throw failed("told to go on, it has not moved for " + (int) HELD_S + " s", now);
+        if (seconds - movedS > BLOCKED_S && !speeds.hasArrived(seconds)) {
+            throw failed("told to go on, it has not moved for " + (int) BLOCKED_S + " s", now);
         }
         if (seconds > limitS) {
             throw failed("not there within " + Value.plain(limitS) + " s: came to a stand", now);
@@ -89,7 +89,7 @@ public final class Maneuver {
     }
 
     private MotionFailed failed(String reason, PioneerState now) {
-        return new MotionFailed(reason + " after " + way.value(now));
+        return new MotionFailed(reason + " after " + target.value(now));
     }
 
     private Value endEarly(Motion motion) {
@@ -97,8 +97,8 @@ public final class Maneuver {
             throw failed("no word from the robot", state.get());
         }
         motion.send(velocity::stop);
-        state.awaitStationary(STAND_S);
+        state.awaitStationary(STOP_S);
         motion.check();
-        return way.value(state.get());
+        return target.value(state.get());
     }
 }

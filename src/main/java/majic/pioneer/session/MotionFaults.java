@@ -4,21 +4,21 @@ import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;
 
-/** What ends a motion from the robot's side: stall, bumper, a step ahead, motors off, the STOP button. For one motion. */
+/** Finds what ends a motion from the robot's side: stall, bumper, a step down, motors off, the STOP button. For one motion. */
 public final class MotionFaults {
-    /** Stall bits from before may stand until the wheels turn again (ARCOS sheet 7.5), seconds. */
+    /** Stall bits of an earlier motion may remain set until the wheels turn again (ARCOS sheet 7.5), seconds. */
     private static final double OLD_STALL_S = 1;
 
-    /** Motors that a drive asked for come on in this time, seconds. */
+    /** Motors that a drive switches on are on after this time, seconds. */
     private static final double SWITCH_ON_S = 1;
 
     private final Bumpers bumpers;
-    private final Direction heading;
+    private final Direction direction;
     private final PioneerState start;
     private boolean seenFree;
     private boolean seenOn;
 
-    /** Which way the robot goes. */
+    /** Which end of the robot is in front. */
     enum Direction {
         /** Ahead. */
         AHEAD,
@@ -27,26 +27,26 @@ public final class MotionFaults {
         /** On the spot. */
         AROUND;
 
-        /** The way a speed leads, mm/s. */
+        /** The direction of a speed, mm/s. */
         static Direction of(double mmPerSec) {
             return mmPerSec > 0 ? AHEAD : mmPerSec < 0 ? BACK : AROUND;
         }
     }
 
-    public MotionFaults(Bumpers bumpers, Direction heading, PioneerState start) {
+    public MotionFaults(Bumpers bumpers, Direction direction, PioneerState start) {
         this.bumpers = bumpers;
-        this.heading = heading;
+        this.direction = direction;
         this.start = start;
     }
 
     /**
-     * Looks at a state that came in the motion.
+     * Checks a state that was reported during the motion.
      *
      * @param seconds since the motion began
      * @return the reason to end it, as half a sentence; null if there is none
      */
     @Nullable
-    String look(PioneerState now, double seconds) {
+    String check(PioneerState now, double seconds) {
         seenFree |= !now.stalled();
         seenOn |= now.motorsOn();
         if (now.stopButton()) {
@@ -67,14 +67,14 @@ public final class MotionFaults {
     private @Nullable String bumped(PioneerState now) {
         boolean front = bumpers.front(now) != 0;
         boolean rear = bumpers.rear(now) != 0;
-        return switch (heading) {
+        return switch (direction) {
             case AHEAD -> front ? "front bumper touched" : stepAhead(now);
             case BACK -> rear ? "rear bumper touched" : null;
             case AROUND -> isNewlyTouched(now) ? "bumper touched" : null;
         };
     }
 
-    /** The flag of a robot without such sensors may stand for ever, so it counts only when it comes up. */
+    /** The flag of a robot without such sensors may be set all the time, so only a change counts. */
     private @Nullable String stepAhead(PioneerState now) {
         return now.ledge() && !start.ledge() ? "the robot looks down a step" : null;
     }

@@ -4,51 +4,51 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.state.PioneerState;
 
-/** A way to be covered from where the robot stands at its start: straight or turning on the spot. Immutable. */
+/** A distance or an angle to move by, from the robot's state at the start. Immutable. */
 public sealed interface MotionTarget {
 
-    /** How long it is, in its unit, signed. */
-    double target();
+    /** The distance or angle, in {@link #unit}, signed. */
+    double amount();
 
-    /** How fast to cover it. */
-    SpeedProfile approach();
+    /** The rate for each remaining distance. */
+    SpeedProfile profile();
 
-    /** Which side of the robot goes first. */
-    MotionFaults.Direction heading();
+    /** Which end of the robot is in front. */
+    MotionFaults.Direction direction();
 
-    /** How much of it is covered, in its unit, signed. */
+    /** The part covered so far, in {@link #unit}, signed. */
     double covered(PioneerState now);
 
-    /** How fast it is being covered. */
+    /** The rate at which it is being covered. */
     double rate(PioneerState now);
 
-    /** Tells the wheels to cover it at a rate. */
-    void go(VelocitySetpoint wheels, double rate, PioneerState now);
+    /** Sends the velocity that covers it at a rate. */
+    void go(VelocitySetpoint velocity, double rate, PioneerState now);
 
-    /** What it is measured in. */
+    /** mm or degrees. */
     Unit unit();
 
-    /** The part covered, as answers show it. */
+    /** The part covered, with its unit. */
     default Value value(PioneerState now) {
         return Value.of(covered(now), unit());
     }
 
     /**
-     * Straight on, with the heading kept.
+     * A straight line; deviations of the heading are corrected.
      *
-     * @param start where it begins
-     * @param target mm, ahead positive
-     * @param approach in mm
+     * @param start the state at the start
+     * @param amount mm, ahead positive
+     * @param profile in mm
      */
-    record Straight(PioneerState start, double target, SpeedProfile approach) implements MotionTarget {
+    record Straight(PioneerState start, double amount, SpeedProfile profile) implements MotionTarget {
         /** deg/s for each degree off the heading. */
         private static final double HEADING_GAIN = 1;
 
         private static final double MOST_DEG_PER_SEC = 8;
 
         @Override
-        public MotionFaults.Direction heading() {
-            return MotionFaults.Direction.of(target);
+        public MotionFaults.Direction direction() {
+            return MotionFaults.Direction.of(amount);
         }
 
         @Override
@@ -64,10 +64,10 @@ public sealed interface MotionTarget {
         }
 
         @Override
-        public void go(VelocitySetpoint wheels, double rate, PioneerState now) {
+        public void go(VelocitySetpoint velocity, double rate, PioneerState now) {
             double off = start.turnedDeg() - now.turnedDeg();
             double correction = Math.max(-MOST_DEG_PER_SEC, Math.min(MOST_DEG_PER_SEC, HEADING_GAIN * off));
-            wheels.drive(rate, rate == 0 ? 0 : correction);
+            velocity.drive(rate, rate == 0 ? 0 : correction);
         }
 
         @Override
@@ -77,15 +77,15 @@ public sealed interface MotionTarget {
     }
 
     /**
-     * On the spot; full turns count.
+     * A turn on the spot; full turns count.
      *
-     * @param start where it begins
-     * @param target degrees, counterclockwise positive
-     * @param approach in degrees
+     * @param start the state at the start
+     * @param amount degrees, counterclockwise positive
+     * @param profile in degrees
      */
-    record Turning(PioneerState start, double target, SpeedProfile approach) implements MotionTarget {
+    record Turning(PioneerState start, double amount, SpeedProfile profile) implements MotionTarget {
         @Override
-        public MotionFaults.Direction heading() {
+        public MotionFaults.Direction direction() {
             return MotionFaults.Direction.AROUND;
         }
 
@@ -100,8 +100,8 @@ public sealed interface MotionTarget {
         }
 
         @Override
-        public void go(VelocitySetpoint wheels, double rate, PioneerState now) {
-            wheels.drive(0, rate);
+        public void go(VelocitySetpoint velocity, double rate, PioneerState now) {
+            velocity.drive(0, rate);
         }
 
         @Override

@@ -7,7 +7,7 @@ import majic.bot.MotionFailed;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.time.TimeSource;
 
-/** Switches the motors on when something is to move, and says so. For one session. */
+/** Switches the motors on before a motion, with a notice to the user. For one session. */
 public final class MotorPower {
     private static final double ON_S = 1;
 
@@ -15,7 +15,7 @@ public final class MotorPower {
     private final ReportedState state;
     private final TimeSource time;
     private final Consumer<String> notice;
-    private volatile long askedNanos;
+    private volatile long requestedNanos;
 
     MotorPower(ArcosLine line, ReportedState state, TimeSource time, Consumer<String> notice) {
         this.line = line;
@@ -25,33 +25,33 @@ public final class MotorPower {
     }
 
     /**
-     * Makes sure that they are on before a motion, waiting for the robot to say so: it ignores motion before.
+     * Switches the motors on before a motion and waits until the robot reports them on: it ignores motion before that.
      *
-     * @throws MotionFailed if they do not come on
+     * @throws MotionFailed if they are not on within 1 s
      */
     public void switchOn(Motion motion) {
         if (state.get().motorsOn()) {
             return;
         }
-        motion.send(this::ask);
+        motion.send(this::request);
         if (!motion.await(() -> state.get().motorsOn(), ON_S) && !motion.guardReached()) {
             throw new MotionFailed("the motors do not switch on; is the STOP button on the robot pressed?");
         }
     }
 
-    /** Asks for them before a command that waits for nothing, once a second at most. */
-    void switchOnSoon() {
-        boolean asked = askedNanos != 0 && time.secondsSince(askedNanos) < ON_S;
-        if (!state.get().motorsOn() && !asked) {
-            ask();
+    /** Switches the motors on without waiting, for a drive; sends the command at most once a second. */
+    void switchOnWithoutWaiting() {
+        boolean requested = requestedNanos != 0 && time.secondsSince(requestedNanos) < ON_S;
+        if (!state.get().motorsOn() && !requested) {
+            request();
         }
     }
 
-    private void ask() {
+    private void request() {
         if (state.get().stopButton()) {
             throw new BotException("the STOP button on the robot is pressed");
         }
-        askedNanos = time.nanos();
+        requestedNanos = time.nanos();
         line.send(ArcosCommand.ENABLE.packet(1));
         notice.accept("motors on");
     }

@@ -6,7 +6,7 @@ import majic.bot.LinkLost;
 import majic.pioneer.arcos.Packet;
 import org.jspecify.annotations.Nullable;
 
-/** Where packets wait while the connection is being made, and who waits for them. */
+/** Queues the packets received during the handshake for the thread that connects. */
 final class PacketInbox {
     private final ConcurrentLinkedQueue<Packet> packets = new ConcurrentLinkedQueue<>();
     private final ConnectWait wait;
@@ -31,7 +31,7 @@ final class PacketInbox {
      *
      * @return null when none came in time
      * @throws LinkLost if the line ended and all packets are read
-     * @throws BotException if the connection is not wanted any more
+     * @throws BotException if the connection attempt is canceled
      */
     @Nullable
     Packet next(double seconds) {

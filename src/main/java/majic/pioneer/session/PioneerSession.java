@@ -22,7 +22,7 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One session with a robot, from the opened link to the closed one. Packets are handled on the line's reader thread;
+ * One session with a robot, from the opening of the link to its closing. Packets are handled on the reader thread of the line;
  * everything else may be called from any thread.
  */
 public final class PioneerSession implements ArcosLine.Listener {
@@ -38,59 +38,59 @@ public final class PioneerSession implements ArcosLine.Listener {
     private final Autobaud autobaud;
     private final TimeSource time;
     private final Signal changes;
-    private final Owner owner;
+    private final Listener listener;
     private volatile Model model = Models.USUAL;
     private volatile @Nullable PioneerIdentity identity;
     private volatile @Nullable Config config;
     private volatile @Nullable StateTracker tracker;
 
-    /** Whose session it is. */
-    public interface Owner {
-        /** New readings, on the reader's thread. */
-        void heard(PioneerSession session, PioneerState state);
+    /** Is notified of what happens in a session. */
+    public interface Listener {
+        /** A new state, on the reader thread. */
+        void stateReported(PioneerSession session, PioneerState state);
 
-        /** Something beside the readings, on the reader's thread: a parameter may read differently. */
-        void heardMore();
+        /** Another report, on the reader thread: parameters may have changed. */
+        void otherReported();
 
-        /** The session is over for good; not called before the handshake is done. */
+        /** The session has ended; not called before the handshake is done. */
         void lost(PioneerSession session, LinkLost cause);
 
-        /** Something that a person should know. */
-        void say(String message);
+        /** A message for the user. */
+        void notice(String message);
 
-        /** Whether nobody wants the connection any more. */
-        boolean hasGivenUp();
+        /** Whether the connection attempt is canceled. */
+        boolean isCanceled();
     }
 
-    public PioneerSession(ArcosLine line, TimeSource time, Signal changes, Owner owner) {
+    public PioneerSession(ArcosLine line, TimeSource time, Signal changes, Listener listener) {
         this.line = line;
         this.velocity = new VelocitySetpoint(line, time);
         this.reported = new ReportedState(line, changes);
         this.time = time;
         this.changes = changes;
-        this.owner = owner;
+        this.listener = listener;
         this.watch = new LinkWatch(line, velocity, time, changes);
-        this.motors = new MotorPower(line, reported, time, owner::say);
-        this.driving = new ContinuousDrive(velocity, reported, this::bumpers, motors, time, owner::say);
+        this.motors = new MotorPower(line, reported, time, listener::notice);
+        this.driving = new ContinuousDrive(velocity, reported, this::bumpers, motors, time, listener::notice);
         this.subscriptions = new Subscriptions(line, time);
-        this.connecting = new ConnectWait(changes, owner::hasGivenUp);
+        this.connecting = new ConnectWait(changes, listener::isCanceled);
         this.inbox = new PacketInbox(connecting);
         this.autobaud = new Autobaud(line, reported);
     }
 
     /**
-     * Opens the line and begins. Leaves nothing open when it throws.
+     * Opens the line and begins the session. Leaves nothing open when it throws.
      *
-     * @param start where the robot is to be said to stand
-     * @param dynamics fitted to the robot and then told to it
-     * @throws ArcosHandshake.SessionClosed if a second try will do
-     * @throws BotException if there is no such robot
+     * @param start the pose that the odometry begins with
+     * @param ramps fitted to the robot's limits, then sent
+     * @throws ArcosHandshake.SessionClosed if a second attempt will succeed
+     * @throws BotException if there is no Pioneer
      */
-    public void open(Pose start, ActiveRamps dynamics) {
-        new SessionOpening(this, line, inbox, connecting, time).run(start, dynamics);
+    public void open(Pose start, ActiveRamps ramps) {
+        new SessionOpening(this, line, inbox, connecting, time).run(start, ramps);
     }
 
-    /** The handshake is over; what comes from now on are SIPs. */
+    /** Ends the handshake: packets from now on are SIPs and reports. */
     void begin(PioneerIdentity known, Pose start) {
         identity = known;
         model = Models.of(known.subclass());
@@ -109,7 +109,7 @@ public final class PioneerSession implements ArcosLine.Listener {
             heard(Sip.decode(packet));
         } else if (packet.type() == Config.TYPE) {
             config = Config.decode(packet);
-            owner.heardMore();
+            listener.otherReported();
         } else if (packet.isReset()) {
             end(new LinkLost("connection lost: the robot's controller was reset"));
         } else {
@@ -120,14 +120,14 @@ public final class PioneerSession implements ArcosLine.Listener {
     private void heard(@Nullable Report report) {
         StateTracker tracking = tracker;
         if (report != null && tracking != null) {
-            Reports reports = tracking.keep(report);
+            Reports reports = tracking.add(report);
             PioneerState now = reported.last();
             if (now != null) {
                 reported.set(now.with(reports));
             }
-            // Last: who waits for a fresh report looks into the state next.
-            subscriptions.heard(report);
-            owner.heardMore();
+            // Last: a thread that waits for a fresh report reads the state next.
+            subscriptions.received(report);
+            listener.otherReported();
         }
     }
 
@@ -139,8 +139,8 @@ public final class PioneerSession implements ArcosLine.Listener {
             if (!now.isMoving()) {
                 velocity.release();
             }
-            driving.look(now);
-            owner.heard(this, now);
+            driving.check(now);
+            listener.stateReported(this, now);
         }
     }
 
@@ -148,36 +148,36 @@ public final class PioneerSession implements ArcosLine.Listener {
     public void ended(LinkLost cause) {
         inbox.end(cause);
         if (hasBegun()) {
-            owner.lost(this, cause);
+            listener.lost(this, cause);
         }
     }
 
-    /** Does what the silence on either end asks for; to be called every {@link LinkWatch#PERIOD_S}. */
-    public void watch() {
+    /** Monitors the link; to be called every {@link LinkWatch#PERIOD_S}. */
+    public void checkLink() {
         PioneerState now = reported.last();
         if (now != null && !line.hasEnded()) {
-            LinkLost cause = watch.look(now);
+            LinkLost cause = watch.check(now);
             if (cause != null) {
                 end(cause);
             }
         }
     }
 
-    /** Asks for packets that somebody lacks, if the robot speaks: a request would bring a silent one's motion back to life. */
-    public void request() {
+    /** Requests reports that are due, unless the robot has stopped reporting: it would resume its motion at the request. */
+    public void requestReports() {
         PioneerState now = reported.last();
-        if (now != null && !velocity.areHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
-            subscriptions.request();
+        if (now != null && !velocity.isHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
+            subscriptions.requestDue();
         }
     }
 
     private void end(LinkLost cause) {
         line.abort(cause);
-        owner.lost(this, cause);
+        listener.lost(this, cause);
     }
 
-    /** Stops the robot, switches its motors off, says good-bye and closes the link; bounded by little over a second. */
-    public void finish() {
+    /** Stops the robot, switches its motors off, closes its session and the link; takes little over a second at most. */
+    public void close() {
         if (hasBegun()) {
             new SessionClosing(line, autobaud, changes).run();
         }
@@ -191,14 +191,14 @@ public final class PioneerSession implements ArcosLine.Listener {
     /**
      * Sends packets, each in a write of its own.
      *
-     * @throws LinkLost if the line is dead or takes nothing for a second
+     * @throws LinkLost if the line has ended or a write takes longer than 1 s
      */
     public void send(byte[]... packets) {
         line.send(packets);
     }
 
-    /** Tells the robot its ramps, for as long as this session lasts. */
-    public void tell(Ramps ramps) {
+    /** Sends ramps, which hold for this session. */
+    public void send(Ramps ramps) {
         line.send(ramps.packets());
     }
 
@@ -222,21 +222,21 @@ public final class PioneerSession implements ArcosLine.Listener {
         return driving;
     }
 
-    /** How well the robot's bytes have come through. */
-    public PacketCounts reception() {
-        return line.reception();
+    /** Counts of packets and damaged bytes. */
+    public PacketCounts packetCounts() {
+        return line.counts();
     }
 
     public Model model() {
         return model;
     }
 
-    /** Who it is; null during the handshake. */
+    /** The robot's names; null during the handshake. */
     public @Nullable PioneerIdentity identity() {
         return identity;
     }
 
-    /** Null until it has come; some robots never send it. */
+    /** Null until it has come; not every robot sends it. */
     public @Nullable Config config() {
         return config;
     }

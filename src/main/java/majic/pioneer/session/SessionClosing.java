@@ -3,9 +3,9 @@ package majic.pioneer.session;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.time.Signal;
 
-/** Ends a session in good order (ARCOS sheet 13.1), on any thread; bounded by little over a second. */
+/** Closes a session as the protocol demands (ARCOS sheet 13.1), on any thread; takes little over a second at most. */
 final class SessionClosing {
-    private static final double GOODBYE_S = 0.1;
+    private static final double PAUSE_S = 0.1;
 
     private final ArcosLine line;
     private final Autobaud autobaud;
@@ -17,23 +17,23 @@ final class SessionClosing {
         this.changes = changes;
     }
 
-    /** Stops the robot, switches its motors off and leaves its session, as far as the line still carries that. */
+    /** Stops the robot, switches its motors off and closes its session, as far as the line still works. */
     void run() {
         line.sendIfPossible(
                 ArcosCommand.STOP.packet(),
                 ArcosCommand.VEL.packet(0),
                 ArcosCommand.RVEL.packet(0),
                 ArcosCommand.ENABLE.packet(0));
-        linger();
+        pause();
         autobaud.restore();
         line.sendIfPossible(ArcosCommand.CLOSE.packet(1));
-        linger();
+        pause();
     }
 
-    /** Gives the robot the time it needs, or to hang up by itself. */
-    private void linger() {
+    /** Gives the robot time to act, or to close the connection. */
+    private void pause() {
         try {
-            changes.await(line::hasEnded, GOODBYE_S);
+            changes.await(line::hasEnded, PAUSE_S);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -10,7 +10,7 @@ import majic.pioneer.state.Side;
 import majic.time.TimeSource;
 
 /**
- * Makes a session from a closed line: handshake, OPEN, CONFIG, speed of the line, ramps, packets beside the SIPs, sonar
+ * Opens the line and begins a session: handshake, OPEN, CONFIG, speed of the line, ramps, reports, sonar
  * (ARCOS sheet 13.1), without moving anything or switching motors on. Runs on the thread that connects, once for each
  * session.
  */
@@ -35,37 +35,37 @@ final class SessionOpening {
     }
 
     /**
-     * Goes through all of it. Leaves nothing open when it throws.
+     * Opens the session. Leaves nothing open when it throws.
      *
-     * @param start where the robot is to be said to stand
-     * @param dynamics fitted to the robot and then told to it
-     * @throws ArcosHandshake.SessionClosed if a second try will do
-     * @throws BotException if there is no such robot, or it sends no SIP
+     * @param start the pose that the odometry begins with
+     * @param ramps fitted to the robot's limits, then sent
+     * @throws ArcosHandshake.SessionClosed if a second attempt will succeed
+     * @throws BotException if there is no Pioneer, or it sends no SIP
      */
-    void run(Pose start, ActiveRamps dynamics) {
+    void run(Pose start, ActiveRamps ramps) {
         line.open(session);
         try {
             BaudRates rates = new BaudRates(line);
             session.begin(new ArcosHandshake(line, inbox, rates, time).run(), start);
             startSips();
-            askConfig();
+            requestConfig();
             session.autobaud().run(session.config(), rates.now());
-            session.tell(dynamics.fit(Limits.of(session.model(), session.config())));
+            session.send(ramps.fit(Limits.of(session.model(), session.config())));
             session.subscriptions().begin(session.config());
             startSonar();
         } catch (RuntimeException e) {
-            session.finish();
+            session.close();
             throw e;
         }
     }
 
-    /** The first CONFIG is asked for together with OPEN; its answer then comes while the first SIP is awaited. */
+    /** Requests the first CONFIG together with OPEN, so that its answer comes while the first SIP is awaited. */
     private void startSips() {
         line.send(ArcosCommand.OPEN.packet(1), ArcosCommand.CONFIG.packet(1));
         require(session::hasReported, FIRST_SIP_S, "answered the handshake, but sends no data within 2 s");
     }
 
-    private void askConfig() {
+    private void requestConfig() {
         for (int tries = 1; !await(() -> session.config() != null, CONFIG_S) && tries < CONFIG_TRIES; tries++) {
             line.send(ArcosCommand.CONFIG.packet(1));
         }
@@ -73,14 +73,14 @@ final class SessionOpening {
 
     private void startSonar() {
         line.send(ArcosCommand.SONAR.packet(1));
-        await(this::seesAllAround, SONAR_CYCLE_S);
+        await(this::hasReadingsOnAllSides, SONAR_CYCLE_S);
         require(() -> !line.hasEnded(), 0, "closed the connection right after the handshake");
     }
 
-    private boolean seesAllAround() {
+    private boolean hasReadingsOnAllSides() {
         return session.hasReported()
                 && Arrays.stream(Side.values())
-                        .filter(side -> session.model().discs().stream().anyMatch(side::isWatchedBy))
+                        .filter(side -> session.model().discs().stream().anyMatch(side::isCoveredBy))
                         .allMatch(session.state().gaps()::containsKey);
     }
 

@@ -1,90 +1,90 @@
 package majic.pioneer.session;
 
 /**
- * Steers a robot to the end of a way: told at each reading how far it has come, it says how fast to go on. It comes to
- * the end from one side, and once at most from the other. Has no link or clock. For one motion.
+ * Computes the rate of a motion at each SIP from the part covered so far. The robot profilees the end from one side, and
+ * once at most from the other. Has no link or clock. For one motion.
  */
 final class SpeedController {
-    /** So many readings without motion mean that the robot will not come any nearer by itself. */
+    /** After so many SIPs without motion the robot is taken to have settled. */
     private static final int SETTLED_READINGS = 5;
 
-    /** How much harder a robot that does not stir is told to go, for each further reading. */
+    /** By how much the rate for a robot that does not move is raised with each further SIP. */
     private static final double NUDGE = 0.25;
 
-    private final SpeedProfile approach;
+    private final SpeedProfile profile;
     private final double target;
-    private final LatencyModel foresight;
+    private final LatencyModel latency;
     private double rate;
     private double zeroSinceS;
     private double off;
-    private int standing;
+    private int stationary;
     private boolean reversed;
-    private double lastWay;
+    private double lastNonZero;
 
     /**
-     * Begins a way.
+     * Begins a motion.
      *
-     * @param approach how to cover it
-     * @param target how long it is, signed
+     * @param profile gives the rate for the rest
+     * @param target the distance or angle, signed
      */
-    SpeedController(SpeedProfile approach, double target) {
-        this.approach = approach;
+    SpeedController(SpeedProfile profile, double target) {
+        this.profile = profile;
         this.target = target;
-        this.foresight = new LatencyModel(approach.acceleration(), approach.deceleration());
+        this.latency = new LatencyModel(profile.acceleration(), profile.deceleration());
         this.off = Math.abs(target);
     }
 
     /**
-     * Takes a reading.
+     * Takes in a SIP.
      *
-     * @param covered of the way, signed
-     * @param nowRate how fast it is being covered
+     * @param covered the part covered, signed
+     * @param nowRate the rate at which it is being covered
      * @param moving whether the robot moves at all
      * @param seconds since the motion began
      */
-    void heard(double covered, double nowRate, boolean moving, double seconds) {
-        foresight.heard(moving, seconds);
-        standing = moving ? 0 : standing + 1;
+    void reported(double covered, double nowRate, boolean moving, double seconds) {
+        latency.reported(moving, seconds);
+        stationary = moving ? 0 : stationary + 1;
         off = Math.abs(target - covered);
     }
 
     /**
-     * The rate to tell the robot now, taken for told.
+     * The rate to send now; the caller must send it.
      *
-     * @param covered of the way, signed, by the last reading
-     * @param nowRate how fast it is being covered, by the last reading
+     * @param covered the part covered, signed, by the last SIP
+     * @param nowRate the rate at which it is being covered, by the last SIP
      * @param seconds since the motion began
-     * @param cycleS from one reading to the next
-     * @return signed; zero when it is there
+     * @param cycleS from one SIP to the next
+     * @return signed; zero at the end
      */
     double next(double covered, double nowRate, double seconds, double cycleS) {
-        LatencyModel.Moment then = foresight.ahead(covered, nowRate, seconds);
+        LatencyModel.Moment then = latency.ahead(covered, nowRate, seconds);
         double left = target - then.covered();
-        double wanted = isNear(left) ? 0 : Math.copySign(nudged(approach.rate(Math.abs(left), cycleS)), left);
+        double wanted = isNear(left) ? 0 : Math.copySign(nudged(profile.rate(Math.abs(left), cycleS)), left);
         if (wanted == 0 && rate != 0) {
             zeroSinceS = seconds;
         }
-        reversed |= wanted * lastWay < 0;
-        lastWay = wanted == 0 ? lastWay : wanted;
+        reversed |= wanted * lastNonZero < 0;
+        lastNonZero = wanted == 0 ? lastNonZero : wanted;
         rate = wanted;
-        foresight.told(wanted, seconds);
+        latency.commanded(wanted, seconds);
         return wanted;
     }
 
     private boolean isNear(double left) {
-        return Math.abs(left) <= (reversed ? approach.acceptable() : approach.tolerance());
+        return Math.abs(left) <= (reversed ? profile.acceptable() : profile.tolerance());
     }
 
     private double nudged(double wanted) {
-        int stuck = Math.max(0, standing - SETTLED_READINGS);
-        return Math.min(approach.cruise(), wanted * (1 + NUDGE * stuck));
+        int stuck = Math.max(0, stationary - SETTLED_READINGS);
+        return Math.min(profile.cruise(), wanted * (1 + NUDGE * stuck));
     }
 
-    /** Whether the robot stands at the end, and will go on standing there. */
-    boolean isThere(double seconds) {
-        if (standing == 0 || off > approach.acceptable()) {
+    /** Whether the robot has stopped at the end. */
+    boolean hasArrived(double seconds) {
+        if (stationary == 0 || off > profile.acceptable()) {
             return false;
         }
-        return rate == 0 ? seconds - zeroSinceS >= foresight.delayS() : standing >= SETTLED_READINGS;
+        return rate == 0 ? seconds - zeroSinceS >= latency.delayS() : stationary >= SETTLED_READINGS;
     }
 }

@@ -3,24 +3,24 @@ package majic.pioneer.session;
 import majic.pioneer.state.Ramps;
 
 /**
- * How fast to go with so much of the way left: at cruise, then braking evenly, then slower the nearer the end is, so that
- * the robot stands there. Distances and rates in any one unit, mm or degrees. Immutable.
+ * The rate at which to move for a remaining distance: cruise, then constant braking, then proportional to the rest, so that
+ * the robot stops at the end. Distances and rates are in one unit, mm or degrees. Immutable.
  *
  * @param cruise the highest rate, positive
  * @param acceleration of the robot
- * @param deceleration of the robot; half of it is planned with, which leaves it room to follow
+ * @param deceleration of the robot; the profile uses half of it, so that the robot can follow
  * @param creep the lowest rate at which the robot still moves
- * @param tolerance how near is there
- * @param acceptable how near is near enough once it was tried
+ * @param tolerance the distance from the end that counts as reached
+ * @param acceptable the distance that counts as reached after the robot has passed the end once
  */
 public record SpeedProfile(
         double cruise, double acceleration, double deceleration, double creep, double tolerance, double acceptable) {
     private static final double SHARE = 0.5;
 
-    /** Near the end the rate is at most this times what is left (1/s). */
+    /** Near the end the rate is at most this times the rest (1/s). */
     private static final double GAIN = 3;
 
-    /** With rare readings this much of what is left is covered from one to the next. */
+    /** With a long SIP cycle at most this share of the rest is covered in one cycle. */
     private static final double STEP = 0.4;
 
     public static SpeedProfile straight(double cruiseMmPerSec, Ramps ramps) {
@@ -32,17 +32,17 @@ public record SpeedProfile(
     }
 
     /**
-     * The rate to go at.
+     * The rate for a remaining distance.
      *
-     * @param left of the way, positive
-     * @param cycleS from one reading to the next, seconds
+     * @param left the rest, positive
+     * @param cycleS from one SIP to the next, seconds
      * @return positive
      */
     double rate(double left, double cycleS) {
         return Math.max(Math.min(creep, cruise), Math.min(cruise, braking(left, Math.min(GAIN, STEP / cycleS))));
     }
 
-    /** Even braking, joined to the proportional end where both have the same slope. */
+    /** Constant braking, joined to the proportional part where both have the same slope. */
     private double braking(double left, double gain) {
         double planned = SHARE * deceleration;
         double end = planned / (gain * gain);
@@ -50,11 +50,11 @@ public record SpeedProfile(
     }
 
     /**
-     * How long a way may take at most, seconds: generous, and far from for ever.
+     * The longest time that a motion may take, seconds; about twice the planned time.
      *
-     * @param way its length, positive
+     * @param length of the motion, positive
      */
-    double limitS(double way) {
-        return 2 * (way / cruise + cruise / acceleration + cruise / (SHARE * deceleration)) + 5;
+    double limitS(double length) {
+        return 2 * (length / cruise + cruise / acceleration + cruise / (SHARE * deceleration)) + 5;
     }
 }

@@ -9,36 +9,36 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Asks the robot for what it sends beside its SIPs. For one session.
+ * Requests the reports that a robot sends only on demand, beside its SIPs. For one session.
  *
- * <p>On a fast line what the robot has is asked for once at connecting, as a stream. Beyond that the one who reads a feed
- * says so, and as long as nothing comes of it the request is repeated, for requests are not acknowledged and may be lost.
- * On a slow line, which SIPs alone nearly fill (ARCOS sheet 1), nothing is streamed: while somebody reads a feed, one packet
- * of it is asked for each second.
+ * <p>On a fast line the feeds that the robot has are requested once at connecting, as streams. Other feeds are requested
+ * while something reads them. A request is repeated until a report comes, because requests are not acknowledged and may be
+ * lost. A slow line is nearly filled by SIPs alone (ARCOS sheet 1), so nothing is streamed: one packet a second is
+ * requested of each feed that is being read.
  */
 public final class Subscriptions {
-    /** How often to look, seconds. */
+    /** How often to call {@link #requestDue}, seconds. */
     public static final double PERIOD_S = 0.5;
 
-    /** A robot that has sent no SIP for so long is left in peace, seconds. */
+    /** No request is sent to a robot that has sent no SIP for so long, seconds. */
     static final double SPEAKING_S = 0.3;
 
     private static final double REPEAT_S = 1;
 
-    /** A stream that was silent for so long has to be asked for again, seconds. */
+    /** A stream without a report for so long is requested again, seconds. */
     private static final double STALE_S = 2;
 
-    /** For how long somebody who has read a feed is taken to be interested in it, seconds. */
-    private static final double INTEREST_S = 5;
+    /** A feed counts as being read for so long after a reading, seconds. */
+    private static final double READ_S = 5;
 
-    /** So many requests without an answer, and the robot has no such thing. */
+    /** After so many requests without a report the robot is taken not to have the feed. */
     private static final int TRIES = 5;
 
     private final ArcosLine line;
     private final TimeSource time;
-    private final Map<Feed, Long> wantedNanos = new ConcurrentHashMap<>();
-    private final Map<Feed, Long> heardNanos = new ConcurrentHashMap<>();
-    private final Map<Feed, Long> askedNanos = new ConcurrentHashMap<>();
+    private final Map<Feed, Long> readNanos = new ConcurrentHashMap<>();
+    private final Map<Feed, Long> receivedNanos = new ConcurrentHashMap<>();
+    private final Map<Feed, Long> requestedNanos = new ConcurrentHashMap<>();
     private final Map<Feed, Integer> unanswered = new ConcurrentHashMap<>();
 
     Subscriptions(ArcosLine line, TimeSource time) {
@@ -46,65 +46,65 @@ public final class Subscriptions {
         this.time = time;
     }
 
-    /** Asks for what the robot has, on a line that has room for it; once, after CONFIG. */
+    /** Requests the feeds that the robot has, on a fast line; to be called once, after CONFIG. */
     void begin(@Nullable Config config) {
         for (Feed feed : Feed.values()) {
-            if (line.isFast() && feed.isAskedFromTheStart(config)) {
-                ask(feed);
+            if (line.isFast() && feed.isRequestedAtStart(config)) {
+                request(feed);
             }
         }
     }
 
-    /** Somebody reads this feed; costs nothing and may be said with every reading. */
-    public void want(Feed feed) {
-        wantedNanos.put(feed, time.nanos());
+    /** Notes that a feed is being read; to be called with each reading. Sends nothing. */
+    public void read(Feed feed) {
+        readNanos.put(feed, time.nanos());
     }
 
-    /** Takes note of what came. */
-    void heard(Report report) {
+    /** Notes that a report came. */
+    void received(Report report) {
         for (Feed feed : Feed.values()) {
             if (feed.brings(report)) {
-                heardNanos.put(feed, time.nanos());
+                receivedNanos.put(feed, time.nanos());
                 unanswered.remove(feed);
             }
         }
     }
 
-    /** Whether what was heard last is of now. */
+    /** Whether the last report of a feed is less than 2 s old. */
     public boolean isFresh(Feed feed) {
-        return secondsSince(heardNanos.get(feed)) < STALE_S;
+        return secondsSince(receivedNanos.get(feed)) < STALE_S;
     }
 
-    /** Whether the robot has been asked often enough to know that it never sends this. */
-    public boolean isMute(Feed feed) {
+    /** Whether the robot has left so many requests unanswered that it is taken not to have the feed. */
+    public boolean isMissing(Feed feed) {
         return unanswered.getOrDefault(feed, 0) >= TRIES;
     }
 
-    /** Asks for what is due; to be called every {@link #PERIOD_S} while the robot speaks, by one thread. */
-    void request() {
+    /** Sends the requests that are due; to be called every {@link #PERIOD_S} by one thread, while the robot reports. */
+    void requestDue() {
         for (Feed feed : Feed.values()) {
-            if (isWanted(feed) && isLacking(feed) && !isMute(feed)) {
-                ask(feed);
+            if (isRead(feed) && isDue(feed) && !isMissing(feed)) {
+                request(feed);
             }
         }
     }
 
-    private boolean isWanted(Feed feed) {
-        return secondsSince(wantedNanos.get(feed)) < INTEREST_S;
+    private boolean isRead(Feed feed) {
+        return secondsSince(readNanos.get(feed)) < READ_S;
     }
 
-    private boolean isLacking(Feed feed) {
-        boolean asked = secondsSince(askedNanos.get(feed)) < REPEAT_S;
+    private boolean isDue(Feed feed) {
+        boolean requested = secondsSince(requestedNanos.get(feed)) < REPEAT_S;
         boolean flowing = line.isFast() && isFresh(feed);
-        return !asked && !flowing;
+        return !requested && !flowing;
     }
 
     private double secondsSince(@Nullable Long nanos) {
         return nanos == null ? Double.POSITIVE_INFINITY : time.secondsSince(nanos);
     }
 
-    private void ask(Feed feed) {
-        askedNanos.put(feed, time.nanos());
+    private void request(Feed feed) {
+        requestedNanos.put(feed, time.nanos());
         unanswered.merge(feed, 1, Integer::sum);
         line.send(line.isFast() ? feed.stream() : feed.once());
     }

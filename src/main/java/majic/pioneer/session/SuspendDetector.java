@@ -4,12 +4,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
 /**
- * Notices that the computer has slept. The clock that programs wait by stands still meanwhile on Linux and macOS, so a
- * silence of minutes looks like none, and the robot, stopped by its watchdog, would take up its last speed at the next
- * packet (ARCOS sheet 5.3). The clock on the wall goes on. Thread-safe.
+ * Detects that the computer was suspended. On Linux and macOS {@link System#nanoTime} stops meanwhile, so minutes without a
+ * packet would go unnoticed, and the robot, stopped by its watchdog, would resume its last speed at the next packet (ARCOS
+ * sheet 5.3). The wall clock goes on. Thread-safe.
  */
 final class SuspendDetector {
-    /** More than any correction of the wall's clock between two packets, less than the robot's watchdog, ms. */
+    /** More than a usual correction of the wall clock between two packets, less than the robot's watchdog, ms. */
     private static final long LONGEST_MS = 1000;
 
     private final LongSupplier wallMs;
@@ -26,8 +26,8 @@ final class SuspendDetector {
         this.aheadMs = wallAheadMs();
     }
 
-    /** Whether the computer has slept since the last time somebody asked. */
-    synchronized boolean isOver() {
+    /** Whether the computer was suspended since the last call. */
+    synchronized boolean wasSuspended() {
         long before = aheadMs;
         aheadMs = wallAheadMs();
         return aheadMs - before > LONGEST_MS;

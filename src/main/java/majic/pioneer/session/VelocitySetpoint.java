@@ -5,16 +5,17 @@ import majic.pioneer.arcos.ArcosCommand;
 import majic.time.TimeSource;
 
 /**
- * The speed and turn rate the robot was last told. Once the robot has gone silent while it moved, they are zero and stay
- * so until it speaks again and stands: it would take up anything else when the line comes back. Thread-safe.
+ * The speed and turn rate that were last sent to the robot. When its reports stop while it moves, both are set to zero and
+ * held there until it reports again that it is stationary: it would resume any other velocity as soon as the line works
+ * again. Thread-safe.
  */
 public final class VelocitySetpoint {
-    /** Whoever drives says so several times as often, seconds. */
+    /** A velocity that is not renewed for so long is set to zero, seconds; drivers renew it several times as often. */
     private static final double RENEWAL_S = 1;
 
     private final ArcosLine line;
     private final TimeSource time;
-    private long toldNanos;
+    private long sentNanos;
     private boolean turning;
     private boolean rolling;
     private boolean held;
@@ -26,9 +27,9 @@ public final class VelocitySetpoint {
     }
 
     /**
-     * Tells the robot to go.
+     * Sends a speed and a turn rate.
      *
-     * @throws MotionFailed if it fell silent while it moved and has not been seen to stand since; nothing was sent
+     * @throws MotionFailed while the setpoint is held at zero; nothing was sent
      */
     synchronized void drive(double mmPerSec, double degPerSec) {
         if (held) {
@@ -38,32 +39,32 @@ public final class VelocitySetpoint {
         int rate = (int) Math.round(degPerSec);
         rolling = speed != 0;
         turning = rate != 0;
-        toldNanos = time.nanos();
+        sentNanos = time.nanos();
         line.send(ArcosCommand.VEL.packet(speed), ArcosCommand.RVEL.packet(rate));
     }
 
-    /** Tells the robot to stand; not by STOP alone, which not every server obeys. */
+    /** Stops the robot; zero velocities follow STOP, which not every server obeys. */
     synchronized void stop() {
         rolling = false;
         turning = false;
         line.send(ArcosCommand.STOP.packet(), ArcosCommand.VEL.packet(0), ArcosCommand.RVEL.packet(0));
     }
 
-    /** Takes back what the robot was last told, where it stands although it was told to creep on. */
-    synchronized void stand() {
-        if (areDriven()) {
+    /** Sends zero velocities if others are in force, as for a robot that is stationary at its target but still has a low speed to follow. */
+    synchronized void zero() {
+        if (isNonZero()) {
             stop();
         }
     }
 
-    /** Lets the robot stand if whoever drives it says nothing more, as when a guard of a program does not return. */
-    synchronized void standIfForgotten() {
-        if (areDriven() && time.secondsSince(toldNanos) > RENEWAL_S) {
+    /** Stops the robot if its velocity is not renewed, as when a guard condition of a program does not return. */
+    synchronized void stopIfNotRenewed() {
+        if (isNonZero() && time.secondsSince(sentNanos) > RENEWAL_S) {
             stop();
         }
     }
 
-    /** Tells the robot to stand and refuses to tell it anything else. */
+    /** Sends zero velocities and refuses all others until {@link #release}. */
     synchronized void hold() {
         held = true;
         holds++;
@@ -72,22 +73,22 @@ public final class VelocitySetpoint {
         line.sendIfPossible(ArcosCommand.VEL.packet(0), ArcosCommand.RVEL.packet(0));
     }
 
-    /** The robot speaks again, and stands. */
+    /** Accepts velocities again: the robot has reported that it is stationary. */
     synchronized void release() {
         held = false;
     }
 
-    synchronized boolean areHeld() {
+    synchronized boolean isHeld() {
         return held;
     }
 
-    /** How often the robot fell silent while it moved. */
+    /** How often {@link #hold} was called. */
     synchronized int holds() {
         return holds;
     }
 
-    /** Whether it was told to move. */
-    public synchronized boolean areDriven() {
+    /** Whether the last velocity sent was not zero. */
+    public synchronized boolean isNonZero() {
         return rolling || turning;
     }
 }

@@ -4,14 +4,14 @@ import majic.pioneer.arcos.Config;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The bumper segments a robot really has; the bits of others mean nothing. Immutable.
+ * The bumper segments that a robot has; other bits have no meaning. Immutable.
  *
  * @param frontSegments 0 to 7
  * @param rearSegments 0 to 7
  */
 public record Bumpers(int frontSegments, int rearSegments) {
 
-    /** What the robot says of itself, or else what its model has from the factory. */
+    /** Those that the robot reports, else those that its model has from the factory. */
     public static Bumpers of(Model model, @Nullable Config config) {
         return config == null
                 ? new Bumpers(model.frontBumpers(), model.rearBumpers())

@@ -2,19 +2,19 @@ package majic.pioneer.state;
 
 import majic.pioneer.arcos.SipTail;
 
-/** What the charger does to the battery (ARCOS sheet 8, CHARGESTATE). */
+/** The state of charging (ARCOS sheet 8, CHARGESTATE). */
 public enum Charging {
     /** Not charging. */
     NONE("not charging"),
-    /** As much current as there is. */
+    /** Highest current. */
     BULK("bulk"),
-    /** Held at the highest voltage. */
+    /** Highest voltage. */
     OVERCHARGE("overcharge"),
-    /** Full, and kept so. */
+    /** Full; the charge is maintained. */
     FLOAT("float"),
-    /** The cells are brought to the same level. */
+    /** Equalises the cells. */
     BALANCE("balance"),
-    /** The robot cannot tell. */
+    /** Not reported. */
     UNKNOWN("unknown");
 
     private final String words;
@@ -29,7 +29,7 @@ public enum Charging {
         return code >= 0 && code < UNKNOWN.ordinal() ? values()[code] : UNKNOWN;
     }
 
-    /** For people. */
+    /** The value of parameter "charging". */
     public String words() {
         return words;
     }

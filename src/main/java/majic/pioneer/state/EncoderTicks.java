@@ -3,11 +3,11 @@ package majic.pioneer.state;
 import majic.pioneer.arcos.Encoders;
 
 /**
- * What the wheels' encoders count, going on where the robot's own 32 bits roll over (ARCOS sheet 11.1). CONFIG's TICKSMM
- * tells how many make a mm. Immutable.
+ * The encoder counts of the wheels without the roll-over of the robot's 32 bits (ARCOS sheet 11.1). CONFIG's TICKSMM has
+ * the ticks per mm. Immutable.
  *
- * @param left ahead counts up
- * @param right ahead counts up
+ * @param left rising when moving ahead
+ * @param right rising when moving ahead
  */
 public record EncoderTicks(long left, long right) {
 

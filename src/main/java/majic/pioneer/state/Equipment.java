@@ -7,17 +7,17 @@ import majic.pioneer.arcos.ConfigField;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one robot carries, as its model and its CONFIG packet tell. A robot that sends no CONFIG packet rules nothing out.
+ * The equipment of one robot by its model and its CONFIG packet. Without a CONFIG packet any equipment is possible.
  * Immutable.
  *
- * @param model which kind of robot it is
+ * @param model the model
  * @param bumpers the segments it has
  * @param gripper whether there may be one
  * @param charger whether there may be a docking charger
  * @param gyro whether there may be one that the client reads
  */
 public record Equipment(Model model, Bumpers bumpers, boolean gripper, boolean charger, boolean gyro) {
-    /** As many as FLAGS can tell of (ARCOS sheet 8.1). */
+    /** As many as FLAGS has bits for (ARCOS sheet 8.1). */
     static final int SONAR_ARRAYS = 4;
 
     /** Sonar discs of one array (ARCOS sheet 8.1, 12). */
@@ -36,7 +36,7 @@ public record Equipment(Model model, Bumpers bumpers, boolean gripper, boolean c
         return config == null || config.has(field);
     }
 
-    /** The numbers of the sonar discs; of an unknown model all that there can be. */
+    /** The numbers of the sonar discs; of an unknown model all possible ones. */
     public List<Integer> discs() {
         return model.known()
                 ? model.discs().stream().map(SonarDisc::number).toList()

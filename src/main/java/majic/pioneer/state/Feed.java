@@ -12,15 +12,15 @@ import majic.pioneer.arcos.Joystick;
 import majic.pioneer.arcos.Report;
 import org.jspecify.annotations.Nullable;
 
-/** What a robot can be asked to send beside its SIPs, and how (ARCOS sheet 6.1, 11). */
+/** The reports that a robot sends only on request, and their requests (ARCOS sheet 6.1, 11). */
 public enum Feed {
     /** Batteries with electronics of their own. */
     BATTERIES(ArcosCommand.BATTERYINFO, Batteries.class),
     /** All inputs and outputs. */
     PORTS(ArcosCommand.IOREQUEST, InputsOutputs.class),
-    /** Which gripper there is. */
+    /** The kind of gripper. */
     GRIPPER(ArcosCommand.GRIPREQUEST, GripperReport.class),
-    /** The gyro, where the client has to read it. */
+    /** The gyro, if it is one that the client reads. */
     GYRO(ArcosCommand.GYRO, Gyro.class),
     /** The wheels' encoders. */
     ENCODERS(ArcosCommand.ENCODER, Encoders.class),
@@ -39,21 +39,21 @@ public enum Feed {
         return report.isInstance(some);
     }
 
-    /** Asks for one with every SIP. */
+    /** The request for a report with every SIP. */
     public byte[] stream() {
         return request.packet(request.argument().most());
     }
 
-    /** Asks for a single one; the gyro knows no such thing. */
+    /** The request for a single report; the gyro has no single reports and streams. */
     public byte[] once() {
         return request.packet(1);
     }
 
     /**
-     * Whether it is asked for at connecting already. Encoders and joystick are for few, and numbers of equipment that is not
-     * there mean other things to some robots, so those wait for somebody who reads them.
+     * Whether it is requested at connecting already. Encoders and joystick are rarely used, and requests for missing
+     * equipment have other meanings to some robots, so those are requested only while something reads them.
      */
-    public boolean isAskedFromTheStart(@Nullable Config config) {
+    public boolean isRequestedAtStart(@Nullable Config config) {
         return switch (this) {
             case BATTERIES, PORTS -> true;
             case GRIPPER -> config != null && config.has(ConfigField.GRIPPER);

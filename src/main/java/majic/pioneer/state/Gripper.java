@@ -1,7 +1,7 @@
 package majic.pioneer.state;
 
 /**
- * How gripper and lift stand (ARCOS sheet 11.5: the state byte). Between two ends they are neither. Immutable.
+ * The state of gripper and lift (ARCOS sheet 11.5: the state byte). Between two ends both flags are false. Immutable.
  *
  * @param open whether the paddles are all the way open
  * @param closed whether they are closed, on something or on each other

@@ -5,13 +5,13 @@ import majic.pioneer.arcos.ConfigField;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The fastest a robot can be let go: what its model is built for, and what its controller says of itself. A limit the
- * controller leaves at zero is the model's (ARCOS sheet 12). Immutable.
+ * Upper bounds of speed and acceleration: those that the model is built for, and those that the controller reports. A
+ * reported zero means the model's limit (ARCOS sheet 12). Immutable.
  *
  * @param speedMmPerSec that nothing can raise
  * @param turnDegPerSec that nothing can raise
- * @param setSpeedMmPerSec what the robot's owner has set in it; no more than the first
- * @param setTurnDegPerSec what the robot's owner has set in it; no more than the second
+ * @param setSpeedMmPerSec as set in the robot by its owner; at most the first
+ * @param setTurnDegPerSec as set in the robot by its owner; at most the second
  * @param accelerationMmPerSec2 speeding up and braking
  * @param turnAccelerationDegPerSec2 speeding up and braking
  */
@@ -22,7 +22,7 @@ public record Limits(
         int setTurnDegPerSec,
         int accelerationMmPerSec2,
         int turnAccelerationDegPerSec2) {
-    /** What tyres hold and loads stand, whatever a controller takes; turning, it is the same at the wheels. */
+    /** Safe for tyres and loads, even if a controller accepts more; the turning value is the same at the wheels. */
     private static final int SHARPEST_MM_PER_SEC2 = 2000;
 
     private static final int SHARPEST_DEG_PER_SEC2 = 500;
@@ -46,11 +46,11 @@ public record Limits(
                 gentle(SHARPEST_DEG_PER_SEC2, config.number(ConfigField.ROTACCTOP)));
     }
 
-    private static int gentle(int known, long told) {
-        return Math.max(Ramps.GENTLEST, lower(known, (int) told));
+    private static int gentle(int known, long reported) {
+        return Math.max(Ramps.GENTLEST, lower(known, (int) reported));
     }
 
-    private static int lower(int known, int told) {
-        return told > 0 ? Math.min(known, told) : known;
+    private static int lower(int known, int reported) {
+        return reported > 0 ? Math.min(known, reported) : known;
     }
 }

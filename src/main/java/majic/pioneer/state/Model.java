@@ -5,15 +5,15 @@ import majic.bot.BotProfile;
 import majic.bot.Range;
 
 /**
- * What the driver knows of one model of robot. Immutable.
+ * The properties of one model of robot. Immutable.
  *
- * @param subclass how it announces itself
- * @param known whether it is in the table; if not, careful values stand in
+ * @param subclass its name in the handshake
+ * @param known whether it is in the table; if not, the values are careful ones
  * @param hull its outline
  * @param discs its sonars; none where they are not known
  * @param scaling of its SIPs
- * @param topSpeedMmPerSec that it is built for
- * @param topTurnDegPerSec that it is built for
+ * @param topSpeedMmPerSec by design
+ * @param topTurnDegPerSec by design
  * @param frontBumpers segments it has from the factory
  * @param rearBumpers segments it has from the factory
  */

@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 
 /** The models by the subclass they announce in the handshake (ARCOS sheet 4, 9, 12), from two tables beside this class. */
 public final class Models {
-    /** What stands in until a robot has told its model: by far the most common one. */
+    /** Used until a robot has reported its model: by far the most common one. */
     public static final Model USUAL;
 
     /** Of current robots, which count in mm. */
@@ -29,8 +29,8 @@ public final class Models {
     private Models() {}
 
     /**
-     * The model of a subclass, whatever the case; laser variants count as the plain model. Of an unknown one nothing is
-     * taken for granted: it counts as large and slow, and without sonars whose place is known.
+     * The model of a subclass, in any case; laser variants count as the plain model. An unknown one counts as large and
+     * slow, without sonars of known position.
      */
     public static Model of(String subclass) {
         String plain = subclass.strip().toLowerCase(Locale.ROOT).replaceFirst("-lms\\d.*$", "");

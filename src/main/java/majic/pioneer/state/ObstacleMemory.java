@@ -9,35 +9,34 @@ import majic.bot.Pose;
 import majic.pioneer.arcos.SonarReadings;
 
 /**
- * What the sonars have heard of late, as points in the frame of the odometry, and how far off the hull they are.
+ * The recent echoes of the sonars as points in the frame of the odometry, and their distances from the hull.
  *
- * <p>A disc fires only every third of a second, sees walls at more than about 30° from square not at all, and loses an
- * echo now and then. So every echo counts for {@value #MEMORY_S} s, carried along with the robot's motion, and all
- * points count on every side whichever disc saw them. The price: what was taken away is still seen for that long. For one
- * thread.
+ * <p>A disc fires only every third of a second, gets no echo of walls at more than about 30° from square, and loses an echo
+ * now and then. So every echo is kept for {@value #MEMORY_S} s at its place on the floor, and every point counts on each
+ * side, whichever disc detected it. In return an obstacle that was removed is reported for that long. For one thread.
  */
 final class ObstacleMemory {
-    /** How long an echo counts, seconds: four firings of a disc. */
+    /** How long an echo is kept, seconds: four firings of a disc. */
     static final double MEMORY_S = 1.5;
 
-    /** A disc without a reading for longer than its echoes count does not count as looking, seconds. */
+    /** A disc without a reading for so long counts as off, seconds. */
     private static final double DISC_SILENCE_S = MEMORY_S;
 
-    /** Wider lanes for the width of the cones: a wall seen from the edge of one seems farther aside than it is. */
+    /** Added to lanes for the width of the cones: a wall detected at the edge of a cone seems farther aside than it is. */
     private static final double MARGIN_MM = 40;
 
     private final Model model;
     private final Deque<Echo> echoes = new ArrayDeque<>();
 
-    /** A point where something was, in the odometry's frame. */
+    /** A point of an obstacle, in the frame of the odometry. */
     private record Echo(double xMm, double yMm, long atNanos) {}
 
     ObstacleMemory(Model model) {
         this.model = model;
     }
 
-    /** Takes the new readings in, heard from a pose. */
-    void hear(SonarScan scan, SonarReadings readings, Pose pose, long nanos) {
+    /** Adds the new readings, taken at a pose. */
+    void add(SonarScan scan, SonarReadings readings, Pose pose, long nanos) {
         forget(nanos);
         double cos = Math.cos(Math.toRadians(pose.headingDeg()));
         double sin = Math.sin(Math.toRadians(pose.headingDeg()));
@@ -67,7 +66,7 @@ final class ObstacleMemory {
         }
     }
 
-    /** How far off the hull the nearest thing is on every side that all its discs have looked to. */
+    /** The distance from the hull to the nearest obstacle, mm, on every side whose discs have all had a recent reading. */
     Map<Side, Double> gaps(SonarScan scan, Pose pose, long nanos) {
         Map<Side, Double> gaps = new EnumMap<>(Side.class);
         for (Side side : Side.values()) {
@@ -79,10 +78,10 @@ final class ObstacleMemory {
     }
 
     private boolean isKnown(Side side, SonarScan scan, long nanos) {
-        return model.discs().stream().anyMatch(side::isWatchedBy)
+        return model.discs().stream().anyMatch(side::isCoveredBy)
                 && model.discs().stream()
-                        .filter(side::isWatchedBy)
-                        .allMatch(disc -> scan.hasHeard(disc.number())
+                        .filter(side::isCoveredBy)
+                        .allMatch(disc -> scan.hasReading(disc.number())
                                 && (nanos - scan.atNanos(disc.number())) / 1e9 <= DISC_SILENCE_S);
     }
 

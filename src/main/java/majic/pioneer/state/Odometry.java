@@ -5,14 +5,14 @@ import majic.pioneer.arcos.Sip;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Adds up the counters of successive SIPs to a pose from where the robot was connected first. Counters roll over; their
+ * Adds up the counters of successive SIPs to a pose relative to the first connection. Counters roll over; their
  * differences do not (ARCOS sheet 9.2). For one thread.
  */
 final class Odometry {
-    /** The low bits of x and y that count; the top one is known to stick. */
+    /** The low bits of x and y that count; the top one is unreliable. */
     private static final int COUNTER = 0x8000;
 
-    /** More counts than any robot goes between two SIPs: the controller has set its odometry anew. */
+    /** More counts than any robot covers between two SIPs: the controller has reset its odometry. */
     private static final int LONGEST_STEP = 0x1000;
 
     private final Scaling scaling;
@@ -48,7 +48,7 @@ final class Odometry {
         headingDeg += turned * Scaling.DEG_PER_UNIT;
     }
 
-    /** From the robot's own frame into ours. */
+    /** Rotates a step from the robot's own frame into ours. */
     private void shift(double dxMm, double dyMm) {
         double cos = Math.cos(Math.toRadians(rotationDeg));
         double sin = Math.sin(Math.toRadians(rotationDeg));
@@ -60,7 +60,7 @@ final class Odometry {
         return new Pose(xMm, yMm, headingDeg);
     }
 
-    /** All turning so far, not brought to one turn: two turns to the left are 720. */
+    /** All turning so far, not reduced to one turn: two turns to the left are 720. */
     double turnedDeg() {
         return headingDeg;
     }

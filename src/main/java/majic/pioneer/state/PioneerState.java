@@ -11,18 +11,18 @@ import majic.pioneer.arcos.Sip;
 import majic.pioneer.arcos.SipTail;
 
 /**
- * All that a Pioneer last said of itself: the meaning of its latest SIP, and the latest of each packet that it sends beside
- * them. Immutable.
+ * The state that a Pioneer last reported: its latest SIP in usual units, and the latest of each report that comes beside the
+ * SIPs. Immutable.
  *
  * @param sip as sent
- * @param reports the latest of each other packet
+ * @param reports the latest of each other report
  * @param pose by odometry, from where it was connected
- * @param turnedDeg all turning so far, counterclockwise positive, not brought to one turn
+ * @param turnedDeg all turning so far, counterclockwise positive, not reduced to one turn
  * @param speedMmPerSec from the wheels, ahead positive
  * @param turnRateDegPerSec counterclockwise positive
  * @param sonar the last reading of every disc
- * @param gaps from the hull to the nearest thing on each side that is known, mm; infinite when nothing is in range
- * @param sipsPerSec how often it speaks, 0 before the second SIP
+ * @param gaps from the hull to the nearest obstacle on each known side, mm; infinite if none is in range
+ * @param sipsPerSec SIPs per second, 0 before the second SIP
  * @param longestSilenceS between two SIPs of this session, seconds
  * @param atNanos when this came, on the driver's clock
  */
@@ -38,8 +38,8 @@ public record PioneerState(
         double sipsPerSec,
         double longestSilenceS,
         long atNanos) {
-    private static final double STANDING_MM_PER_SEC = 3;
-    private static final double STANDING_DEG_PER_SEC = 1;
+    private static final double STATIONARY_MM_PER_SEC = 3;
+    private static final double STATIONARY_DEG_PER_SEC = 1;
     private static final int MOTOR_STALL = 1;
     private static final int MOTORS = 1;
     private static final int SONAR_ARRAYS = 0b11110;
@@ -57,7 +57,7 @@ public record PioneerState(
         gaps = Map.copyOf(gaps);
     }
 
-    /** The same SIP with news beside it. */
+    /** This state with newer reports. */
     public PioneerState with(Reports newReports) {
         return new PioneerState(
                 sip,
@@ -74,7 +74,7 @@ public record PioneerState(
     }
 
     public boolean isMoving() {
-        return Math.abs(speedMmPerSec) > STANDING_MM_PER_SEC || Math.abs(turnRateDegPerSec) > STANDING_DEG_PER_SEC;
+        return Math.abs(speedMmPerSec) > STATIONARY_MM_PER_SEC || Math.abs(turnRateDegPerSec) > STATIONARY_DEG_PER_SEC;
     }
 
     /** FLAGS bit 0 (ARCOS sheet 8.1). */
@@ -97,12 +97,12 @@ public record PioneerState(
         return hasFlag(STOP_BUTTON);
     }
 
-    /** FLAGS bit 6: the STOP button, or what the robot takes for it, holds the motors off. */
+    /** FLAGS bit 6: the STOP button, or a condition like it, keeps the motors off. */
     public boolean stopEngaged() {
         return hasFlag(STOP_ENGAGED);
     }
 
-    /** FLAGS bits 7 and 8: an infra-red sensor looks down a step, farther ahead or right in front. */
+    /** FLAGS bits 7 and 8: an infra-red sensor detects a step down, far ahead or near. */
     public boolean ledge() {
         return hasFlag(FAR_LEDGE | NEAR_LEDGE);
     }
@@ -149,40 +149,40 @@ public record PioneerState(
         return Ports.of(this);
     }
 
-    /** Gripper and lift; to be believed only where CONFIG says that there is one. */
+    /** Gripper and lift; valid only if CONFIG reports a gripper. */
     public Optional<Gripper> gripper() {
         int bits = sip.tail().gripState();
         return bits == SipTail.ABSENT ? Optional.empty() : Optional.of(Gripper.of(bits));
     }
 
-    /** The compass's heading as it shows it, 0 to 358 in steps of 2; empty without a compass. */
+    /** The heading of the compass, 0 to 358 in steps of 2; empty without a compass. */
     public OptionalInt compassDeg() {
         return sip.compass() == 0 ? OptionalInt.empty() : OptionalInt.of(sip.compass() * DEG_PER_COMPASS_STEP);
     }
 
-    /** What the gyro measures, deg/s, counterclockwise positive; empty until heard. */
+    /** The turn rate by the gyro, deg/s, counterclockwise positive; empty before the first report. */
     public OptionalDouble gyroDegPerSec() {
         return reports.latest(Gyro.class).map(GyroRate::degPerSec).orElse(OptionalDouble.empty());
     }
 
     /** Of the controller, °C; empty without a thermometer. */
     public OptionalInt temperatureC() {
-        int told = sip.tail().temperature();
-        return told <= NO_TEMPERATURE ? OptionalInt.empty() : OptionalInt.of(told);
+        int sent = sip.tail().temperature();
+        return sent <= NO_TEMPERATURE ? OptionalInt.empty() : OptionalInt.of(sent);
     }
 
     /** FAULT_FLAGS, 0 when all is well; empty on older firmware (ARCOS sheet 8). */
     public OptionalInt faults() {
-        int told = sip.tail().faultFlags();
-        return told == SipTail.ABSENT ? OptionalInt.empty() : OptionalInt.of(told);
+        int sent = sip.tail().faultFlags();
+        return sent == SipTail.ABSENT ? OptionalInt.empty() : OptionalInt.of(sent);
     }
 
-    /** The robot's plugged-in joystick; empty until heard. */
+    /** The robot's plugged-in joystick; empty before the first report. */
     public Optional<Joystick> joystick() {
         return reports.latest(Joystick.class);
     }
 
-    /** What the wheels' encoders have counted; empty until heard. */
+    /** The encoder counts; empty before the first report. */
     public Optional<EncoderTicks> encoders() {
         return reports.ticks();
     }

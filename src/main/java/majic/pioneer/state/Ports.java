@@ -8,14 +8,14 @@ import majic.pioneer.arcos.SipTail;
 
 /**
  * The controller's inputs and outputs for equipment (ARCOS sheet 8, 11.2). The user's eight digital ones are in every SIP of
- * firmware that is not ancient; all others come with the IO packet. Immutable.
+ * all but the oldest firmware; all others come with the IO packet. Immutable.
  *
  * @param digitalIn the user's inputs as bits, input 0 lowest; active low
  * @param digitalOut the user's outputs as bits, output 0 lowest
  * @param analogPort the analog input the SIP shows, as chosen with ADSEL
  * @param analogVolts what that input reads, 0 to 5
- * @param allDigitalIn all bytes of inputs: the user's, front bumpers, rear bumpers, infra-reds; empty until heard
- * @param allAnalogVolts all analog inputs, 0 to 5, the battery last; empty until heard
+ * @param allDigitalIn all bytes of inputs: the user's, front bumpers, rear bumpers, infra-reds; empty before the first report
+ * @param allAnalogVolts all analog inputs, 0 to 5, the battery last; empty before the first report
  */
 public record Ports(
         OptionalInt digitalIn,
@@ -33,9 +33,9 @@ public record Ports(
         InputsOutputs all =
                 state.reports().latest(InputsOutputs.class).orElse(new InputsOutputs(List.of(), List.of(), List.of()));
         return new Ports(
-                told(tail.digIn()),
-                told(tail.digOut()),
-                told(tail.analogPort()),
+                optional(tail.digIn()),
+                optional(tail.digOut()),
+                optional(tail.analogPort()),
                 tail.analog() == SipTail.ABSENT
                         ? OptionalDouble.empty()
                         : OptionalDouble.of(tail.analog() * FULL_V / SIP_STEPS),
@@ -43,7 +43,7 @@ public record Ports(
                 all.analog().stream().map(steps -> steps * FULL_V / IO_STEPS).toList());
     }
 
-    private static OptionalInt told(int field) {
+    private static OptionalInt optional(int field) {
         return field == SipTail.ABSENT ? OptionalInt.empty() : OptionalInt.of(field);
     }
 }

@@ -6,13 +6,13 @@ import java.util.OptionalInt;
 import majic.pioneer.arcos.Batteries;
 
 /**
- * How the robot is supplied (ARCOS sheet 8, 8.1, 11.3). Immutable.
+ * Battery and charger (ARCOS sheet 8, 8.1, 11.3). Immutable.
  *
  * @param volts of the battery
- * @param percent charge; empty on robots that cannot tell, and most cannot
- * @param charging what the charger does
- * @param chargerConnected whether the charger's supply is good
- * @param cells what batteries with electronics say of themselves; empty until heard
+ * @param percent charge; empty on robots that do not report it, which are most
+ * @param charging state of charging
+ * @param chargerConnected whether a charger supplies power
+ * @param cells reports of batteries with electronics; empty before the first
  */
 public record Power(
         double volts, OptionalInt percent, Charging charging, boolean chargerConnected, List<Batteries.Cell> cells) {
@@ -31,9 +31,9 @@ public record Power(
                 cells);
     }
 
-    /** Robots that do not know send zero; more than all there is means as little. */
-    private static OptionalInt percent(int told, List<Batteries.Cell> cells) {
-        OptionalInt charge = told > 0 ? OptionalInt.of(told) : mean(cells);
+    /** Zero means that the robot does not know; so do values above 100. */
+    private static OptionalInt percent(int reported, List<Batteries.Cell> cells) {
+        OptionalInt charge = reported > 0 ? OptionalInt.of(reported) : mean(cells);
         return charge.orElse(0) <= FULL_PERCENT ? charge : OptionalInt.empty();
     }
 

@@ -3,11 +3,11 @@ package majic.pioneer.state;
 import majic.pioneer.arcos.ArcosCommand;
 
 /**
- * How fast the robot may go and how sharply it speeds up and slows down, as it is told (ARCOS sheet 6.1: SETV, SETA,
- * SETRV, SETRA). Immutable.
+ * Highest speeds, accelerations and decelerations as they are sent to the robot (ARCOS sheet 6.1: SETV, SETA, SETRV,
+ * SETRA). Immutable.
  *
- * @param topSpeedMmPerSec no motion is faster
- * @param topTurnDegPerSec no turn is faster
+ * @param topSpeedMmPerSec of any motion
+ * @param topTurnDegPerSec of any turn
  * @param acceleration mm/s²
  * @param deceleration mm/s²
  * @param turnAcceleration deg/s²
@@ -20,17 +20,17 @@ public record Ramps(
         int deceleration,
         int turnAcceleration,
         int turnDeceleration) {
-    /** However fast a model is, a room is small. */
+    /** Enough for a room, even if the model is faster. */
     private static final int CAREFUL_MM_PER_SEC = 1000;
 
     private static final int CAREFUL_DEG_PER_SEC = 100;
 
-    /** Slower than so a robot hardly starts or stops at all, mm/s² and deg/s². */
+    /** With less a robot hardly starts or stops, mm/s² and deg/s². */
     public static final int GENTLEST = 20;
 
     /**
-     * What a robot is told unless somebody wants it otherwise: gently, yet able to stop within sight of its sonars. From
-     * the usual 300 mm/s it stands after 90 mm.
+     * The ramps that are sent unless a user sets others: gentle, yet sharp enough to stop within the range of the sonars.
+     * From the usual 300 mm/s the robot stops within 90 mm.
      */
     public static Ramps careful(Limits limits) {
         return new Ramps(
@@ -69,7 +69,7 @@ public record Ramps(
         return new Ramps(topSpeedMmPerSec, topTurnDegPerSec, acceleration, deceleration, turnAcceleration, degPerSec2);
     }
 
-    /** The same, but no faster than a robot can. */
+    /** The same, reduced to the limits of a robot. */
     public Ramps within(Limits limits) {
         return new Ramps(
                 Math.min(topSpeedMmPerSec, limits.speedMmPerSec()),
@@ -80,7 +80,7 @@ public record Ramps(
                 Math.min(turnDeceleration, limits.turnAccelerationDegPerSec2()));
     }
 
-    /** What tells the robot, a packet each. */
+    /** The packets that set them in the robot. */
     public byte[][] packets() {
         return new byte[][] {
             ArcosCommand.SETV.packet(topSpeedMmPerSec),

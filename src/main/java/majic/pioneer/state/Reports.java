@@ -6,7 +6,7 @@ import java.util.Optional;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Report;
 
-/** The latest of each packet that a robot sends beside its SIPs; none is there before it was heard. Immutable. */
+/** The latest report of each kind that came beside the SIPs. Immutable. */
 public final class Reports {
     static final Reports NONE = new Reports(List.of(), new EncoderTicks(0, 0));
 
@@ -18,7 +18,7 @@ public final class Reports {
         this.ticks = ticks;
     }
 
-    /** These with a newer one in place of the last of its kind. */
+    /** These with a newer report in place of the last of its kind. */
     Reports with(Report report) {
         List<Report> now = new ArrayList<>(latest);
         now.removeIf(older -> older.getClass() == report.getClass());

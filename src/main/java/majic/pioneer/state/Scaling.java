@@ -4,7 +4,7 @@ import majic.pioneer.arcos.Sip;
 import majic.pioneer.arcos.SipTail;
 
 /**
- * What the counts in a SIP stand for (ARCOS sheet 9.1). The same for every model: heading in 4096 units a turn.
+ * The units of the counts in a SIP (ARCOS sheet 9.1). The heading has 4096 units a turn in every model.
  * Immutable.
  *
  * @param mmPerCount of x and y

@@ -2,7 +2,7 @@ package majic.pioneer.state;
 
 import majic.bot.Pose;
 
-/** The four ways out of a robot, each with the discs that look that way. */
+/** The four sides of a robot, each with the sonar discs that cover it. */
 public enum Side {
     /** Ahead. */
     FRONT("distanceFront", 0, 50),
@@ -13,7 +13,7 @@ public enum Side {
     /** To the right. */
     RIGHT("distanceRight", -90, 20);
 
-    /** How much of the hull's edge may lack, where corners are rounded, mm. */
+    /** By how much the hull may recede at rounded corners, mm. */
     private static final double CORNER_MM = 60;
 
     private final String parameter;
@@ -26,12 +26,12 @@ public enum Side {
         this.sectorDeg = sectorDeg;
     }
 
-    /** The name of the parameter that tells the gap on this side. */
+    /** The name of the parameter for the distance on this side. */
     public String parameter() {
         return parameter;
     }
 
-    /** One line for people. */
+    /** The description of the parameter. */
     public String help() {
         return switch (this) {
             case FRONT, BACK -> "from the hull to the nearest thing in the lane it needs to drive and turn in";
@@ -39,19 +39,19 @@ public enum Side {
         };
     }
 
-    /** Whether a disc belongs to those that must have been heard before this side is known. */
-    public boolean isWatchedBy(SonarDisc disc) {
+    /** Whether a disc must have had a reading before the distance on this side is known. */
+    public boolean isCoveredBy(SonarDisc disc) {
         return Math.abs(Pose.normalised(disc.axisDeg() - directionDeg)) <= sectorDeg;
     }
 
     /**
-     * How far off the hull a point lies that is in the way on this side. In front and behind everything is in the way that
-     * the robot could not pass and then turn on the spot beside; left and right, what is level with the hull.
+     * The distance from the hull to a point that is an obstacle on this side. In front and behind, obstacles are all points in
+     * the lane that the robot needs to drive and turn on the spot; left and right, those level with the hull.
      *
      * @param x of the point in the robot's frame, mm
      * @param y of the point in the robot's frame, mm
      * @param margin added to the lane's width on either side, mm
-     * @return mm, not negative; infinite for a point that is not in the way
+     * @return mm, not negative; infinite for a point that is no obstacle
      */
     double gapMm(Hull hull, double x, double y, double margin) {
         return switch (this) {
@@ -62,12 +62,12 @@ public enum Side {
         };
     }
 
-    /** How far in front of the front or behind the rear, mm; negative beside the hull. */
+    /** The distance in front of the front or behind the rear, mm; negative beside the hull. */
     private static double off(Hull hull, double x) {
         return Math.max(x - hull.frontMm(), -x - hull.rearMm());
     }
 
-    /** A point a little behind the hull's edge may still be right before a rounded corner. */
+    /** A point a little behind the edge of the hull may be right in front of a rounded corner. */
     private static double gap(double ahead, double aside, double lane) {
         boolean inTheWay = ahead > -CORNER_MM && aside <= lane;
         return inTheWay ? Math.max(0, ahead) : Double.POSITIVE_INFINITY;

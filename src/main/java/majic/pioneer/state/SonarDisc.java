@@ -1,12 +1,12 @@
 package majic.pioneer.state;
 
 /**
- * Where a sonar disc sits and looks, in the robot's frame: x ahead of the turning centre, y to the left. Immutable.
+ * Position and direction of a sonar disc in the robot's frame: x ahead of the turning centre, y to the left. Immutable.
  *
  * @param number as in the SIP
- * @param xMm its place ahead, mm
- * @param yMm its place to the left, mm
- * @param axisDeg where it looks, counterclockwise positive
+ * @param xMm position ahead, mm
+ * @param yMm position to the left, mm
+ * @param axisDeg direction, counterclockwise positive
  */
 public record SonarDisc(int number, double xMm, double yMm, double axisDeg) {
 

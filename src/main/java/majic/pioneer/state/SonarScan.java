@@ -8,7 +8,7 @@ public final class SonarScan {
     /** As many discs as the protocol can number. */
     static final int DISCS = 32;
 
-    /** What a disc sends that hears nothing, mm. */
+    /** The range that a disc reports without an echo, mm. */
     public static final int NOTHING_MM = 5000;
 
     static final SonarScan EMPTY = new SonarScan(new int[DISCS], new long[DISCS]);
@@ -38,18 +38,18 @@ public final class SonarScan {
         return new SonarScan(ranges, times);
     }
 
-    /** This scan without what some discs have heard. */
+    /** This scan without the readings of some discs. */
     SonarScan without(int firstDisc, int discs) {
         long[] times = Arrays.copyOf(atNanos, DISCS);
         Arrays.fill(times, firstDisc, firstDisc + discs, 0);
         return new SonarScan(rangesMm, times);
     }
 
-    public boolean hasHeard(int disc) {
+    public boolean hasReading(int disc) {
         return atNanos[disc] != 0;
     }
 
-    /** mm from the disc's surface; {@link #NOTHING_MM} or more when it heard nothing. */
+    /** mm from the disc's surface; {@link #NOTHING_MM} or more without an echo. */
     public int rangeMm(int disc) {
         return rangesMm[disc];
     }

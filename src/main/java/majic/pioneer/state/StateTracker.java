@@ -4,14 +4,14 @@ import majic.bot.Pose;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 
-/** Makes a state of each SIP of one session: adds up odometry, keeps sonar readings, counts packets. For one thread. */
+/** Makes a state of each SIP of one session: adds up odometry, keeps sonar readings, measures the SIP rate. For one thread. */
 public final class StateTracker {
-    /** How much one new interval counts in the packet rate. */
+    /** The weight of a new interval in the SIP rate. */
     private static final double RATE_SMOOTHING = 0.1;
 
     private final Model model;
     private final Odometry odometry;
-    private final ObstacleMemory surroundings;
+    private final ObstacleMemory obstacles;
     private SonarScan scan = SonarScan.EMPTY;
     private Reports reports = Reports.NONE;
     private int lastFlags;
@@ -22,7 +22,7 @@ public final class StateTracker {
     public StateTracker(Model model, Pose start) {
         this.model = model;
         this.odometry = new Odometry(model.scaling(), start);
-        this.surroundings = new ObstacleMemory(model);
+        this.obstacles = new ObstacleMemory(model);
     }
 
     public PioneerState track(Sip sip, long nanos) {
@@ -30,7 +30,7 @@ public final class StateTracker {
         Pose pose = odometry.pose();
         forgetSwitchedOff(sip.flags());
         scan = scan.with(sip.sonar(), model.scaling().mmPerRangeCount(), nanos);
-        surroundings.hear(scan, sip.sonar(), pose, nanos);
+        obstacles.add(scan, sip.sonar(), pose, nanos);
         time(nanos);
         return new PioneerState(
                 sip,
@@ -40,13 +40,13 @@ public final class StateTracker {
                 model.scaling().speedMmPerSec(sip),
                 model.scaling().turnRateDegPerSec(sip),
                 scan,
-                surroundings.gaps(scan, pose, nanos),
+                obstacles.gaps(scan, pose, nanos),
                 periodS > 0 ? 1 / periodS : 0,
                 longestSilenceS,
                 nanos);
     }
 
-    /** A guard must not go on by what an array heard before it was switched off; firmware without these flags is not asked. */
+    /** Drops the readings of an array that was switched off, which a guard condition must not use; no effect on firmware without these flags. */
     private void forgetSwitchedOff(int flags) {
         int switchedOff = lastFlags & ~flags;
         for (int array = 1; array <= Equipment.SONAR_ARRAYS; array++) {
@@ -57,8 +57,8 @@ public final class StateTracker {
         lastFlags = flags;
     }
 
-    /** Keeps what came beside the SIPs, for this state and all later ones. */
-    public Reports keep(Report report) {
+    /** Adds a report, for this state and all later ones. */
+    public Reports add(Report report) {
         reports = reports.with(report);
         return reports;
     }

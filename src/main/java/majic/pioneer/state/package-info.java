@@ -1,6 +1,6 @@
 /**
- * What a Pioneer reports, turned into meaning: model and equipment, odometry, sonar readings, power, limits. No link,
- * no thread.
+ * The reports of a Pioneer in usual units: model and equipment, odometry, sonar readings, power, limits. Has no link
+ * and no thread.
  */
 @NullMarked
 package majic.pioneer.state;

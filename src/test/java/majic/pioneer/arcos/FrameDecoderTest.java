@@ -29,7 +29,7 @@ class FrameDecoderTest {
                         Bytes.packet(Bytes.CONFIG),
                         Bytes.packet(Bytes.NAMES),
                         Bytes.packet(Bytes.STALLED));
-        assertThat(decoder.reception().damagedPackets()).isEqualTo(1);
+        assertThat(decoder.counts().damagedPackets()).isEqualTo(1);
     }
 
     @ParameterizedTest
@@ -96,7 +96,7 @@ class FrameDecoderTest {
     void receptionTellsWhatCameWholeAndWhatDidNot() {
         feed(10, Bytes.joined(Bytes.AT_REST, WRONG_CHECKSUM, "00 01", Bytes.STALLED));
 
-        assertThat(decoder.reception()).isEqualTo(new PacketCounts(2, 1, 11));
+        assertThat(decoder.counts()).isEqualTo(new PacketCounts(2, 1, 11));
     }
 
     @Test
@@ -106,7 +106,7 @@ class FrameDecoderTest {
         feed(700, Bytes.of("FA FB 03 02 00 02"));
 
         assertThat(found).hasSize(1);
-        assertThat(decoder.reception().skippedBytes()).isEqualTo(5000);
+        assertThat(decoder.counts().skippedBytes()).isEqualTo(5000);
     }
 
     private void feed(int chunkSize, byte[] wire) {

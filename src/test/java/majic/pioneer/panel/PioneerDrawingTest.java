@@ -112,7 +112,7 @@ class PioneerDrawingTest {
 
     private void hear(SipBytes sip, long nanos) {
         PioneerState state = tracker.track(sip.sip(), nanos);
-        drawing.hear(MODEL, state);
+        drawing.record(MODEL, state);
         drawing.show(scene(state, Connection.CONNECTED));
     }
 

@@ -42,12 +42,12 @@ class FirstBytesTest {
     void packetsAreNoLine() {
         hear(SYNC0);
         assertThat(words.line()).isNull();
-        assertThat(words.isSilence()).isFalse();
+        assertThat(words.isEmpty()).isFalse();
     }
 
     @Test
     void nothingIsSilence() {
-        assertThat(words.isSilence()).isTrue();
+        assertThat(words.isEmpty()).isTrue();
         assertThat(words.line()).isNull();
     }
 
@@ -64,6 +64,6 @@ class FirstBytesTest {
     }
 
     private void hear(byte[] bytes) {
-        words.heard(bytes, bytes.length);
+        words.received(bytes, bytes.length);
     }
 }

@@ -67,7 +67,7 @@ class SpeedControllerTest {
                             ? new MotionTarget.Straight(now, target, approach)
                             : new MotionTarget.Turning(now, target, approach)
                     : way;
-            steering.heard(way.covered(now), way.rate(now), now.isMoving(), sips / 10.0);
+            steering.reported(way.covered(now), way.rate(now), now.isMoving(), sips / 10.0);
             double rate = steering.next(way.covered(now), way.rate(now), sips / 10.0, 0.1);
             standing = rate == 0 && robot.stands() ? standing + 1 : 0;
             for (int tick = 0; tick < TICKS_PER_SIP; tick++) {

@@ -83,7 +83,7 @@ class SubscriptionsTest {
         Subscriptions subscriptions = on("tcp:robot");
 
         read(subscriptions, 3, false);
-        subscriptions.heard(TICKS);
+        subscriptions.received(TICKS);
         read(subscriptions, 2, true);
 
         assertThat(requests()).hasSize(3).containsOnly(ENCODER_STREAM);
@@ -106,8 +106,8 @@ class SubscriptionsTest {
         read(subscriptions, 60, false);
 
         assertThat(requests()).hasSize(5);
-        assertThat(subscriptions.isMute(Feed.ENCODERS)).isTrue();
-        assertThat(subscriptions.isMute(Feed.JOYSTICK)).isFalse();
+        assertThat(subscriptions.isMissing(Feed.ENCODERS)).isTrue();
+        assertThat(subscriptions.isMissing(Feed.JOYSTICK)).isFalse();
     }
 
     private List<String> requests() {
@@ -125,17 +125,17 @@ class SubscriptionsTest {
     /** Somebody reads the encoders for a while, and the robot answers or does not. */
     private void read(Subscriptions subscriptions, double seconds, boolean answers) throws InterruptedException {
         for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
-            subscriptions.want(Feed.ENCODERS);
+            subscriptions.read(Feed.ENCODERS);
             pass(subscriptions, Subscriptions.PERIOD_S);
             if (answers) {
-                subscriptions.heard(TICKS);
+                subscriptions.received(TICKS);
             }
         }
     }
 
     private void pass(Subscriptions subscriptions, double seconds) throws InterruptedException {
         for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
-            subscriptions.request();
+            subscriptions.requestDue();
             clock.time().sleep(Subscriptions.PERIOD_S);
         }
     }

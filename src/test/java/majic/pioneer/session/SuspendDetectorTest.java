@@ -13,22 +13,22 @@ class SuspendDetectorTest {
     @Test
     void aWaitIsNoSlumber() {
         pass(60_000, 60_000);
-        assertThat(slumber.isOver()).isFalse();
+        assertThat(slumber.wasSuspended()).isFalse();
     }
 
     @Test
     void aMinuteThatOnlyTheWallHasSeenIsOneAndIsToldOnce() {
         pass(60_000, 20);
-        assertThat(slumber.isOver()).isTrue();
-        assertThat(slumber.isOver()).isFalse();
+        assertThat(slumber.wasSuspended()).isTrue();
+        assertThat(slumber.wasSuspended()).isFalse();
     }
 
     @Test
     void aClockThatIsSetBackOrCorrectedALittleIsNone() {
         pass(20, 60_000);
-        assertThat(slumber.isOver()).isFalse();
+        assertThat(slumber.wasSuspended()).isFalse();
         pass(520, 20);
-        assertThat(slumber.isOver()).isFalse();
+        assertThat(slumber.wasSuspended()).isFalse();
     }
 
     private void pass(long onTheWallMs, long inProgramsMs) {

@@ -74,7 +74,7 @@ class ObstacleMemoryTest {
         PioneerState blind = tracker.track(new SipBytes().state(0, 0x01).sip(), SECOND + 1);
 
         assertThat(blind.gaps()).isEmpty();
-        assertThat(blind.sonar().hasHeard(3)).isFalse();
+        assertThat(blind.sonar().hasReading(3)).isFalse();
     }
 
     @Test
@@ -83,7 +83,7 @@ class ObstacleMemoryTest {
         PioneerState halfBlind = tracker.track(new SipBytes().state(0, 0x1B).sip(), SECOND + 1);
 
         assertThat(halfBlind.gaps()).containsOnlyKeys(Side.FRONT);
-        assertThat(halfBlind.sonar().hasHeard(8)).isFalse();
+        assertThat(halfBlind.sonar().hasReading(8)).isFalse();
     }
 
     @Test

@@ -138,7 +138,7 @@ class PioneerStateTest {
     private PioneerState hear(String type, String data) {
         byte[] bytes = Bytes.of(data);
         Packet packet = new Packet(Integer.parseInt(type, 16), bytes, 0, bytes.length);
-        tracker.keep(Objects.requireNonNull(ReportDecoder.decode(packet)));
+        tracker.add(Objects.requireNonNull(ReportDecoder.decode(packet)));
         return tracker.track(new SipBytes().sip(), 1);
     }
 }

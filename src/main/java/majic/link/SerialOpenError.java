@@ -6,18 +6,18 @@ import java.nio.file.Files;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.util.Set;
 
-/** Why the system does not open a serial port, in a sentence for the person. */
-final class SerialRefusal {
+/** The message for a serial port that could not be opened. */
+final class SerialOpenError {
     private static final String USUAL = "dialout";
     private static final Set<String> ADMINISTRATORS = Set.of("root", "wheel");
 
-    private SerialRefusal() {}
+    private SerialOpenError() {}
 
     /**
-     * Looks at a port that did not open.
+     * Finds the likely reason.
      *
      * @param name as the user gave it
-     * @param device what the system knows it by; on Windows no file's name
+     * @param device its name in the system; on Windows not the name of a file
      */
     static String of(String name, File device) {
         if (device.isDirectory() || device.isFile()) {
@@ -32,7 +32,7 @@ final class SerialRefusal {
         return "cannot open the serial port " + name + "; does another program use it?";
     }
 
-    /** The administrators' own group is not for anybody to join. */
+    /** Joining the administrators' group is not advised. */
     private static String group(File device) {
         try {
             String group = Files.readAttributes(device.toPath(), PosixFileAttributes.class)

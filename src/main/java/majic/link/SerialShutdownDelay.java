@@ -7,21 +7,21 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Keeps serial ports usable while the program ends. jSerialComm gives its library up as soon as the end begins, and what
- * a robot is told last, to stand, would not go out any more; so it is made to wait until the ports were closed.
+ * Keeps serial ports usable while the program ends. jSerialComm shuts its library down at the beginning of the program's
+ * end, before the final stop of the robots is sent; a hook delays that until the ports are closed.
  */
-final class LastOutput {
-    /** Who closes a port later than this after the end began is not waited for. */
+final class SerialShutdownDelay {
+    /** The longest delay. */
     private static final long LONGEST_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
 
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
     private static final Set<Link> OPEN = ConcurrentHashMap.newKeySet();
 
     static {
-        SerialPort.addShutdownHook(new Thread(LastOutput::await, "last output of serial ports"));
+        SerialPort.addShutdownHook(new Thread(SerialShutdownDelay::await, "last output of serial ports"));
     }
 
-    private LastOutput() {}
+    private SerialShutdownDelay() {}
 
     static void opened(Link link) {
         OPEN.add(link);

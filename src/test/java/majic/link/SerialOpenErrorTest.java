@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(20)
-class SerialRefusalTest {
+class SerialOpenErrorTest {
     private static final File SHUT = new File("/dev/ttyUSB0") {
         private static final long serialVersionUID = 1;
 
@@ -35,13 +35,13 @@ class SerialRefusalTest {
 
     @Test
     void aPortOfAnotherGroupNamesTheGroup() {
-        assertThat(SerialRefusal.of("ttyUSB0", SHUT))
+        assertThat(SerialOpenError.of("ttyUSB0", SHUT))
                 .startsWith("you are not allowed to use the serial port ttyUSB0; are you in the group dialout");
     }
 
     @Test
     void anyOtherPortIsTakenToBeInUse() {
-        assertThat(SerialRefusal.of("COM3", new File("\\\\.\\COM3")))
+        assertThat(SerialOpenError.of("COM3", new File("\\\\.\\COM3")))
                 .isEqualTo("cannot open the serial port COM3; does another program use it?");
     }
 }

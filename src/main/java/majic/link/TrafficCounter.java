@@ -3,8 +3,8 @@ package majic.link;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 
-/** Counts the traffic of one link. */
-final class Counter {
+/** Counts the traffic of one link, and tracks whether it is open. */
+final class TrafficCounter {
     private final AtomicLong written = new AtomicLong();
     private final AtomicLong consumed = new AtomicLong();
     private long handedOut;
@@ -16,12 +16,12 @@ final class Counter {
         open = true;
     }
 
-    /** Called before the bytes go out, so that they are never seen arriving uncounted. */
+    /** Called before bytes are sent, so that they cannot arrive uncounted. */
     void writing(int bytes) {
         written.addAndGet(bytes);
     }
 
-    /** Called on the reader's thread when it comes for more: what it had is dealt with. */
+    /** Called on the reader thread when it reads again: earlier bytes are handled. */
     void readerIsBack() {
         reader = Thread.currentThread();
         consumed.set(handedOut);
@@ -31,12 +31,12 @@ final class Counter {
         handedOut += bytes;
     }
 
-    /** Called on the reader's thread when it sees the end. What follows from that, this thread has yet to do. */
-    void readerSawTheEnd() {
+    /** Called on the reader thread at the end of the link, which that thread has yet to handle. */
+    void readerAtEnd() {
         ending = true;
     }
 
-    /** Called on whatever thread closes the link. A reader that saw the end has more to do than that. */
+    /** Called on the thread that closes the link. On the reader thread the link counts as open until that thread ends. */
     void closed() {
         if (!ending || Thread.currentThread() != reader) {
             open = false;

@@ -7,15 +7,15 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** Calls that the system may hold up as long as it likes, such as the look-up of a name, waited for no longer than wanted. */
-final class Bounded {
-    private Bounded() {}
+/** Waits a limited time for a call that the system may block without limit, such as the look-up of a name. */
+final class TimedCall {
+    private TimedCall() {}
 
     /**
-     * Makes a call on a thread of its own, which is left behind when it takes too long.
+     * Makes a call on a thread of its own, which continues if the call takes too long.
      *
      * @throws IOException what the call threw
-     * @throws TimeoutException if it did not come back in time; it goes on
+     * @throws TimeoutException if the call did not return in time
      */
     static <T> T call(String what, long timeoutMs, Callable<T> blocking) throws IOException, TimeoutException {
         FutureTask<T> task = new FutureTask<>(blocking);
