@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
  * parallel, and waits for them for at most {@value #BOUND_MS} ms. A program that is killed ({@code SIGKILL},
  * {@code Runtime.halt}) or crashes does not get there.
  *
- * <p>Serial ports stay usable meanwhile, see {@code LastOutput} of {@code majic.link}. Thread-safe.
+ * <p>Serial ports stay usable meanwhile, see {@code SerialShutdownDelay} of {@code majic.link}. Thread-safe.
  */
 public final class ShutdownHook {
     /** How long the end of the program waits for robots to stop and close, ms. */

@@ -37,7 +37,7 @@ class ModelsTest {
 
     /** Columns as the head of the table names them. */
     @ParameterizedTest(name = "{0}")
-    @CsvFileSource(resources = "/majic/pioneer/models.csv")
+    @CsvFileSource(resources = "/majic/pioneer/state/models.csv")
     void everyRowOfTheTableIsTheModelThatIsDriven(ArgumentsAccessor row) {
         Model model = Models.of(row.getString(0));
 
@@ -54,7 +54,7 @@ class ModelsTest {
     }
 
     @ParameterizedTest(name = "{0}")
-    @CsvFileSource(resources = "/majic/pioneer/models.csv")
+    @CsvFileSource(resources = "/majic/pioneer/state/models.csv")
     void everyModelsCountsBecomeMillimetresByItsOwnFactors(ArgumentsAccessor row) {
         StateTracker tracker = new StateTracker(Models.of(row.getString(0)), Pose.START);
         tracker.track(new SipBytes().pose(0, 0, 0).sip(), 1);
