@@ -3,6 +3,7 @@ package majic.gui;
 import java.awt.Component;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JList;
+import majic.gui.kit.Palette;
 import majic.team.Member;
 
 /** Shows a behaviour in a list; pale if the robot cannot run it. Its name is never taken for HTML. */

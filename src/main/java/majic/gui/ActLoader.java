@@ -4,6 +4,8 @@ import java.awt.Window;
 import java.util.List;
 import majic.act.ActFile;
 import majic.bot.BotException;
+import majic.gui.kit.Edt;
+import majic.gui.kit.Voice;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
 import majic.script.Session;

@@ -3,6 +3,9 @@ package majic.gui;
 import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.Palette;
+import majic.gui.kit.Paragraph;
+import majic.gui.kit.PlainLabel;
 import net.miginfocom.swing.MigLayout;
 
 /** What a behaviour is, beside the list it is chosen from. */

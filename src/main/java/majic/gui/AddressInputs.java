@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import majic.bot.BotType;
+import majic.gui.kit.Surroundings;
 import majic.team.BotFactory;
 
 /** Finds the input that fits a type of robot. */

@@ -6,6 +6,8 @@ import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import majic.gui.kit.BotStatus;
+import majic.gui.kit.Voice;
 import majic.team.Member;
 import majic.team.Team;
 import majic.team.TeamListener;

@@ -11,6 +11,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
+import majic.gui.kit.Edt;
 import majic.script.MajicParser;
 
 /**

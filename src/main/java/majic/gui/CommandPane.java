@@ -2,6 +2,7 @@ package majic.gui;
 
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.Palette;
 import majic.script.MajicParser;
 import net.miginfocom.swing.MigLayout;
 

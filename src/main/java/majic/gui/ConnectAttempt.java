@@ -5,6 +5,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.gui.kit.Edt;
 import majic.script.Session;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;

@@ -6,6 +6,7 @@ import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
 import javax.swing.KeyStroke;
+import majic.gui.kit.Pictures;
 
 /** Something the window can do, from which both its button and its menu entry are made. */
 final class FrameAction extends AbstractAction {

@@ -6,6 +6,10 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import majic.gui.kit.ChooseFile;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.Surroundings;
+import majic.gui.kit.Voice;
 import majic.script.Session;
 import majic.team.Member;
 

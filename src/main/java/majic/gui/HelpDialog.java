@@ -9,6 +9,8 @@ import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.table.TableModel;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.MemberChoice;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 

@@ -7,6 +7,9 @@ import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.BotStatus;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.MemberChoice;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 

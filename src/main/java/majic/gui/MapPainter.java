@@ -9,6 +9,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.util.List;
 import javax.swing.UIManager;
+import majic.gui.kit.Palette;
 import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
 import majic.lab.LabAccess.Wall;

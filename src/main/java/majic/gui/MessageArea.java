@@ -7,6 +7,8 @@ import javax.swing.BorderFactory;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTextPane;
+import majic.gui.kit.Edt;
+import majic.gui.kit.Pacer;
 import majic.script.Line;
 import majic.script.SessionListener;
 

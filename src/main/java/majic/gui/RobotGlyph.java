@@ -9,6 +9,8 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.bot.Pose;
+import majic.gui.kit.Palette;
+import majic.gui.kit.RobotColors;
 import majic.panel.Ink;
 import majic.panel.map.MapView;
 

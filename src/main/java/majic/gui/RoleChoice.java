@@ -11,6 +11,10 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import majic.act.Role;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.MemberChoice;
+import majic.gui.kit.Palette;
+import majic.gui.kit.Paragraph;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 

@@ -2,6 +2,7 @@ package majic.gui;
 
 import java.util.Optional;
 import majic.act.Role;
+import majic.gui.kit.BotStatus;
 import majic.team.Member;
 
 /** Which robot can play which role, and why another cannot, in words. */

@@ -7,7 +7,8 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.gui.Surroundings.SerialPortChoice;
+import majic.gui.kit.Edt;
+import majic.gui.kit.Surroundings.SerialPortChoice;
 
 /** One of the serial ports of this machine, or one typed in. */
 final class SerialInput extends AddressInput {

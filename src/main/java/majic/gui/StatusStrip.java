@@ -6,6 +6,10 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.gui.kit.BotStatus;
+import majic.gui.kit.Edt;
+import majic.gui.kit.StateIcon;
+import majic.gui.kit.Voice;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 

@@ -8,6 +8,9 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import javax.swing.Icon;
+import majic.gui.kit.BotStatus;
+import majic.gui.kit.Palette;
+import majic.gui.kit.StateIcon;
 import majic.team.Member;
 
 /**

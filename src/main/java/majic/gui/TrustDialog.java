@@ -17,6 +17,10 @@ import javax.swing.UIManager;
 import majic.act.ActFile;
 import majic.act.Printable;
 import majic.act.Signer;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.Palette;
+import majic.gui.kit.Paragraph;
+import majic.gui.kit.PlainLabel;
 import net.miginfocom.swing.MigLayout;
 
 /** Shows what code a behaviour brings, before any of it is loaded, and asks whether it may run. Enter says no. */

@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import majic.gui.MajicFrame;
-import majic.gui.Surroundings;
-import majic.gui.Surroundings.SerialPortChoice;
+import majic.gui.kit.Surroundings;
+import majic.gui.kit.Surroundings.SerialPortChoice;
 import majic.link.SerialPorts;
 import majic.script.MajicParser;
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.StyleConstants;
+import majic.gui.kit.Palette;
 import majic.script.Line;
 import org.junit.jupiter.api.Test;
 

@@ -24,6 +24,8 @@ import majic.act.Acts;
 import majic.act.NoActs;
 import majic.bot.BotType;
 import majic.bot.Settings;
+import majic.gui.kit.EdtGuard;
+import majic.gui.kit.Surroundings;
 import majic.log.SessionLog;
 import majic.script.MajicParser;
 import majic.script.Session;

@@ -1,11 +1,11 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.awt.Window;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 
 /** Asks before something that cannot be taken back. */
-final class Confirm extends MajicDialog {
+public final class Confirm extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private Confirm(Window owner, String question, String yes, Runnable action) {
@@ -23,7 +23,7 @@ final class Confirm extends MajicDialog {
      * @param yes what the agreeing button says
      * @param action done when that is pressed
      */
-    static void ask(Window owner, String question, String yes, Runnable action) {
+    public static void ask(Window owner, String question, String yes, Runnable action) {
         new Confirm(owner, question, yes, action).setVisible(true);
     }
 }

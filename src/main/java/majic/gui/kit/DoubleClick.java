@@ -1,13 +1,13 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 
 /** Does something when a place is clicked twice. */
-final class DoubleClick extends MouseAdapter {
+public final class DoubleClick extends MouseAdapter {
     private final Runnable action;
 
-    DoubleClick(Runnable action) {
+    public DoubleClick(Runnable action) {
         this.action = action;
     }
 

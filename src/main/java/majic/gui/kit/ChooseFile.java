@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.awt.Window;
 import java.io.File;
@@ -10,11 +10,12 @@ import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** Asks for a file without holding up the window. */
-final class ChooseFile extends MajicDialog {
+public final class ChooseFile extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     /** What Load Act takes. */
-    static final FileFilter ACTS = new FileNameExtensionFilter("Behaviours and scripts (.act, .majic)", "act", "majic");
+    public static final FileFilter ACTS =
+            new FileNameExtensionFilter("Behaviours and scripts (.act, .majic)", "act", "majic");
 
     private static final FileFilter SOURCES = new FileNameExtensionFilter(
             "Classes, jars, sources and scripts (.class, .jar, .java, .majic)", "class", "jar", "java", "majic");
@@ -35,14 +36,14 @@ final class ChooseFile extends MajicDialog {
     }
 
     /** Asks which file to open; the title is on the button too. */
-    static void toOpen(Window owner, String title, FileFilter filter, Consumer<Path> chosen) {
+    public static void toOpen(Window owner, String title, FileFilter filter, Consumer<Path> chosen) {
         ChooseFile dialog = new ChooseFile(owner, title, JFileChooser.OPEN_DIALOG, chosen);
         dialog.chooser.setFileFilter(filter);
         dialog.setVisible(true);
     }
 
     /** Asks what an act is to be made of; a folder will do. */
-    static void toMakeOf(Window owner, Consumer<Path> chosen) {
+    public static void toMakeOf(Window owner, Consumer<Path> chosen) {
         ChooseFile dialog = new ChooseFile(owner, "Choose", JFileChooser.OPEN_DIALOG, chosen);
         dialog.chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
         dialog.chooser.setFileFilter(SOURCES);
@@ -50,7 +51,7 @@ final class ChooseFile extends MajicDialog {
     }
 
     /** Asks where to save, and again before something is overwritten. */
-    static void toSave(Window owner, String title, String suggestion, Consumer<Path> chosen) {
+    public static void toSave(Window owner, String title, String suggestion, Consumer<Path> chosen) {
         Consumer<Path> careful = file -> {
             if (Files.exists(file)) {
                 Confirm.ask(owner, file + " exists. Overwrite it?", "Overwrite", () -> chosen.accept(file));

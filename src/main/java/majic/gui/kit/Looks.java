@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
@@ -8,7 +8,7 @@ import majic.bot.BotException;
 import majic.bot.Settings;
 
 /** The light and the dark look, and which one the person wants. */
-final class Looks {
+public final class Looks {
     private static final String KEY = "window.look";
     private static final String DARK = "dark";
     private static final String LIGHT = "light";
@@ -16,12 +16,12 @@ final class Looks {
     private Looks() {}
 
     /** Takes the look chosen last; must come before the first component is made. */
-    static void install(Settings settings) {
+    public static void install(Settings settings) {
         set(settings.get(KEY).equals(Optional.of(DARK)));
     }
 
     /** Changes all windows at once, and remembers it. */
-    static void change(boolean dark, Settings settings) {
+    public static void change(boolean dark, Settings settings) {
         set(dark);
         FlatLaf.updateUI();
         Edt.background("remembering the look", () -> remember(dark, settings));

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -8,13 +8,13 @@ import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 
 /** The one way onto the event dispatch thread, and the one way off it. */
-final class Edt {
+public final class Edt {
     private static final Logger LOG = System.getLogger(Edt.class.getName());
 
     private Edt() {}
 
     /** Does something to the window soon; callable from any thread, keeps the order of one caller. */
-    static void later(Runnable change) {
+    public static void later(Runnable change) {
         SwingUtilities.invokeLater(change);
     }
 
@@ -24,7 +24,7 @@ final class Edt {
      * @param name what a thread dump shows
      * @param work handles its own failures
      */
-    static void background(String name, Runnable work) {
+    public static void background(String name, Runnable work) {
         Thread thread = new Thread(work, name);
         thread.setDaemon(true);
         thread.start();
@@ -37,7 +37,7 @@ final class Edt {
      * @param work what to do
      * @param failed takes the failure as a sentence, on the event dispatch thread
      */
-    static void background(String doing, Runnable work, Consumer<String> failed) {
+    public static void background(String doing, Runnable work, Consumer<String> failed) {
         try {
             background(doing, () -> attempt(doing, work, failed));
         } catch (OutOfMemoryError e) {

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.util.Locale;
 import majic.bot.BotState;
@@ -7,11 +7,11 @@ import majic.team.Member;
 import majic.team.Owner;
 
 /** What the strip above a robot's display says, in words. */
-final class BotStatus {
+public final class BotStatus {
     private BotStatus() {}
 
     /** How it is connected and whether it moves. */
-    static String condition(Member member) {
+    public static String condition(Member member) {
         return switch (member.bot().connection()) {
             case NEW -> "not connected";
             case CONNECTING -> "connecting…";
@@ -22,7 +22,7 @@ final class BotStatus {
     }
 
     /** Who has it to himself; empty if nobody. */
-    static String owner(Member member) {
+    public static String owner(Member member) {
         Owner owner = member.owner();
         if (owner == null) {
             return "";
@@ -34,13 +34,13 @@ final class BotStatus {
     }
 
     /** Whether a behaviour has it. */
-    static boolean isInAct(Member member) {
+    public static boolean isInAct(Member member) {
         Owner owner = member.owner();
         return owner != null && owner.kind() == Owner.Kind.ACT;
     }
 
     /** Where it believes it is. */
-    static String pose(Member member) {
+    public static String pose(Member member) {
         BotState state = member.bot().state();
         if (state.equals(BotState.UNKNOWN)) {
             return "no position yet";

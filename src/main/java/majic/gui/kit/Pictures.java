@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import com.formdev.flatlaf.extras.FlatSVGIcon;
 import java.awt.Component;
@@ -13,16 +13,16 @@ import org.jspecify.annotations.Nullable;
  * Our own pictures. Reading the first one takes a third of a second, so the window is shown without them, and they are
  * read in the background.
  */
-final class Pictures {
+public final class Pictures {
     private Pictures() {}
 
     /** A picture by its name without {@code .svg}; its grey follows the look. Takes its place at once, empty at first. */
-    static Icon later(String name, int size) {
+    public static Icon later(String name, int size) {
         return new LateIcon(new FlatSVGIcon(path(name), size, size));
     }
 
     /** A picture as a whole; reads it. */
-    static Image now(String name, int size) {
+    public static Image now(String name, int size) {
         return new FlatSVGIcon(path(name), size, size).getImage();
     }
 
@@ -31,7 +31,7 @@ final class Pictures {
      *
      * @param icon made by {@link #later}
      */
-    static void read(Icon icon) {
+    public static void read(Icon icon) {
         if (icon instanceof LateIcon late) {
             late.read();
         }

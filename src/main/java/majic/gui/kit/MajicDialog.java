@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.awt.Window;
 import javax.swing.JButton;
@@ -10,17 +10,17 @@ import net.miginfocom.swing.MigLayout;
 /**
  * A dialog with its content above a row of buttons. Never modal, so that STOP, messages and map stay within reach.
  */
-class MajicDialog extends JDialog {
+public class MajicDialog extends JDialog {
     private static final long serialVersionUID = 1L;
 
-    MajicDialog(Window owner, String title) {
+    public MajicDialog(Window owner, String title) {
         super(owner, title, ModalityType.MODELESS);
         setName(title + " dialog");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     }
 
     /** Places everything; the first button is the one that Enter presses. */
-    final void fill(JComponent content, JButton... buttons) {
+    public final void fill(JComponent content, JButton... buttons) {
         JPanel all = new JPanel(new MigLayout("insets 14, gap 8 12", "[grow, fill]", "[grow, fill][]"));
         all.add(content, "wrap");
         JPanel row = new JPanel(new MigLayout("insets 0, gap 8, alignx right"));
@@ -36,7 +36,7 @@ class MajicDialog extends JDialog {
     }
 
     /** A button that does something. */
-    static JButton button(String text, Runnable action) {
+    public static JButton button(String text, Runnable action) {
         JButton button = new JButton(text);
         button.setName(text);
         button.addActionListener(event -> action.run());
@@ -44,7 +44,7 @@ class MajicDialog extends JDialog {
     }
 
     /** A button that closes this dialog. */
-    final JButton closing(String text) {
+    public final JButton closing(String text) {
         return button(text, this::dispose);
     }
 }

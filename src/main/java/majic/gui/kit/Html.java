@@ -1,11 +1,11 @@
-package majic.gui;
+package majic.gui.kit;
 
 /** Text of others in labels that understand HTML. */
-final class Html {
+public final class Html {
     private Html() {}
 
     /** The same text, with nothing in it that a label would take for a tag. */
-    static String escaped(String text) {
+    public static String escaped(String text) {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 }

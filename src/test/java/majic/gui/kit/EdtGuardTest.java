@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 

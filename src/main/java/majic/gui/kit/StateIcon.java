@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -14,7 +14,7 @@ import javax.swing.UIManager;
 import majic.bot.MajicBot;
 
 /** A robot's condition as a small sign that differs in shape as well as in colour. */
-enum StateIcon implements Icon {
+public enum StateIcon implements Icon {
     /** A filled disc: connected and standing. */
     STANDING,
     /** A triangle: connected and moving. */
@@ -26,7 +26,7 @@ enum StateIcon implements Icon {
 
     private static final int SIZE = 12;
 
-    static StateIcon of(MajicBot bot) {
+    public static StateIcon of(MajicBot bot) {
         return switch (bot.connection()) {
             case CONNECTED -> bot.state().moving() ? MOVING : STANDING;
             case NEW, CONNECTING -> WAITING;

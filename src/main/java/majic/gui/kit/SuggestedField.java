@@ -1,19 +1,19 @@
-package majic.gui;
+package majic.gui.kit;
 
 import javax.swing.JTextField;
 
 /** A text field that follows a suggestion until the person writes something else. */
-final class SuggestedField extends JTextField {
+public final class SuggestedField extends JTextField {
     private static final long serialVersionUID = 1L;
 
     private String suggestion = "";
 
-    SuggestedField(String name) {
+    public SuggestedField(String name) {
         setName(name);
     }
 
     /** Shows a text, unless the person has written another one. */
-    void suggest(String text) {
+    public void suggest(String text) {
         if (getText().equals(suggestion)) {
             setText(text);
         }

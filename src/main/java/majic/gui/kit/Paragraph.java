@@ -1,10 +1,10 @@
-package majic.gui;
+package majic.gui.kit;
 
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 
 /** Words that break into lines as wide as there is room, and that can be copied but not changed. */
-final class Paragraph extends JTextArea {
+public final class Paragraph extends JTextArea {
     private static final long serialVersionUID = 1L;
 
     /**
@@ -12,7 +12,7 @@ final class Paragraph extends JTextArea {
      *
      * @param columns how wide it would like to be, in characters
      */
-    Paragraph(String name, int rows, int columns) {
+    public Paragraph(String name, int rows, int columns) {
         super(rows, columns);
         setName(name);
         setEditable(false);
@@ -25,7 +25,7 @@ final class Paragraph extends JTextArea {
     }
 
     /** Shows words, in the colour of errors or not. */
-    void show(String words, boolean wrong) {
+    public void show(String words, boolean wrong) {
         setForeground(wrong ? Palette.error() : Palette.text());
         setText(words);
     }

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,11 +10,11 @@ import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
 
 /** Notes every change of a component by a thread that may not change it. */
-final class EdtGuard extends RepaintManager {
+public final class EdtGuard extends RepaintManager {
     private final List<String> violations = new CopyOnWriteArrayList<>();
     private final RepaintManager before = RepaintManager.currentManager(null);
 
-    static EdtGuard install() {
+    public static EdtGuard install() {
         EdtGuard guard = new EdtGuard();
         RepaintManager.setCurrentManager(guard);
         return guard;
@@ -33,7 +33,7 @@ final class EdtGuard extends RepaintManager {
     }
 
     /** Ends watching, and fails if something was found. */
-    void checkAndRemove() {
+    public void checkAndRemove() {
         RepaintManager.setCurrentManager(before);
         assertThat(violations).isEmpty();
     }

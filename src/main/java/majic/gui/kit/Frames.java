@@ -1,13 +1,13 @@
-package majic.gui;
+package majic.gui.kit;
 
 import majic.bot.Pose;
 
 /** Turns poses of one frame into poses of another. */
-final class Frames {
+public final class Frames {
     private Frames() {}
 
     /** Where a pose, told from an origin, lies in the frame of that origin. */
-    static Pose at(Pose origin, Pose told) {
+    public static Pose at(Pose origin, Pose told) {
         double angle = Math.toRadians(origin.headingDeg());
         double x = origin.xMm() + told.xMm() * Math.cos(angle) - told.yMm() * Math.sin(angle);
         double y = origin.yMm() + told.xMm() * Math.sin(angle) + told.yMm() * Math.cos(angle);
@@ -15,7 +15,7 @@ final class Frames {
     }
 
     /** The origin for which {@code at(origin, told)} is the given place. */
-    static Pose originOf(Pose place, Pose told) {
+    public static Pose originOf(Pose place, Pose told) {
         Pose turned = new Pose(0, 0, place.headingDeg() - told.headingDeg());
         Pose offset = at(turned, told);
         return new Pose(place.xMm() - offset.xMm(), place.yMm() - offset.yMm(), turned.headingDeg());

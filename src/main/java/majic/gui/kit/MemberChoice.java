@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.util.List;
 import java.util.Optional;
@@ -6,11 +6,11 @@ import javax.swing.JComboBox;
 import majic.team.Member;
 
 /** A drop-down of robots. */
-final class MemberChoice extends JComboBox<MemberChoice.Entry> {
+public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
     private static final long serialVersionUID = 1L;
 
     /** A robot as the list shows it. */
-    record Entry(Member member) {
+    public record Entry(Member member) {
         @Override
         public String toString() {
             return member.number() + "  " + member.bot().type().label();
@@ -22,13 +22,13 @@ final class MemberChoice extends JComboBox<MemberChoice.Entry> {
      *
      * @param first the one to begin with, if any
      */
-    MemberChoice(List<Member> members, Optional<Member> first) {
+    public MemberChoice(List<Member> members, Optional<Member> first) {
         setName("robot");
         members.forEach(member -> addItem(new Entry(member)));
         first.map(Entry::new).ifPresent(this::setSelectedItem);
     }
 
-    Member chosen() {
+    public Member chosen() {
         return getItemAt(getSelectedIndex()).member();
     }
 }

@@ -1,10 +1,10 @@
-package majic.gui;
+package majic.gui.kit;
 
 import majic.team.Member;
 import majic.team.TeamListener;
 
 /** Passes news of a team on to a part of the window, on the event dispatch thread. */
-record EdtTeamListener(TeamListener target) implements TeamListener {
+public record EdtTeamListener(TeamListener target) implements TeamListener {
     @Override
     public void added(Member member) {
         Edt.later(() -> target.added(member));

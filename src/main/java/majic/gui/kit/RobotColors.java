@@ -1,10 +1,10 @@
-package majic.gui;
+package majic.gui.kit;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
 
 /** A colour for each number, distinguishable for colour-blind people too, in light and dark. */
-final class RobotColors {
+public final class RobotColors {
     private static final Color[] LIGHT = {
         new Color(0x0072B2), new Color(0xC04E00), new Color(0x007A5A), new Color(0x9C3F80),
         new Color(0x8A6D00), new Color(0x3D6FB6), new Color(0x7A4B2A), new Color(0x555555)
@@ -17,7 +17,7 @@ final class RobotColors {
     private RobotColors() {}
 
     /** The colour of a robot in the look that is on now. */
-    static Color of(int number) {
+    public static Color of(int number) {
         Color[] colors = FlatLaf.isLafDark() ? DARK : LIGHT;
         return colors[Math.floorMod(number - 1, colors.length)];
     }

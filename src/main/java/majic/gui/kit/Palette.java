@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
@@ -6,23 +6,23 @@ import javax.swing.UIManager;
 import majic.panel.Ink;
 
 /** Colours with a meaning, readable in the look that is on now. */
-final class Palette {
+public final class Palette {
     private Palette() {}
 
-    static Color text() {
+    public static Color text() {
         return UIManager.getColor("Label.foreground");
     }
 
     /** For what is said by the way. */
-    static Color faint() {
+    public static Color faint() {
         return mixed(0.68);
     }
 
-    static Color command() {
+    public static Color command() {
         return FlatLaf.isLafDark() ? new Color(0x6CB2F5) : new Color(0x1560A8);
     }
 
-    static Color error() {
+    public static Color error() {
         return Ink.ofTheLook().alarm();
     }
 
@@ -31,7 +31,7 @@ final class Palette {
      *
      * @param share how much of it, 0 to 1
      */
-    static Color mixed(double share) {
+    public static Color mixed(double share) {
         Color ink = text();
         Color paper = UIManager.getColor("Panel.background");
         return new Color(

@@ -1,7 +1,7 @@
-package majic.gui;
+package majic.gui.kit;
 
 /** How a part of the window gets heard. Callable from any thread; returns at once. */
-interface Voice {
+public interface Voice {
     /**
      * Gives lines as if they had been typed; what becomes of them is shown among the messages.
      *

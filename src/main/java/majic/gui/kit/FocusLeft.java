@@ -1,13 +1,13 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 
 /** Does something when a field has lost the focus. */
-final class FocusLeft extends FocusAdapter {
+public final class FocusLeft extends FocusAdapter {
     private final Runnable action;
 
-    FocusLeft(Runnable action) {
+    public FocusLeft(Runnable action) {
         this.action = action;
     }
 
