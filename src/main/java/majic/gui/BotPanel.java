@@ -13,6 +13,7 @@ import javax.swing.SwingConstants;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
+import majic.gui.drive.DrivePad;
 import majic.gui.kit.Pacer;
 import majic.gui.kit.Voice;
 import majic.team.Member;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.drive;
 
 import java.awt.Dimension;
 import java.awt.event.FocusAdapter;
@@ -23,14 +23,14 @@ import net.miginfocom.swing.MigLayout;
  * Where a person drives one robot by hand: hold an arrow key while this has the focus, or the mouse on an arrow; let go
  * to stop. Losing the focus or going out of sight stops too.
  */
-final class DrivePad extends JPanel {
+public final class DrivePad extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int FULL_SPEED_PERCENT = 100;
 
     private final transient HandDriver driver;
     private final JLabel hint = new JLabel();
 
-    DrivePad(Member member, Consumer<String> complain) {
+    public DrivePad(Member member, Consumer<String> complain) {
         super(new MigLayout("insets 6 10 6 10, gap 4 4", "[][][]16[grow, fill]", "[][]"));
         driver = new HandDriver(member, complain, () -> System.nanoTime() / 1_000_000);
         setName("drivePad" + member.number());

@@ -1,7 +1,7 @@
-package majic.gui;
+package majic.gui.drive;
 
-import static majic.gui.Direction.AHEAD;
-import static majic.gui.Direction.LEFT;
+import static majic.gui.drive.Direction.AHEAD;
+import static majic.gui.drive.Direction.LEFT;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;

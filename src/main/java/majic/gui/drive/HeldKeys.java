@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.drive;
 
 import java.util.EnumMap;
 import java.util.EnumSet;

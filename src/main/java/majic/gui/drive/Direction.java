@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.drive;
 
 import java.awt.event.KeyEvent;
 import java.util.Optional;
