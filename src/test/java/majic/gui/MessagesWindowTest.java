@@ -2,6 +2,7 @@ package majic.gui;
 
 import java.util.stream.IntStream;
 import javax.swing.JScrollBar;
+import majic.gui.command.MessageArea;
 import majic.script.Line;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

@@ -41,7 +41,7 @@ import org.assertj.swing.fixture.JFileChooserFixture;
  * A real window with toys for robots, and fingers to use it. The only class that knows the library for window tests.
  * Without a display it cannot be opened, and the test fails. Touching Swing off its thread fails the test too.
  */
-final class TestWindow implements AutoCloseable {
+public final class TestWindow implements AutoCloseable {
     private static final int PATIENCE_S = 30;
 
     final ToyType type = new ToyType(BotType.Reach.TCP);
@@ -65,7 +65,7 @@ final class TestWindow implements AutoCloseable {
         robot.waitForIdle();
     }
 
-    static TestWindow open() {
+    public static TestWindow open() {
         return new TestWindow(NoActs.here());
     }
 
@@ -86,7 +86,7 @@ final class TestWindow implements AutoCloseable {
     }
 
     /** Adds a connected toy and waits for its tab. */
-    ToyBot add(String address) {
+    public ToyBot add(String address) {
         ToyBot bot = (ToyBot) factory.create("toy:" + address);
         bot.connect();
         int number = team.add(bot, OptionalInt.empty()).number();
@@ -133,7 +133,7 @@ final class TestWindow implements AutoCloseable {
         return focused != null && name.equals(focused.getName());
     }
 
-    String text(String name) {
+    public String text(String name) {
         Component component = find(name, Component.class);
         return GuiActionRunner.execute(() -> {
             if (component instanceof JTextComponent field) {
@@ -143,24 +143,24 @@ final class TestWindow implements AutoCloseable {
         });
     }
 
-    void focus(String name) {
+    public void focus(String name) {
         robot.focusAndWaitForFocusGain(find(name, Component.class));
     }
 
     /** Types into whatever has the focus. */
-    void type(String text) {
+    public void type(String text) {
         robot.enterText(text);
         robot.waitForIdle();
     }
 
     /** Types a line of commands and presses Enter. */
-    void command(String line) {
+    public void command(String line) {
         focus("commandLine");
         type(line);
         press(KeyEvent.VK_ENTER);
     }
 
-    void press(int keyCode) {
+    public void press(int keyCode) {
         robot.pressAndReleaseKey(keyCode);
         robot.waitForIdle();
     }
@@ -239,12 +239,12 @@ final class TestWindow implements AutoCloseable {
         return GuiActionRunner.execute(find(name, Component.class)::isEnabled);
     }
 
-    void awaitMessage(String part) {
+    public void awaitMessage(String part) {
         await("the message \"" + part + "\"", () -> text("messages").contains(part));
     }
 
     /** Waits for something to become true, and fails if it does not. */
-    void await(String what, BooleanSupplier condition) {
+    public void await(String what, BooleanSupplier condition) {
         Patience.await(what, condition, PATIENCE_S);
     }
 

@@ -20,14 +20,14 @@ import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /** A robot of the window's tests: writes down what it is told. */
-final class ToyBot extends MajicBot {
+public final class ToyBot extends MajicBot {
     static final double CRUISE = 200;
     static final double CRUISE_TURN = 40;
 
     private static final BotProfile PROFILE =
             new BotProfile(150, new Range(-400, 400), new Range(-90, 90), CRUISE, CRUISE_TURN, 300, false);
 
-    final List<String> told = new CopyOnWriteArrayList<>();
+    public final List<String> told = new CopyOnWriteArrayList<>();
     final CountDownLatch closed = new CountDownLatch(1);
     private final String address;
 

@@ -1,8 +1,10 @@
-package majic.gui;
+package majic.gui.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
+import majic.gui.TestWindow;
+import majic.gui.ToyBot;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.command;
 
 import java.awt.Dimension;
 import java.util.ArrayList;
@@ -16,7 +16,7 @@ import majic.script.SessionListener;
  * Shows what is said in the session: the newest line below, in view unless somebody has scrolled up. Lines may come from
  * any thread and as fast as they like; they are shown ten times a second, and the oldest are forgotten.
  */
-final class MessageArea extends JScrollPane implements SessionListener {
+public final class MessageArea extends JScrollPane implements SessionListener {
     private static final long serialVersionUID = 1L;
     private static final int MOST_WAITING = 2 * MessageDocument.MOST_LINES;
 

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.command;
 
 import java.awt.Color;
 import java.util.List;

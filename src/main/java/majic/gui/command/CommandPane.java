@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.command;
 
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -7,14 +7,14 @@ import majic.script.MajicParser;
 import net.miginfocom.swing.MigLayout;
 
 /** Message area, command line, and below it what is wrong with the line or how it could go on. */
-final class CommandPane extends JPanel {
+public final class CommandPane extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final MessageArea messages = new MessageArea();
     private final JLabel hint = new JLabel();
     private final CommandLine line;
 
-    CommandPane(MajicParser parser) {
+    public CommandPane(MajicParser parser) {
         super(new MigLayout("insets 0, gap 4 4", "[][grow, fill]", "[grow, fill][][]"));
         line = new CommandLine(parser, this::showHint);
         hint.setName("hint");
@@ -29,11 +29,11 @@ final class CommandPane extends JPanel {
         showHint("");
     }
 
-    MessageArea messages() {
+    public MessageArea messages() {
         return messages;
     }
 
-    CommandLine line() {
+    public CommandLine line() {
         return line;
     }
 

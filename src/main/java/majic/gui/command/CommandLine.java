@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.command;
 
 import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
@@ -19,7 +19,7 @@ import majic.script.MajicParser;
  * until the line is mended. Up and Down walk through earlier lines, Tab completes. The line can be edited at all times: what
  * a line names in files is read elsewhere, and if it is refused for that it comes back, unless another is being typed.
  */
-final class CommandLine extends JTextField {
+public final class CommandLine extends JTextField {
     private static final long serialVersionUID = 1L;
 
     private final transient MajicParser parser;

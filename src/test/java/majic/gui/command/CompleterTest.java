@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
