@@ -23,6 +23,8 @@ import majic.gui.kit.Looks;
 import majic.gui.kit.Pictures;
 import majic.gui.kit.Surroundings;
 import majic.gui.kit.Voice;
+import majic.gui.map.MapFeed;
+import majic.gui.map.TeamMap;
 import majic.lab.LabAccess;
 import majic.script.Line;
 import majic.script.MajicParser;

@@ -59,7 +59,7 @@ public final class ToyBot extends MajicBot {
     }
 
     /** The robot says where it is. */
-    void at(Pose pose, boolean moving) {
+    public void at(Pose pose, boolean moving) {
         publish(new BotState(pose, moving ? CRUISE : 0, 0, moving, time().nanos()));
     }
 

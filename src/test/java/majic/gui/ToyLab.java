@@ -9,12 +9,12 @@ import majic.lab.LabAccess;
 import majic.time.TimeSource;
 
 /** A lab with one toy in a square room, which can be put anywhere. */
-final class ToyLab implements LabAccess {
-    static final Pose FIRST_PLACE = new Pose(1000, 500, 90);
+public final class ToyLab implements LabAccess {
+    public static final Pose FIRST_PLACE = new Pose(1000, 500, 90);
 
     private volatile Pose truth = FIRST_PLACE;
 
-    void place(Pose pose) {
+    public void place(Pose pose) {
         truth = pose;
     }
 

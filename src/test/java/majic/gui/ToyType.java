@@ -7,11 +7,11 @@ import majic.bot.BotType;
 import majic.bot.MajicBot;
 
 /** The make of the robots in the window's tests. */
-final class ToyType implements BotType {
+public final class ToyType implements BotType {
     final List<ToyBot> made = new CopyOnWriteArrayList<>();
     private final List<Reach> reaches;
 
-    ToyType(Reach... reaches) {
+    public ToyType(Reach... reaches) {
         this.reaches = List.of(reaches);
     }
 

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import java.util.List;
 import majic.bot.Pose;
@@ -17,15 +17,15 @@ import org.jspecify.annotations.Nullable;
  * @param bystanders robots that stand in the lab but are not in the team
  * @param startsAreGuessed whether some robot's start is unknown, so that it is drawn beside the others
  */
-record MapScene(
+public record MapScene(
         List<Wall> walls,
         Furnishing furnishing,
         List<Robot> robots,
         List<Bystander> bystanders,
         boolean startsAreGuessed) {
-    static final MapScene EMPTY = new MapScene(List.of(), Furnishing.NONE, List.of(), List.of(), false);
+    public static final MapScene EMPTY = new MapScene(List.of(), Furnishing.NONE, List.of(), List.of(), false);
 
-    MapScene {
+    public MapScene {
         walls = List.copyOf(walls);
         robots = List.copyOf(robots);
         bystanders = List.copyOf(bystanders);
@@ -42,7 +42,7 @@ record MapScene(
      * @param trail where it believed it was; grows
      * @param connected whether the pose is kept up to date
      */
-    record Robot(
+    public record Robot(
             int number,
             String label,
             double bodyMm,

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -7,6 +7,9 @@ import java.util.OptionalInt;
 import majic.bot.BotType;
 import majic.bot.Pose;
 import majic.bot.Settings;
+import majic.gui.ToyBot;
+import majic.gui.ToyLab;
+import majic.gui.ToyType;
 import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -16,9 +16,9 @@ import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapView;
 
 /** Draws a scene: tape, walls, lamps, robots and key, in that order. */
-final class MapPainter {
+public final class MapPainter {
     /** What scale and key need below the room. */
-    static final int FOOT_PX = 24;
+    public static final int FOOT_PX = 24;
 
     private static final Stroke THIN = new BasicStroke(1);
     private static final Stroke WALL = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  * Puts together what the team map shows, ten times a second on a thread of its own, because a lab may have to be asked
  * and asking may wait. Only changed scenes are handed on.
  */
-final class MapFeed implements TeamListener, AutoCloseable {
+public final class MapFeed implements TeamListener, AutoCloseable {
     private static final Logger LOG = System.getLogger(MapFeed.class.getName());
 
     /** How far apart robots are drawn whose places nobody knows. */
@@ -48,13 +48,13 @@ final class MapFeed implements TeamListener, AutoCloseable {
      *
      * @param show takes each new scene, on the event dispatch thread
      */
-    MapFeed(Team team, BotFactory factory, Consumer<MapScene> show) {
+    public MapFeed(Team team, BotFactory factory, Consumer<MapScene> show) {
         this.team = team;
         this.factory = factory;
         this.show = show;
     }
 
-    void start() {
+    public void start() {
         team.addListener(this);
         clock.scheduleWithFixedDelay(this::update, 0, Pacer.PERIOD_MS, TimeUnit.MILLISECONDS);
     }

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import java.awt.Dimension;
 import majic.panel.map.ZoomableMap;
@@ -7,12 +7,12 @@ import majic.panel.map.ZoomableMap;
  * The bird's-eye view of the team: every robot with its number, heading and trail, and with a lab the room and where
  * the robots really are. Shows everything by itself until somebody zooms or drags; a double click goes back to that.
  */
-final class TeamMap extends ZoomableMap {
+public final class TeamMap extends ZoomableMap {
     private static final long serialVersionUID = 1L;
 
     private final transient TeamFloor floor;
 
-    TeamMap() {
+    public TeamMap() {
         this(new TeamFloor());
     }
 
@@ -26,12 +26,12 @@ final class TeamMap extends ZoomableMap {
     }
 
     /** Shows another moment. */
-    void show(MapScene scene) {
+    public void show(MapScene scene) {
         floor.show(scene);
         repaint();
     }
 
-    MapScene scene() {
+    public MapScene scene() {
         return floor.scene();
     }
 }

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import java.awt.BasicStroke;
 import java.awt.Color;

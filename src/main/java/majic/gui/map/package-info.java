@@ -1,0 +1,7 @@
+/**
+ * The map of the team.
+ */
+@NullMarked
+package majic.gui.map;
+
+import org.jspecify.annotations.NullMarked;
