@@ -6,6 +6,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.gui.acts.ActBar;
 import majic.gui.kit.BotStatus;
 import majic.gui.kit.Edt;
 import majic.gui.kit.StateIcon;

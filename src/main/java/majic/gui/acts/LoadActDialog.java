@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.awt.Window;
 import java.util.List;
@@ -17,13 +17,13 @@ import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
 
 /** Chooses the robot that is to get a behaviour; asks first if something runs on it. */
-final class LoadActDialog extends MajicDialog {
+public final class LoadActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private final MemberChoice choice;
     private final transient Consumer<LoadTarget> load;
 
-    LoadActDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<LoadTarget> load) {
+    public LoadActDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<LoadTarget> load) {
         super(owner, "Load Act");
         this.load = load;
         choice = new MemberChoice(members, current);

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.io.IOException;
 import java.nio.file.Files;

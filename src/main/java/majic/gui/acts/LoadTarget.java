@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.util.List;
 import majic.script.ActOffer;

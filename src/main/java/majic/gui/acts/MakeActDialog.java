@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.awt.Window;
 import java.nio.file.Files;
@@ -23,7 +23,7 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /** Makes an act's file of classes, a jar, a source or a script. All work is done in the background. */
-final class MakeActDialog extends MajicDialog {
+public final class MakeActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private final transient ActOffers offers;
@@ -39,7 +39,7 @@ final class MakeActDialog extends MajicDialog {
     private transient @Nullable ActSource source;
     private String looked = "";
 
-    MakeActDialog(Window owner, ActOffers offers) {
+    public MakeActDialog(Window owner, ActOffers offers) {
         super(owner, "Make Act");
         this.offers = offers;
         act.setName("makeAct");

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.awt.Color;
 import java.awt.Graphics;
@@ -21,7 +21,7 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /** The behaviour that runs on a robot: its name, its time, what it said last, and the button that ends it. */
-final class ActBar extends JPanel {
+public final class ActBar extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int TICK_MS = 200;
     private static final int ARC = 12;
@@ -39,7 +39,7 @@ final class ActBar extends JPanel {
      *
      * @param end ends the act
      */
-    ActBar(Member member, Runnable end) {
+    public ActBar(Member member, Runnable end) {
         super(new MigLayout("insets 6 10 6 8, gap 10 0", "[][grow, fill][]", "[][]"));
         this.member = member;
         setOpaque(false);
@@ -61,7 +61,7 @@ final class ActBar extends JPanel {
     }
 
     /** Shows what runs now. */
-    void update() {
+    public void update() {
         Owner owner = member.owner();
         if (owner == null || !BotStatus.isInAct(member)) {
             act = null;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.awt.Window;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.awt.Window;
 import java.util.List;
@@ -14,19 +14,19 @@ import majic.script.Session;
  * Leads a behaviour onto a robot: which one, consent to its code, further robots, and at last the line that gives it. Until
  * that line nothing is changed, and nothing of the behaviour's code is loaded.
  */
-final class ActLoader {
+public final class ActLoader {
     private final Window owner;
     private final Session session;
     private final Voice voice;
 
-    ActLoader(Window owner, Session session, Voice voice) {
+    public ActLoader(Window owner, Session session, Voice voice) {
         this.owner = owner;
         this.session = session;
         this.voice = voice;
     }
 
     /** Begins by choosing the behaviour. */
-    void load(LoadTarget target) {
+    public void load(LoadTarget target) {
         new ChooseActDialog(owner, session.offers(), target, offer -> askConsent(target, offer)).setVisible(true);
     }
 

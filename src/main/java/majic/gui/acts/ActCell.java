@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.awt.Component;
 import javax.swing.DefaultListCellRenderer;
