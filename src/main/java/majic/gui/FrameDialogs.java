@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import majic.gui.acts.ActLoader;
 import majic.gui.acts.LoadActDialog;
 import majic.gui.acts.MakeActDialog;
+import majic.gui.add.AddBotDialog;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Surroundings;

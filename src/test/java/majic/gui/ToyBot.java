@@ -28,7 +28,7 @@ public final class ToyBot extends MajicBot {
             new BotProfile(150, new Range(-400, 400), new Range(-90, 90), CRUISE, CRUISE_TURN, 300, false);
 
     public final List<String> told = new CopyOnWriteArrayList<>();
-    final CountDownLatch closed = new CountDownLatch(1);
+    public final CountDownLatch closed = new CountDownLatch(1);
     private final String address;
 
     ToyBot(ToyType type, String address, BotEnvironment environment) {
@@ -63,7 +63,7 @@ public final class ToyBot extends MajicBot {
         publish(new BotState(pose, moving ? CRUISE : 0, 0, moving, time().nanos()));
     }
 
-    void loseLink() {
+    public void loseLink() {
         lost(new LinkLost("connection lost: the cable is out"));
     }
 

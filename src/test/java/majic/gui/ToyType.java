@@ -8,7 +8,7 @@ import majic.bot.MajicBot;
 
 /** The make of the robots in the window's tests. */
 public final class ToyType implements BotType {
-    final List<ToyBot> made = new CopyOnWriteArrayList<>();
+    public final List<ToyBot> made = new CopyOnWriteArrayList<>();
     private final List<Reach> reaches;
 
     public ToyType(Reach... reaches) {

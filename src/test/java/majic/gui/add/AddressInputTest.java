@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.add;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import javax.swing.JTextField;
 import majic.bot.BotException;
 import majic.bot.BotType;
+import majic.gui.ToyType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.add;
 
 import java.awt.CardLayout;
 import java.awt.Window;
@@ -25,9 +25,9 @@ import org.jspecify.annotations.Nullable;
  * Connects a robot: its type, then how to reach it. Connecting goes on in the background, shows that it does, can be
  * given up, and ends by itself after a time; what went wrong and what to try is said here.
  */
-final class AddBotDialog extends MajicDialog {
+public final class AddBotDialog extends MajicDialog {
     /** Longer than any driver's own time-out; the net under them. */
-    static final int GIVE_UP_MS = 20_000;
+    public static final int GIVE_UP_MS = 20_000;
 
     private static final long serialVersionUID = 1L;
 
@@ -49,7 +49,8 @@ final class AddBotDialog extends MajicDialog {
      * @param joined takes a robot that was added
      * @param giveUpMs how long an attempt may take
      */
-    AddBotDialog(Window owner, Session session, Surroundings surroundings, Consumer<Member> joined, int giveUpMs) {
+    public AddBotDialog(
+            Window owner, Session session, Surroundings surroundings, Consumer<Member> joined, int giveUpMs) {
         super(owner, "Add Bot");
         this.session = session;
         this.joined = joined;

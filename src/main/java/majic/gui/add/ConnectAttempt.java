@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.add;
 
 import java.util.Optional;
 import java.util.OptionalInt;

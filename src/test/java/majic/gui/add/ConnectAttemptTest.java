@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.add;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,9 @@ import majic.act.NoActs;
 import majic.bot.BotType;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Settings;
+import majic.gui.Patience;
+import majic.gui.ToyBot;
+import majic.gui.ToyType;
 import majic.log.SessionLog;
 import majic.script.Session;
 import majic.team.BotFactory;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.add;
 
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;

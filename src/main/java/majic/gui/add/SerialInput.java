@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.add;
 
 import java.util.List;
 import java.util.function.Supplier;

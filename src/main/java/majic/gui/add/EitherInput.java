@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.add;
 
 import java.awt.CardLayout;
 import javax.swing.ButtonGroup;
