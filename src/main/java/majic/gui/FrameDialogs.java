@@ -10,6 +10,8 @@ import majic.gui.acts.ActLoader;
 import majic.gui.acts.LoadActDialog;
 import majic.gui.acts.MakeActDialog;
 import majic.gui.add.AddBotDialog;
+import majic.gui.bots.BotTabs;
+import majic.gui.bots.KillBotDialog;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Surroundings;

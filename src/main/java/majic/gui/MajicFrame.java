@@ -16,6 +16,7 @@ import javax.swing.LayoutFocusTraversalPolicy;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
+import majic.gui.bots.BotTabs;
 import majic.gui.command.CommandPane;
 import majic.gui.kit.Edt;
 import majic.gui.kit.EdtTeamListener;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.bots;
 
 import java.awt.Container;
 import javax.swing.JButton;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.bots;
 
 import java.awt.Window;
 import java.util.List;
@@ -14,13 +14,13 @@ import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /** Chooses the robot to be let go, and says what that ends. */
-final class KillBotDialog extends MajicDialog {
+public final class KillBotDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private final MemberChoice choice;
     private final JLabel consequence = new JLabel();
 
-    KillBotDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<Member> kill) {
+    public KillBotDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<Member> kill) {
         super(owner, "Kill Bot");
         choice = new MemberChoice(members, current);
         choice.addActionListener(event -> sayWhatEnds());

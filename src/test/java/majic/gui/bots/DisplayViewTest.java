@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.bots;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

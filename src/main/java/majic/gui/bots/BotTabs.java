@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.bots;
 
 import java.awt.CardLayout;
 import java.util.Optional;
@@ -14,7 +14,7 @@ import majic.team.TeamListener;
 import net.miginfocom.swing.MigLayout;
 
 /** A tab for each robot, by number; without robots a word on how to get one. */
-final class BotTabs extends JPanel implements TeamListener {
+public final class BotTabs extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
     private static final String NOBODY = "nobody";
     private static final String SOMEBODY = "somebody";
@@ -29,7 +29,7 @@ final class BotTabs extends JPanel implements TeamListener {
      *
      * @param voice how robots and people are spoken to
      */
-    BotTabs(Team team, Voice voice) {
+    public BotTabs(Team team, Voice voice) {
         this.team = team;
         this.voice = voice;
         setLayout(cards);
@@ -49,12 +49,12 @@ final class BotTabs extends JPanel implements TeamListener {
     }
 
     /** The robot whose tab is in front. */
-    Optional<Member> selected() {
+    public Optional<Member> selected() {
         return tabs.getSelectedComponent() instanceof BotPanel panel ? Optional.of(panel.member()) : Optional.empty();
     }
 
     /** Brings a robot's tab to the front. */
-    void select(Member member) {
+    public void select(Member member) {
         int index = panelAt(member);
         if (index >= 0) {
             tabs.setSelectedIndex(index);
