@@ -5,6 +5,18 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import majic.act.file.ActClassLoader;
+import majic.act.file.ActFile;
+import majic.act.file.ActManifest;
+import majic.act.file.ActNames;
+import majic.act.file.ActWriter;
+import majic.act.file.ClassFile;
+import majic.act.file.ClassPool;
+import majic.act.file.Family;
+import majic.act.file.NeededClasses;
+import majic.act.file.SavedAct;
+import majic.act.file.Suitability;
+import majic.act.file.Unfit;
 
 /**
  * Makes an act's file from compiled classes, or from one source file. The class's constructor runs once, so that its

@@ -5,7 +5,7 @@ import java.util.stream.Stream;
 import majic.bot.BotException;
 
 /** Puts into words for an act's author what his act failed by. */
-final class Blame {
+public final class Blame {
     private Blame() {}
 
     /** The reason why its {@code behave()} failed, then the one of its {@code ended()}; either may be missing. */
@@ -31,7 +31,7 @@ final class Blame {
     }
 
     /** What kind of failure it is and its own words, in one line. */
-    static String named(Throwable failure) {
+    public static String named(Throwable failure) {
         String message = failure.getMessage();
         return Printable.of(failure.getClass().getSimpleName() + (message == null ? "" : ": " + message));
     }

@@ -6,6 +6,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import majic.act.file.Unfit;
 
 /** Makes the first object of an act's class, to save it. Here the author's code runs, on the author's own machine. */
 final class FreshAct {

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import majic.act.ActMaker;
-import majic.act.Acts;
+import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.console.ActOutput;
 import majic.program.Failures;

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import majic.act.ActException;
-import majic.act.ActFile;
+import majic.act.file.ActFile;
 import majic.program.Failures;
 import majic.program.Version;
 import org.jspecify.annotations.Nullable;

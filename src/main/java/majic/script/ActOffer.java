@@ -3,8 +3,8 @@ package majic.script;
 import java.util.List;
 import java.util.stream.Collectors;
 import majic.act.ActDetails;
-import majic.act.ActFile;
 import majic.act.Role;
+import majic.act.file.ActFile;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,9 +4,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import majic.act.ActDetails;
-import majic.act.ActFile;
-import majic.act.Acts;
 import majic.act.Role;
+import majic.act.file.ActFile;
+import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.team.Member;
 

@@ -3,7 +3,7 @@ package majic.script;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import majic.act.Acts;
+import majic.act.file.Acts;
 import majic.bot.BotType;
 import majic.log.ParameterLog;
 import majic.log.Sampling;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
+import majic.act.file.ActFile;
 import majic.bot.BotEnvironment;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;

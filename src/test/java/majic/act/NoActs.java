@@ -1,6 +1,8 @@
 package majic.act;
 
 import java.nio.file.Path;
+import majic.act.file.ActTrust;
+import majic.act.file.Acts;
 import majic.bot.Settings;
 
 /** For sessions whose user has no behaviours of his own and has agreed to nothing. */

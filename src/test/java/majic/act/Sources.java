@@ -3,12 +3,14 @@ package majic.act;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import majic.act.file.ActFile;
+import majic.act.file.ActTrust;
 import majic.bot.Settings;
 
 /** Acts that are compiled while the tests run, so that this MAJIC has never seen their classes. */
-final class Sources {
+public final class Sources {
     /** Has a record, an enum whose constant has a body, a lambda and a helper beside it. */
-    static final String WANDER = """
+    public static final String WANDER = """
             import java.util.List;
             import java.util.function.IntSupplier;
             import majic.act.MajicAct;
@@ -50,7 +52,7 @@ final class Sources {
 
     private Sources() {}
 
-    static ActMaker maker(Path folder, String name, String text) {
+    public static ActMaker maker(Path folder, String name, String text) {
         try {
             return ActMaker.from(Files.writeString(folder.resolve(name + ".java"), text));
         } catch (IOException e) {
@@ -64,7 +66,7 @@ final class Sources {
     }
 
     /** The trust of a user who agrees to a file. */
-    static ActTrust trusting(ActFile file) {
+    public static ActTrust trusting(ActFile file) {
         ActTrust trust = new ActTrust(Settings.inMemory());
         trust.agree(file);
         return trust;

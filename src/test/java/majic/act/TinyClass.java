@@ -5,13 +5,13 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 
 /** The shortest class files there are. */
-final class TinyClass {
+public final class TinyClass {
     private static final int PUBLIC_SUPER = 0x21;
 
     private TinyClass() {}
 
     /** A class of a name and of a version, without anything in it. */
-    static byte[] of(String name, int major) {
+    public static byte[] of(String name, int major) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeInt(0xCAFEBABE);

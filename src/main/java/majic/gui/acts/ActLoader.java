@@ -2,7 +2,7 @@ package majic.gui.acts;
 
 import java.awt.Window;
 import java.util.List;
-import majic.act.ActFile;
+import majic.act.file.ActFile;
 import majic.bot.BotException;
 import majic.gui.kit.Edt;
 import majic.gui.kit.Voice;

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import majic.act.ActDetails;
 import majic.act.ActMaker;
-import majic.act.Acts;
+import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.bot.IoReason;
 import majic.script.ScriptAct;

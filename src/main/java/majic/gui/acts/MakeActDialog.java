@@ -10,7 +10,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import majic.act.ActDetails;
-import majic.act.Acts;
+import majic.act.file.Acts;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.Confirm;
 import majic.gui.kit.Edt;

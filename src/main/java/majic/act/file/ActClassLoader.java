@@ -1,0 +1,48 @@
+package majic.act.file;
+
+import java.io.ByteArrayInputStream;
+import java.io.InputStream;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Loads the classes of one act's file, before those of the same name that MAJIC has. When nobody uses the act any more,
+ * its classes go with it.
+ */
+public final class ActClassLoader extends ClassLoader {
+    private final Map<String, byte[]> entries;
+
+    /**
+     * A loader for one load of one file.
+     *
+     * @param label the file's name, for whoever looks at threads and classes
+     * @param entries what lies in the file, by path; checked before to hold no class of a reserved package
+     */
+    public ActClassLoader(String label, Map<String, byte[]> entries, ClassLoader majic) {
+        super("act " + label, majic);
+        this.entries = entries;
+    }
+
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+        synchronized (getClassLoadingLock(name)) {
+            Class<?> loaded = findLoadedClass(name);
+            byte[] code = entries.get(ActNames.pathOf(name));
+            if (loaded == null) {
+                loaded = code == null || ActNames.isReserved(name)
+                        ? super.loadClass(name, false)
+                        : defineClass(name, code, 0, code.length);
+            }
+            if (resolve) {
+                resolveClass(loaded);
+            }
+            return loaded;
+        }
+    }
+
+    @Override
+    public @Nullable InputStream getResourceAsStream(String path) {
+        byte[] own = entries.get(path);
+        return own == null ? super.getResourceAsStream(path) : new ByteArrayInputStream(own);
+    }
+}

@@ -1,0 +1,129 @@
+package majic.act.file;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.jar.Manifest;
+import majic.act.ActDetails;
+import majic.act.Role;
+
+/**
+ * What lies in an act's file, taken apart and checked, with none of its code loaded.
+ *
+ * @param manifest what it says of itself
+ * @param signers who signed it
+ * @param entries its classes and other files by path; empty if it is a mere object stream
+ * @param classes its classes by name
+ * @param data the object stream of the act
+ * @param family the classes that belong to the act
+ */
+public record ActContents(
+        ActManifest manifest,
+        List<Signer> signers,
+        Map<String, byte[]> entries,
+        Map<String, ClassFile> classes,
+        byte[] data,
+        Family family) {
+    public static final String DATA = "act.ser";
+
+    private static final int JAR = 0x504B0304;
+    private static final int STREAM = 0xACED0005;
+
+    /**
+     * Takes a file apart.
+     *
+     * @throws Unfit if it is no act, or one that this MAJIC must not or cannot load
+     */
+    static ActContents of(byte[] file, ClassLoader majic) throws IOException {
+        if (file.length > BoundedZip.MAX_FILE_BYTES) {
+            throw new Unfit("is larger than " + (BoundedZip.MAX_FILE_BYTES >> 20) + " MB, which no act is");
+        }
+        return switch (firstFour(file)) {
+            case JAR -> ofJar(file, majic);
+            case STREAM -> ofStream(file, majic);
+            case 0 -> throw new Unfit("is empty or cut off");
+            default -> throw new Unfit("is no act: neither a jar nor a saved object");
+        };
+    }
+
+    private static int firstFour(byte[] file) {
+        return file.length < Integer.BYTES
+                ? 0
+                : file[0] << 24 | (file[1] & 0xFF) << 16 | (file[2] & 0xFF) << 8 | file[3] & 0xFF;
+    }
+
+    private static ActContents ofStream(byte[] file, ClassLoader majic) throws IOException {
+        Set<String> saved = SerialScan.classes(file);
+        String actClass = saved.stream().findFirst().orElseThrow(() -> new Unfit("holds no act, but other data"));
+        ActManifest manifest =
+                new ActManifest(actClass, ActDetails.named(ActNames.simple(actClass)), "", List.of(Role.any(Role.ME)));
+        Family family = Family.of(actClass, Map.of(), majic);
+        checkFamily(saved, family);
+        return new ActContents(manifest, List.of(), Map.of(), Map.of(), file, family);
+    }
+
+    private static ActContents ofJar(byte[] file, ClassLoader majic) throws IOException {
+        Map<String, byte[]> entries = BoundedZip.unpack(file);
+        Manifest said = ActManifest.parse(entry(entries, ActManifest.PATH));
+        ActManifest manifest = ActManifest.of(said);
+        List<Signer> signers = Signatures.check(file, entries.keySet(), said);
+        Map<String, ClassFile> classes = classes(entries);
+        byte[] data = entry(entries, DATA);
+        Family family = Family.of(manifest.actClass(), classes, majic);
+        checkFamily(SerialScan.classes(data), family);
+        return new ActContents(manifest, signers, entries, classes, data, family);
+    }
+
+    private static byte[] entry(Map<String, byte[]> entries, String path) throws Unfit {
+        byte[] entry = entries.get(path);
+        if (entry == null) {
+            throw new Unfit("is a jar, but no act: it has no " + path);
+        }
+        return entry;
+    }
+
+    private static Map<String, ClassFile> classes(Map<String, byte[]> entries) throws IOException {
+        Map<String, ClassFile> classes = new TreeMap<>();
+        for (Map.Entry<String, byte[]> entry : entries.entrySet()) {
+            String name = ActNames.classAt(entry.getKey()).orElse("");
+            if (!name.isEmpty()) {
+                classes.put(name, checkedClass(name, entry.getValue()));
+            }
+        }
+        return classes;
+    }
+
+    private static ClassFile checkedClass(String name, byte[] bytes) throws IOException {
+        ClassFile code = parsedClass(name, bytes);
+        if (!code.name().equals(name)) {
+            throw new Unfit("has the class " + code.name() + " in the place of " + name);
+        }
+        if (ActNames.isReserved(name)) {
+            throw new Unfit("brings a class " + name + ", but that package belongs to MAJIC or Java");
+        }
+        if (code.java() > Runtime.version().feature()) {
+            throw new Unfit("is compiled for Java " + code.java() + ", and this is Java "
+                    + Runtime.version().feature() + "; compile it with --release "
+                    + Runtime.version().feature());
+        }
+        return code;
+    }
+
+    private static ClassFile parsedClass(String name, byte[] bytes) throws IOException {
+        try {
+            return ClassFile.parse(bytes);
+        } catch (IOException e) {
+            throw new Unfit("is damaged: its " + name + " " + e.getMessage(), e);
+        }
+    }
+
+    private static void checkFamily(Set<String> saved, Family family) throws Unfit {
+        for (String one : saved) {
+            if (!family.has(one)) {
+                throw new Unfit("holds a " + one + ", which no act may hold");
+            }
+        }
+    }
+}

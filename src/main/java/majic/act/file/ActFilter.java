@@ -1,0 +1,26 @@
+package majic.act.file;
+
+import java.io.ObjectInputFilter;
+import java.util.function.Predicate;
+
+/** Admits an act, the classes that belong to it, and plain values within bounds. The second wall behind the scan. */
+public record ActFilter(Predicate<String> own) implements ObjectInputFilter {
+    /** The JDK counts its own steps too, several for each object. */
+    private static final int STEPS_FOR_AN_OBJECT = 4;
+
+    @Override
+    public Status checkInput(FilterInfo info) {
+        boolean bounded = info.depth() <= PlainValues.MAX_DEPTH + STEPS_FOR_AN_OBJECT
+                && info.references() <= (long) PlainValues.MAX_OBJECTS * STEPS_FOR_AN_OBJECT
+                && info.streamBytes() <= PlainValues.MAX_BYTES
+                && info.arrayLength() <= PlainValues.MAX_ARRAY;
+        Class<?> type = info.serialClass();
+        return bounded && (type == null || PlainValues.isMadeOfOne(type) || admits(type.getName()))
+                ? Status.ALLOWED
+                : Status.REJECTED;
+    }
+
+    boolean admits(String className) {
+        return PlainValues.has(className) || own.test(PlainValues.element(className));
+    }
+}

@@ -1,0 +1,114 @@
+package majic.act.file;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.List;
+import java.util.jar.Attributes;
+import java.util.jar.Attributes.Name;
+import java.util.jar.Manifest;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import majic.act.ActDetails;
+import majic.act.Role;
+
+/**
+ * What the manifest of an act's file says.
+ *
+ * @param actClass the act's class
+ * @param details what its author says of it
+ * @param majicVersion the MAJIC it was made with
+ * @param roles the robots it asks for
+ */
+public record ActManifest(String actClass, ActDetails details, String majicVersion, List<Role> roles) {
+    public static final String PATH = "META-INF/MANIFEST.MF";
+
+    /** The form of the file that this MAJIC writes and reads. */
+    private static final int FORMAT = 1;
+
+    private static final Name ACT_FORMAT = new Name("Act-Format");
+    private static final Name ACT_CLASS = new Name("Act-Class");
+    private static final Name ACT_NAME = new Name("Act-Name");
+    private static final Name ACT_VERSION = new Name("Act-Version");
+    private static final Name ACT_AUTHOR = new Name("Act-Author");
+    private static final Name ACT_DESCRIPTION = new Name("Act-Description");
+    private static final Name ACT_ROLES = new Name("Act-Roles");
+    private static final Name MAJIC_VERSION = new Name("Majic-Version");
+
+    public ActManifest {
+        roles = List.copyOf(roles);
+    }
+
+    /** The manifest as such; to check signatures with. */
+    static Manifest parse(byte[] bytes) throws IOException {
+        try {
+            return new Manifest(new ByteArrayInputStream(bytes));
+        } catch (IOException e) {
+            throw new Unfit("has a damaged manifest (" + e.getMessage() + ")", e);
+        }
+    }
+
+    static ActManifest of(Manifest manifest) throws IOException {
+        Attributes said = manifest.getMainAttributes();
+        checkFormat(said);
+        String actClass = text(said, ACT_CLASS);
+        if (actClass.isEmpty()) {
+            throw new Unfit("does not say in its manifest which class is the act (Act-Class)");
+        }
+        ActDetails details = new ActDetails(
+                text(said, ACT_NAME).isEmpty() ? ActNames.simple(actClass) : text(said, ACT_NAME),
+                text(said, ACT_VERSION),
+                text(said, ACT_AUTHOR),
+                text(said, ACT_DESCRIPTION));
+        return new ActManifest(actClass, details, text(said, MAJIC_VERSION), roles(text(said, ACT_ROLES)));
+    }
+
+    private static void checkFormat(Attributes said) throws Unfit {
+        String format = text(said, ACT_FORMAT);
+        if (format.isEmpty()) {
+            throw new Unfit("is a jar, but no act: its manifest has no Act-Format");
+        }
+        if (!format.matches("[0-9]{1,6}")) {
+            throw new Unfit("says a strange Act-Format in its manifest: " + format);
+        }
+        if (Integer.parseInt(format) > FORMAT) {
+            throw new Unfit("was made by a newer MAJIC (" + text(said, MAJIC_VERSION) + ", form " + format
+                    + "); this one reads form " + FORMAT);
+        }
+        if (Integer.parseInt(format) < FORMAT) {
+            throw new Unfit("has the old form " + format + " that no MAJIC reads any more; make it anew");
+        }
+    }
+
+    private static String text(Attributes said, Name name) {
+        String text = said.getValue(name);
+        return text == null ? "" : text.strip();
+    }
+
+    private static List<Role> roles(String text) throws Unfit {
+        try {
+            return text.isEmpty()
+                    ? List.of(Role.any(Role.ME))
+                    : Stream.of(text.split(";")).map(Role::parse).toList();
+        } catch (IllegalArgumentException e) {
+            throw new Unfit("asks in its manifest for robots that cannot be (Act-Roles: " + text + ")", e);
+        }
+    }
+
+    byte[] bytes() throws IOException {
+        Manifest manifest = new Manifest();
+        Attributes said = manifest.getMainAttributes();
+        said.put(Name.MANIFEST_VERSION, "1.0");
+        said.put(ACT_FORMAT, String.valueOf(FORMAT));
+        said.put(ACT_CLASS, actClass);
+        said.put(ACT_NAME, details.name());
+        said.put(ACT_VERSION, details.version());
+        said.put(ACT_AUTHOR, details.author());
+        said.put(ACT_DESCRIPTION, details.description());
+        said.put(ACT_ROLES, roles.stream().map(Role::toString).collect(Collectors.joining("; ")));
+        said.put(MAJIC_VERSION, majicVersion);
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        manifest.write(bytes);
+        return bytes.toByteArray();
+    }
+}

@@ -1,0 +1,43 @@
+package majic.act.file;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import majic.act.ActDetails;
+import majic.act.Printable;
+import majic.act.Role;
+
+/** What a file says of itself, in lines for people. */
+final class ActSheet {
+    private ActSheet() {}
+
+    static List<String> of(ActFile file) {
+        ActDetails details = file.details();
+        return Stream.of(
+                        "act: " + details.name() + (details.version().isEmpty() ? "" : " " + details.version()),
+                        "author: " + orElse(details.author(), "not said"),
+                        "description: " + orElse(details.description(), "none"),
+                        "robots: " + file.roles().stream().map(Role::toString).collect(Collectors.joining("; ")),
+                        "class: " + file.actClass(),
+                        "made with: MAJIC " + orElse(file.majicVersion(), "of an unknown version"),
+                        "signed by: " + signers(file.signers()),
+                        "SHA-256: " + file.sha256(),
+                        "classes in it: " + orElse(String.join(", ", file.classes()), "none; it needs no consent"),
+                        "other files in it: " + orElse(String.join(", ", file.resources()), "none"),
+                        "packages they use: " + orElse(String.join(", ", file.packages()), "none"))
+                .map(Printable::of)
+                .toList();
+    }
+
+    private static String signers(List<Signer> signers) {
+        return orElse(
+                signers.stream()
+                        .map(signer -> signer.name() + " (certificate " + signer.fingerprint() + ")")
+                        .collect(Collectors.joining(", ")),
+                "nobody");
+    }
+
+    private static String orElse(String text, String otherwise) {
+        return text.isEmpty() ? otherwise : text;
+    }
+}

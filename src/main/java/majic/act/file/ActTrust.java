@@ -1,0 +1,59 @@
+package majic.act.file;
+
+import majic.bot.Settings;
+
+/**
+ * Which code the user has agreed to, remembered by the hash of its file in the user's settings. Acts that come with
+ * MAJIC, and files without code, need no consent.
+ *
+ * @param settings where it is remembered
+ */
+public record ActTrust(Settings settings) {
+    private static final String KEY = "act.trusted.";
+
+    /** In place of a name, which no act has. */
+    private static final String TAKEN_BACK = "";
+
+    /**
+     * Whether a file may be loaded.
+     *
+     * @param file the file
+     * @return true if it has no code of its own, came with MAJIC, or was agreed to before
+     */
+    public boolean isTrusted(ActFile file) {
+        return !file.carriesCode() || file.isShipped() || isAgreed(file.sha256());
+    }
+
+    private boolean isAgreed(String sha256) {
+        return settings.get(KEY + sha256)
+                .filter(name -> !name.equals(TAKEN_BACK))
+                .isPresent();
+    }
+
+    /**
+     * The user has seen what the file says of itself and agrees to run its code, now and later. Another file, however
+     * alike, is asked for anew.
+     *
+     * @param file the file
+     * @throws majic.bot.BotException if that could not be written down; it then holds until the program ends
+     */
+    public void agree(ActFile file) {
+        String name = file.details().name();
+        settings.put(KEY + file.sha256(), name.equals(TAKEN_BACK) ? file.actClass() : name);
+    }
+
+    /**
+     * Takes the consent to a file back. What runs of it goes on; the next load is refused.
+     *
+     * @param sha256 the hash of the whole file, 64 hexadecimal digits; the file itself may be gone
+     * @return whether it had been agreed to
+     * @throws majic.bot.BotException if that could not be written down; it then holds until the program ends
+     */
+    public boolean takeBack(String sha256) {
+        boolean agreed = isAgreed(sha256);
+        if (agreed) {
+            settings.put(KEY + sha256, TAKEN_BACK);
+        }
+        return agreed;
+    }
+}

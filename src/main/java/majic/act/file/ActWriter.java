@@ -1,0 +1,46 @@
+package majic.act.file;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.time.LocalDateTime;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+
+/** Packs an act's file. The same contents give the same bytes, so that what was agreed to once stays agreed to. */
+public final class ActWriter {
+    /** The first moment that a zip file can write down. */
+    private static final LocalDateTime NO_TIME = LocalDateTime.of(1980, 1, 1, 0, 0);
+
+    private ActWriter() {}
+
+    /**
+     * Packs a file.
+     *
+     * @param manifest what it says of itself
+     * @param files the classes it brings, and what lies beside them, by path
+     * @param data the object stream of the act
+     */
+    public static byte[] pack(ActManifest manifest, Map<String, byte[]> files, byte[] data) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ZipOutputStream out = new ZipOutputStream(bytes)) {
+            put(out, ActManifest.PATH, manifest.bytes());
+            put(out, ActContents.DATA, data);
+            for (Map.Entry<String, byte[]> one : new TreeMap<>(files).entrySet()) {
+                put(out, one.getKey(), one.getValue());
+            }
+        } catch (IOException e) {
+            throw new IllegalStateException("memory takes what is written to it", e);
+        }
+        return bytes.toByteArray();
+    }
+
+    private static void put(ZipOutputStream out, String path, byte[] bytes) throws IOException {
+        ZipEntry entry = new ZipEntry(path);
+        entry.setTimeLocal(NO_TIME);
+        out.putNextEntry(entry);
+        out.write(bytes);
+        out.closeEntry();
+    }
+}

@@ -1,0 +1,125 @@
+package majic.act.file;
+
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.UTFDataFormatException;
+import java.lang.reflect.Modifier;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * What a class file says of itself, read without loading it (The Java Virtual Machine Specification, chapter 4).
+ *
+ * @param name its name with dots
+ * @param parent its superclass; empty for {@code java.lang.Object} and for modules
+ * @param major the version of its form: 61 for Java 17
+ * @param flags its access flags
+ * @param nesting where it is declared
+ * @param uses the classes it cannot be linked without, itself included
+ */
+public record ClassFile(String name, String parent, int major, int flags, Nesting nesting, Set<String> uses) {
+    /** Where a class is declared. */
+    enum Nesting {
+        /** By itself. */
+        TOP,
+        /** In another class, static. */
+        STATIC,
+        /** In another class, of which each of its objects needs one. */
+        INNER,
+        /** In a method, with or without a name. */
+        LOCAL
+    }
+
+    private static final int MAGIC = 0xCAFEBABE;
+    private static final int FIRST_MAJOR_BEHIND_JAVA_0 = 44;
+
+    public static ClassFile parse(byte[] bytes) throws IOException {
+        try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {
+            if (in.readInt() != MAGIC) {
+                throw new Unfit("is not a class file");
+            }
+            return parse(in);
+        } catch (EOFException e) {
+            throw new Unfit("is a class file that is cut off", e);
+        } catch (UTFDataFormatException e) {
+            throw new Unfit("is a damaged class file", e);
+        }
+    }
+
+    private static ClassFile parse(DataInputStream in) throws IOException {
+        in.skipNBytes(2);
+        int major = in.readUnsignedShort();
+        ConstantPool pool = ConstantPool.read(in);
+        int flags = in.readUnsignedShort();
+        String name = pool.className(in.readUnsignedShort());
+        int parent = in.readUnsignedShort();
+        in.skipNBytes(2L * in.readUnsignedShort());
+        Set<String> uses = new TreeSet<>(pool.classes());
+        uses.addAll(readMembers(in, pool));
+        uses.addAll(readMembers(in, pool));
+        Nesting nesting = readNesting(in, pool, name);
+        return new ClassFile(name, parent == 0 ? "" : pool.className(parent), major, flags, nesting, Set.copyOf(uses));
+    }
+
+    /** Fields or methods. */
+    private static Set<String> readMembers(DataInputStream in, ConstantPool pool) throws IOException {
+        Set<String> uses = new TreeSet<>();
+        for (int left = in.readUnsignedShort(); left > 0; left--) {
+            in.skipNBytes(4);
+            uses.addAll(ConstantPool.classesIn(pool.text(in.readUnsignedShort())));
+            for (int attributes = in.readUnsignedShort(); attributes > 0; attributes--) {
+                in.skipNBytes(2);
+                in.skipNBytes(Integer.toUnsignedLong(in.readInt()));
+            }
+        }
+        return uses;
+    }
+
+    private static Nesting readNesting(DataInputStream in, ConstantPool pool, String name) throws IOException {
+        Nesting nesting = Nesting.TOP;
+        for (int left = in.readUnsignedShort(); left > 0; left--) {
+            String attribute = pool.text(in.readUnsignedShort());
+            long length = Integer.toUnsignedLong(in.readInt());
+            if (attribute.equals("InnerClasses")) {
+                nesting = readInnerClasses(in, pool, name);
+            } else {
+                in.skipNBytes(length);
+            }
+        }
+        return nesting;
+    }
+
+    private static Nesting readInnerClasses(DataInputStream in, ConstantPool pool, String name) throws IOException {
+        Nesting nesting = Nesting.TOP;
+        for (int left = in.readUnsignedShort(); left > 0; left--) {
+            boolean itself = pool.className(in.readUnsignedShort()).equals(name);
+            boolean local = in.readUnsignedShort() == 0;
+            in.skipNBytes(2);
+            int flags = in.readUnsignedShort();
+            if (itself) {
+                nesting = local ? Nesting.LOCAL : Modifier.isStatic(flags) ? Nesting.STATIC : Nesting.INNER;
+            }
+        }
+        return nesting;
+    }
+
+    boolean isAbstract() {
+        return Modifier.isAbstract(flags);
+    }
+
+    /** The Java it was compiled for: 17. */
+    int java() {
+        return major - FIRST_MAJOR_BEHIND_JAVA_0;
+    }
+
+    String packageName() {
+        return packageOf(name);
+    }
+
+    /** Empty for the package without a name. */
+    static String packageOf(String className) {
+        return className.substring(0, Math.max(className.lastIndexOf('.'), 0));
+    }
+}

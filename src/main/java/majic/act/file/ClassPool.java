@@ -1,0 +1,159 @@
+package majic.act.file;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import majic.act.ActException;
+import majic.bot.IoReason;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The classes an act may be made of: those of a class file and what lies around it, of a folder, a jar or a source.
+ *
+ * @param label what to call it in errors
+ * @param named the classes that were given, by name; one of them may be the act
+ * @param root where further classes are looked for; null for nowhere
+ * @param others what else lies in the folder or jar and an act might read, by path
+ */
+public record ClassPool(
+        String label, Map<String, byte[]> named, @Nullable Path root, Map<String, Content> others) {
+    /** A file that is read only if it is needed. */
+    interface Content {
+        byte[] read() throws IOException;
+    }
+
+    private static final int MAX_CLASSES = 2_000;
+    private static final Pattern NOT_FOR_ACTS =
+            Pattern.compile("META-INF/.*|(.*/)?\\..*|.*\\.(class|java|jar|act)|" + ActContents.DATA);
+
+    /**
+     * Opens what the user gave.
+     *
+     * @throws ActException if there are no classes in it
+     */
+    public static ClassPool of(Path given) {
+        String label = String.valueOf(given.getFileName());
+        String kind = label.toLowerCase(Locale.ROOT);
+        try {
+            if (Files.isDirectory(given)) {
+                return ofFolder(label, given);
+            }
+            if (kind.endsWith(".class")) {
+                return ofClass(label, given.toAbsolutePath());
+            }
+            if (kind.endsWith(".java")) {
+                return new ClassPool(label, JavaSource.compile(given), null, Map.of());
+            }
+            return ofJar(label, BoundedZip.unpack(Files.readAllBytes(given)));
+        } catch (NoSuchFileException e) {
+            throw new ActException("there is no file " + given, e);
+        } catch (Unfit e) {
+            throw new ActException(label + " " + e.getMessage(), e);
+        } catch (IOException e) {
+            throw new ActException("cannot read " + given + ": " + IoReason.of(e), e);
+        }
+    }
+
+    private static ClassPool ofClass(String label, Path file) throws IOException {
+        byte[] bytes = Files.readAllBytes(file);
+        String name = ClassFile.parse(bytes).name();
+        Path path = Path.of(ActNames.pathOf(name));
+        if (!file.endsWith(path)) {
+            throw new Unfit("is the class " + name + "; its place is " + path);
+        }
+        Path root = file;
+        for (int i = 0; i < path.getNameCount() && root != null; i++) {
+            root = root.getParent();
+        }
+        return new ClassPool(label, Map.of(name, bytes), root, Map.of());
+    }
+
+    private static ClassPool ofFolder(String label, Path folder) throws IOException {
+        Map<String, byte[]> classes = new HashMap<>();
+        Map<String, Content> others = new HashMap<>();
+        try (Stream<Path> found = Files.walk(folder)) {
+            for (Path file : found.filter(Files::isRegularFile).toList()) {
+                String path = folder.relativize(file).toString().replace('\\', '/');
+                if (path.endsWith(".class")) {
+                    checkCount(classes.size());
+                    classes.put(path, Files.readAllBytes(file));
+                } else if (isForActs(path)) {
+                    others.put(path, () -> readFile(file));
+                }
+            }
+        }
+        return new ClassPool(label, classesAmong(classes), null, others);
+    }
+
+    private static void checkCount(int classes) throws Unfit {
+        if (classes == MAX_CLASSES) {
+            throw new Unfit("has more than " + MAX_CLASSES + " classes; name the act's own class file");
+        }
+    }
+
+    private static byte[] readFile(Path file) throws IOException {
+        if (Files.size(file) > BoundedZip.MAX_ENTRY_BYTES) {
+            throw new Unfit("has beside it the file " + file.getFileName() + ", which is larger than "
+                    + (BoundedZip.MAX_ENTRY_BYTES >> 20) + " MB; move it elsewhere");
+        }
+        return Files.readAllBytes(file);
+    }
+
+    private static ClassPool ofJar(String label, Map<String, byte[]> entries) {
+        Map<String, Content> others = new HashMap<>();
+        entries.forEach((path, bytes) -> {
+            if (isForActs(path)) {
+                others.put(path, () -> bytes);
+            }
+        });
+        return new ClassPool(label, classesAmong(entries), null, others);
+    }
+
+    private static boolean isForActs(String path) {
+        return !NOT_FOR_ACTS.matcher(path).matches();
+    }
+
+    private static String folderOf(String path) {
+        return path.substring(0, path.lastIndexOf('/') + 1);
+    }
+
+    private static Map<String, byte[]> classesAmong(Map<String, byte[]> files) {
+        Map<String, byte[]> classes = new HashMap<>();
+        files.forEach((path, bytes) -> ActNames.classAt(path)
+                .filter(name -> !path.startsWith("META-INF/") && !name.endsWith("module-info"))
+                .ifPresent(name -> classes.put(name, bytes)));
+        return classes;
+    }
+
+    /** The files that lie in one folder of a folder or jar with some classes, by path: texts or pictures that these may read. */
+    public Map<String, byte[]> beside(Collection<String> classes) throws IOException {
+        Set<String> folders =
+                classes.stream().map(name -> folderOf(ActNames.pathOf(name))).collect(Collectors.toSet());
+        Map<String, byte[]> beside = new HashMap<>();
+        for (Map.Entry<String, Content> other : others.entrySet()) {
+            if (folders.contains(folderOf(other.getKey()))) {
+                beside.put(other.getKey(), other.getValue().read());
+            }
+        }
+        return beside;
+    }
+
+    /** The code of a class, or null if it is not here. */
+    byte @Nullable [] find(String className) throws IOException {
+        byte[] known = named.get(className);
+        if (known != null || root == null || ActNames.isReserved(className)) {
+            return known;
+        }
+        Path file = root.resolve(ActNames.pathOf(className));
+        return Files.isRegularFile(file) ? Files.readAllBytes(file) : null;
+    }
+}

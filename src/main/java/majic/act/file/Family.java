@@ -1,0 +1,60 @@
+package majic.act.file;
+
+import java.io.IOException;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * The classes that belong to an act: those of its file, those it extends, and what is nested in them. None but MAJIC's
+ * own is loaded to find out, and no static initialiser runs.
+ */
+public final class Family {
+    private final Map<String, ClassFile> inFile;
+    private final ClassLoader majic;
+    private final Set<String> lineage = new HashSet<>();
+
+    private Family(Map<String, ClassFile> inFile, ClassLoader majic) {
+        this.inFile = inFile;
+        this.majic = majic;
+    }
+
+    /**
+     * Finds the family of an act.
+     *
+     * @param actClass the act's class
+     * @param inFile the classes of its file, by name
+     * @throws Unfit if the class is not there, or no act
+     */
+    public static Family of(String actClass, Map<String, ClassFile> inFile, ClassLoader majic) throws IOException {
+        Family family = new Family(inFile, majic);
+        String name = actClass;
+        while (!name.equals(ActNames.ACT)) {
+            if (!family.lineage.add(name) || name.equals("java.lang.Object")) {
+                throw new Unfit("has no act in it: class " + actClass + " does not extend MajicAct");
+            }
+            name = family.parentOf(name);
+        }
+        family.lineage.add(ActNames.ACT);
+        return family;
+    }
+
+    private String parentOf(String name) throws Unfit {
+        ClassFile carried = inFile.get(name);
+        if (carried != null) {
+            return carried.parent();
+        }
+        try {
+            Class<?> parent = Class.forName(name, false, majic).getSuperclass();
+            return parent == null ? "java.lang.Object" : parent.getName();
+        } catch (ClassNotFoundException | LinkageError e) {
+            throw new Unfit("is an act of the class " + name + ", which is neither in it nor in this MAJIC", e);
+        }
+    }
+
+    boolean has(String className) {
+        return inFile.containsKey(className)
+                || lineage.contains(className)
+                || lineage.stream().anyMatch(one -> !inFile.containsKey(one) && className.startsWith(one + "$"));
+    }
+}

@@ -1,0 +1,73 @@
+package majic.act.file;
+
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** Finds the classes that an act cannot be linked without, and that MAJIC and the JDK do not have. */
+public final class NeededClasses {
+    private final ClassPool pool;
+    private final ClassLoader majic;
+    private final Map<String, byte[]> code = new TreeMap<>();
+    private final Map<String, ClassFile> parsed = new TreeMap<>();
+    private final Deque<String> open = new ArrayDeque<>();
+
+    private NeededClasses(ClassPool pool, ClassLoader majic) {
+        this.pool = pool;
+        this.majic = majic;
+    }
+
+    /**
+     * Collects the classes for an act.
+     *
+     * @throws Unfit if one of them is missing
+     */
+    public static NeededClasses of(String actClass, ClassPool pool, ClassLoader majic) throws IOException {
+        NeededClasses needed = new NeededClasses(pool, majic);
+        needed.open.add(actClass);
+        while (!needed.open.isEmpty()) {
+            needed.take(needed.open.remove());
+        }
+        return needed;
+    }
+
+    private void take(String name) throws IOException {
+        byte[] bytes = pool.find(name);
+        if (bytes == null) {
+            throw new Unfit("has no class " + name);
+        }
+        code.put(name, bytes);
+        ClassFile one = ClassFile.parse(bytes);
+        parsed.put(name, one);
+        for (String used : one.uses()) {
+            look(name, used);
+        }
+    }
+
+    private void look(String user, String used) throws IOException {
+        if (code.containsKey(used) || open.contains(used)) {
+            return;
+        }
+        if (used.startsWith("majicsim.")) {
+            throw new Unfit("has the class " + user + ", which uses " + used
+                    + "; that belongs to the simulated lab, and with a true robot there is none");
+        }
+        if (!ActNames.isReserved(used) && pool.find(used) != null) {
+            open.add(used);
+        } else if (majic.getResource(ActNames.pathOf(used)) == null) {
+            throw new Unfit("has the class " + user + ", which uses " + used
+                    + "; that is neither with it nor in MAJIC or Java");
+        }
+    }
+
+    /** The code of each class, by name. */
+    public Map<String, byte[]> code() {
+        return code;
+    }
+
+    public Map<String, ClassFile> parsed() {
+        return parsed;
+    }
+}

@@ -1,0 +1,86 @@
+package majic.act.file;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.NotSerializableException;
+import java.io.ObjectOutputStream;
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Optional;
+import majic.act.MajicAct;
+import org.jspecify.annotations.Nullable;
+
+/** Turns an act into its object stream, and finds out which of its fields cannot be saved. */
+public final class SavedAct {
+    private SavedAct() {}
+
+    /**
+     * Saves an act.
+     *
+     * @return its object stream, which the scan has passed
+     * @throws Unfit naming the field that cannot be saved
+     */
+    public static byte[] of(MajicAct act, Family family) throws IOException {
+        try {
+            byte[] stream = bytes(act);
+            check(stream, family);
+            return stream;
+        } catch (Unfit | NotSerializableException e) {
+            throw new Unfit(badField(act, family).orElseGet(() -> reason(e)), e);
+        }
+    }
+
+    private static byte[] bytes(@Nullable Object saved) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(saved);
+        }
+        return bytes.toByteArray();
+    }
+
+    private static void check(byte[] stream, Family family) throws IOException {
+        for (String one : SerialScan.classes(stream)) {
+            if (!family.has(one)) {
+                throw new Unfit("holds a " + one + ", which no act may hold");
+            }
+        }
+    }
+
+    private static Optional<String> badField(MajicAct act, Family family) {
+        for (Class<?> type = act.getClass(); type != MajicAct.class; type = type.getSuperclass()) {
+            for (Field field : type.getDeclaredFields()) {
+                Optional<String> bad = saved(field) ? problem(field, act, family) : Optional.empty();
+                if (bad.isPresent()) {
+                    return bad;
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static boolean saved(Field field) {
+        return !Modifier.isStatic(field.getModifiers()) && !Modifier.isTransient(field.getModifiers());
+    }
+
+    private static Optional<String> problem(Field field, MajicAct act, Family family) {
+        try {
+            field.setAccessible(true);
+            byte[] stream = bytes(new ArrayList<>(Collections.singletonList(field.get(act))));
+            check(stream, family);
+            return Optional.empty();
+        } catch (IOException e) {
+            return Optional.of("cannot be saved: its field '" + field.getName() + "' " + reason(e)
+                    + "; make the field transient and fill it in behave()");
+        } catch (IllegalAccessException e) {
+            return Optional.empty();
+        }
+    }
+
+    private static String reason(IOException e) {
+        return e instanceof NotSerializableException
+                ? "holds a " + e.getMessage() + ", which cannot be saved"
+                : String.valueOf(e.getMessage());
+    }
+}

@@ -1,0 +1,81 @@
+package majic.act.file;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.security.CodeSigner;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.jar.JarEntry;
+import java.util.jar.JarInputStream;
+import java.util.jar.Manifest;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/** Checks the signatures that jarsigner has put into a jar. */
+final class Signatures {
+    private static final Pattern SIGNATURE = Pattern.compile("META-INF/[^/]+\\.(SF|RSA|DSA|EC)");
+
+    private @Nullable Set<CodeSigner> signers;
+
+    private Signatures() {}
+
+    /**
+     * Who has signed all of a jar.
+     *
+     * @param jar the jar
+     * @param paths what lies in it
+     * @param manifest its manifest
+     * @return the signers; empty if nobody has
+     * @throws Unfit if a signature does not fit the jar, or not all of it
+     */
+    static List<Signer> check(byte[] jar, Set<String> paths, Manifest manifest) throws IOException {
+        if (paths.stream().noneMatch(Signatures::isSignature)) {
+            return List.of();
+        }
+        if (!paths.containsAll(manifest.getEntries().keySet())) {
+            throw new Unfit("has a broken signature: something that was signed is missing");
+        }
+        try {
+            return new Signatures().readAll(jar);
+        } catch (SecurityException e) {
+            throw new Unfit("has a broken signature: it was changed after it was signed", e);
+        }
+    }
+
+    private static boolean isSignature(String path) {
+        return SIGNATURE.matcher(path.toUpperCase(Locale.ROOT)).matches();
+    }
+
+    private List<Signer> readAll(byte[] jar) throws IOException {
+        try (JarInputStream in = new JarInputStream(new ByteArrayInputStream(jar), true)) {
+            for (JarEntry entry = in.getNextJarEntry(); entry != null; entry = in.getNextJarEntry()) {
+                in.transferTo(OutputStream.nullOutputStream());
+                in.closeEntry();
+                if (!entry.isDirectory() && !entry.getName().startsWith("META-INF/")) {
+                    take(entry);
+                }
+            }
+        }
+        return signers == null ? List.of() : signers.stream().map(Signer::of).toList();
+    }
+
+    private void take(JarEntry entry) throws Unfit {
+        CodeSigner[] here = entry.getCodeSigners();
+        if (here == null) {
+            throw new Unfit("has a broken signature: " + entry.getName()
+                    + " is not signed, or in a way that this Java does not accept");
+        }
+        Set<CodeSigner> common = new LinkedHashSet<>(Arrays.asList(here));
+        if (signers != null) {
+            common.retainAll(signers);
+        }
+        if (common.isEmpty()) {
+            throw new Unfit("has a broken signature: nobody has signed all of it");
+        }
+        signers = common;
+    }
+}

@@ -1,0 +1,23 @@
+package majic.act.file;
+
+import java.security.CodeSigner;
+import java.security.cert.CertificateEncodingException;
+import java.security.cert.X509Certificate;
+
+/**
+ * Who has signed a file. The signature fits the file; whether the name is true, only the certificate's owner can tell.
+ *
+ * @param name the name in the certificate: {@code CN=Ada Lovelace, O=Analytical Engines}
+ * @param fingerprint the SHA-256 of the certificate, 64 hexadecimal digits, to compare with what the signer says
+ */
+public record Signer(String name, String fingerprint) {
+    static Signer of(CodeSigner signer) {
+        X509Certificate certificate =
+                (X509Certificate) signer.getSignerCertPath().getCertificates().get(0);
+        try {
+            return new Signer(certificate.getSubjectX500Principal().getName(), Sha256.of(certificate.getEncoded()));
+        } catch (CertificateEncodingException e) {
+            throw new IllegalStateException("a certificate that was read can be written", e);
+        }
+    }
+}

@@ -1,0 +1,16 @@
+package majic.act.file;
+
+import java.io.IOException;
+
+/** Something in a file that no act may have. The message goes behind the file's name: {@code holds a java.net.URL}. */
+public final class Unfit extends IOException {
+    private static final long serialVersionUID = 1;
+
+    public Unfit(String message) {
+        super(message);
+    }
+
+    public Unfit(String message, Throwable cause) {
+        super(message, cause);
+    }
+}
