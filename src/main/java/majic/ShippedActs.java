@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.act.ActDetails;
-import majic.act.ActMaker;
 import majic.act.file.Acts;
+import majic.act.make.ActMaker;
 import majic.script.ScriptAct;
 
 /** Makes the behaviours that come with MAJIC, each from one source in Java or MAJIC Script. The build calls it. */

@@ -18,7 +18,7 @@ import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import majic.PictureWindow.Settled;
 import majic.act.ActDetails;
-import majic.act.ActMaker;
+import majic.act.make.ActMaker;
 import majic.gui.MajicFrame;
 import majic.program.Program;
 import majic.program.UserFolder;

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;
 import java.util.concurrent.Callable;
-import majic.act.ActMaker;
+import majic.act.make.ActMaker;
 import majic.bot.BotException;
 import majic.console.ActOutput;
 import majic.program.Failures;

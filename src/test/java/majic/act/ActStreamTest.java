@@ -26,6 +26,7 @@ import majic.act.file.ActFile;
 import majic.act.file.ActNames;
 import majic.act.file.ActTrust;
 import majic.act.file.SerialScan;
+import majic.act.make.ActMaker;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

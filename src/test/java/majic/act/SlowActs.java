@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import majic.act.file.ActTrust;
 import majic.act.file.Acts;
+import majic.act.make.ActMaker;
 import majic.bot.Settings;
 
 /** A user's act {@code Slow}, the check of which does not end before {@link #answer()}, as on a share that hangs. */

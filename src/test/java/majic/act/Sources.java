@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.act.file.ActFile;
 import majic.act.file.ActTrust;
+import majic.act.make.ActMaker;
 import majic.bot.Settings;
 
 /** Acts that are compiled while the tests run, so that this MAJIC has never seen their classes. */
@@ -61,7 +62,7 @@ public final class Sources {
     }
 
     /** An act file of a source; its class is called like it. */
-    static byte[] act(Path folder, String name, String text) {
+    public static byte[] act(Path folder, String name, String text) {
         return maker(folder, name, text).make(name, ActDetails.named(name));
     }
 

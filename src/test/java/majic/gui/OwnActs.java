@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.act.ActDetails;
-import majic.act.ActMaker;
 import majic.act.file.ActFile;
 import majic.act.file.ActTrust;
 import majic.act.file.Acts;
+import majic.act.make.ActMaker;
 import majic.bot.Settings;
 import majic.script.ScriptAct;
 

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import majic.act.ActDetails;
-import majic.act.ActMaker;
+import majic.act.make.ActMaker;
 import majic.bot.FakeBot;
 import majic.team.Owner;
 import org.junit.jupiter.api.AfterEach;

@@ -1,4 +1,4 @@
-package majic.act;
+package majic.act.make;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -8,6 +8,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
+import majic.act.ActDetails;
+import majic.act.ActException;
+import majic.act.Sources;
+import majic.act.TinyClass;
 import majic.act.file.ActFile;
 import majic.act.file.ActNames;
 import majic.act.file.BoundedZip;

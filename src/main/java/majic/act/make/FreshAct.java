@@ -1,4 +1,4 @@
-package majic.act;
+package majic.act.make;
 
 import java.io.IOException;
 import java.lang.reflect.Constructor;
@@ -6,6 +6,9 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import majic.act.Blame;
+import majic.act.MajicAct;
+import majic.act.Role;
 import majic.act.file.Unfit;
 
 /** Makes the first object of an act's class, to save it. Here the author's code runs, on the author's own machine. */

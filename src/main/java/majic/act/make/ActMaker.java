@@ -1,10 +1,13 @@
-package majic.act;
+package majic.act.make;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import majic.act.ActDetails;
+import majic.act.ActException;
+import majic.act.MajicAct;
 import majic.act.file.ActClassLoader;
 import majic.act.file.ActFile;
 import majic.act.file.ActManifest;
