@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param member the robot
  * @param ends what runs on it and, as the person agreed, ends for the new behaviour; null if nothing ran
  */
-record LoadTarget(Member member, @Nullable Owner ends) {
+public record LoadTarget(Member member, @Nullable Owner ends) {
     static LoadTarget of(Member member) {
         return new LoadTarget(member, member.owner());
     }
