@@ -57,11 +57,12 @@ class ArchitectureTest {
                                         majic.hemisson.readings
             majic.act                 : majic.bot majic.time majic.team
             majic.log                 : majic.bot majic.time majic.team
-            majic.script              : majic.bot majic.time majic.lab majic.team majic.act majic.log \
+            majic.script              : majic.bot majic.time majic.lab majic.team majic.act majic.log majic.act.file \
                                         majic.script.syntax
             majic.script.syntax       : majic.bot
-            majic.gui                 : majic.bot majic.time majic.lab majic.team majic.act majic.log majic.panel \
-                                        majic.panel.map majic.script
+            majic.gui                 : majic.bot majic.lab majic.team majic.log majic.panel.map majic.script \
+                                        majic.gui.acts majic.gui.add majic.gui.bots majic.gui.command majic.gui.kit \
+                                        majic.gui.map
             majicsim.world            :
             majicsim.net              : majicsim.world
             majicsim.aibo             : majicsim.aibo.urbi majicsim.net majicsim.world
@@ -92,18 +93,28 @@ class ArchitectureTest {
             majicsim.hemisson.uart    : majicsim.hemisson.options majicsim.net
             majicsim.hemisson.options : majicsim.hemisson.modules
             majicsim.hemisson.modules : majicsim.world
-            majic.cli                 : majic.bot majic.act majic.script majic.console majic.program majic.server \
-                                        majic.simulation majicsim majicsim.hemisson.options majicsim.pioneer \
-                                        majicsim.world
-            majic.console             : majic.bot majic.act majic.script majic.program
+            majic.cli                 : majic.bot majic.act majic.script majic.act.file majic.act.make majic.console \
+                                        majic.program majic.server majic.simulation majicsim \
+                                        majicsim.hemisson.options majicsim.pioneer majicsim.world
+            majic.console             : majic.bot majic.act majic.script majic.act.file majic.program
             majic.lab                 : majic.bot majic.time
-            majic.program             : majic.bot majic.link majic.time majic.team majic.act majic.log majic.script \
-                                        majic.gui majic.server majic.simulation majicsim
+            majic.program             : majic.bot majic.link majic.time majic.team majic.log majic.script \
+                                        majic.act.file majic.gui majic.gui.kit majic.server majic.simulation majicsim
             majic.server              : majic.script
             majic.simulation          : majic.bot majic.link majic.time majic.lab majicsim majicsim.net \
                                         majicsim.world
             majic.team                : majic.bot majic.time majic.lab
             majic.time                :
+            majic.act.file            : majic.bot majic.act
+            majic.act.make            : majic.act majic.act.file
+            majic.gui.acts            : majic.bot majic.time majic.team majic.act majic.script majic.act.file \
+                                        majic.act.make majic.gui.kit
+            majic.gui.add             : majic.bot majic.lab majic.team majic.script majic.gui.kit
+            majic.gui.bots            : majic.bot majic.team majic.gui.acts majic.gui.drive majic.gui.kit
+            majic.gui.command         : majic.script majic.gui.kit
+            majic.gui.drive           : majic.bot majic.team
+            majic.gui.kit             : majic.bot majic.team majic.panel
+            majic.gui.map             : majic.bot majic.lab majic.team majic.panel majic.panel.map majic.gui.kit
             """);
 
     private static Map<String, Set<String>> table(String rows) {
