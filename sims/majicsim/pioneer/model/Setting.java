@@ -1,6 +1,5 @@
 package majicsim.pioneer.model;
 
-import majicsim.pioneer.report.EncoderReport;
 
 /**
  * A number that the controller stores: CONFIG shows it, and a command may change its working value until the session ends
@@ -28,7 +27,7 @@ public enum Setting {
     TRANSKV(30),
     TRANSKI(0),
     DRIFTFACTOR(0),
-    /** What the controller takes the encoders for; the real ones have {@link EncoderReport#TICKS_PER_MM}. */
+    /** The resolution that the controller assumes for the encoders; that of the real ones is another. */
     TICKSMM(128),
     /** 0.1 V; 0 as this robot never switches itself off. */
     SHUTDOWN(0),
