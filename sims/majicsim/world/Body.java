@@ -2,6 +2,7 @@ package majicsim.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,7 +18,7 @@ public final class Body {
     private final String name;
     private final Shape outline;
     private final double reachMm;
-    private @Nullable World world;
+    private Predicate<Pose> fits = at -> true;
     private Pose pose;
     private double wantedMmPerSec;
     private double wantedDegPerSec;
@@ -91,7 +92,7 @@ public final class Body {
      * @throws IllegalArgumentException if it would stand in a wall or another body; it stays where it was
      */
     public void place(Pose p) {
-        if (world != null && !world.isFree(this, p)) {
+        if (!fits.test(p)) {
             throw new IllegalArgumentException(name + " does not fit at " + p + ": a wall or another body is there");
         }
         contact = Contact.NONE;
@@ -196,8 +197,9 @@ public final class Body {
         return wantedDegPerSec;
     }
 
-    void enter(World into) {
-        world = into;
+    /** Puts it into a room, which decides where it fits. */
+    void enter(Predicate<Pose> room) {
+        fits = room;
     }
 
     /** What the world made of the wanted velocity in one step. */

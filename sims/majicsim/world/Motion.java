@@ -23,7 +23,7 @@ final class Motion {
             body.moved(0, 0, false);
             return;
         }
-        int pieces = (int) Math.ceil(wanted.travelMm(body) / PIECE_MM);
+        int pieces = (int) Math.ceil(wanted.travelMm(body.reachMm()) / PIECE_MM);
         Step one = new Step(wanted.mm() / pieces, wanted.deg() / pieces);
         Step done = Step.NONE;
         for (int i = 0; i < pieces; i++) {
@@ -89,7 +89,7 @@ final class Motion {
 
     private boolean go(Body body, Step step) {
         Pose next = body.pose().driven(step.mm(), step.deg());
-        double travelMm = step.travelMm(body);
+        double travelMm = step.travelMm(body.reachMm());
         if (!obstacles.areClearOf(body, next, travelMm)) {
             return false;
         }

@@ -20,8 +20,8 @@ record Step(double mm, double deg) {
         return Math.abs(mm - path) < 1e-6 && Math.abs(deg - turn) < 1e-6;
     }
 
-    /** The most any point of a body can move on it. */
-    double travelMm(Body body) {
-        return Math.abs(mm) + Math.abs(Math.toRadians(deg)) * body.reachMm();
+    /** The most any point of a body can move on it that reaches so far from its turning centre. */
+    double travelMm(double reachMm) {
+        return Math.abs(mm) + Math.abs(Math.toRadians(deg)) * reachMm;
     }
 }

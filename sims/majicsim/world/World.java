@@ -61,7 +61,7 @@ public final class World {
             throw new IllegalArgumentException(
                     b.name() + " does not fit at " + b.pose() + ": a wall or another body is there");
         }
-        b.enter(this);
+        b.enter(at -> isFree(b, at));
         bodies.add(b);
     }
 
