@@ -196,7 +196,7 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * Does something at the Aibo itself: touches it, turns it over, lays a ball before it, listens to it. The lab stands still
+     * Does something at the Aibo itself: touches it, turns it over, listens to it. The lab stands still
      * meanwhile.
      *
      * @param deed what to do; must not wait for anything

@@ -53,11 +53,10 @@ public final class AiboRobot implements Firmware {
         gait = new Gait(body, devices.legs(), attitude, own.fork("gait"));
         Head head = new Head(world, body, devices.joints(), attitude);
         sensors = new Sensors(world, body, head, attitude, gait, own.fork("sensors"));
-        Ball ball = new Ball();
         speaker = new Speaker(kernel);
         microphone = new Microphone(kernel, speaker, gait, own.fork("microphone"));
-        keeper = new Keeper(sensors, attitude, ball, speaker, microphone, battery);
-        camera = new Camera(new Eye(world, body, head, ball, own.fork("camera")), kernel);
+        keeper = new Keeper(sensors, attitude, speaker, microphone, battery);
+        camera = new Camera(new Eye(world, body, head, own.fork("camera")), kernel);
         install();
     }
 

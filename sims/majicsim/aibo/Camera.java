@@ -11,13 +11,13 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The camera and the ball tracking behind it (URBI sheet, sections 12 and 13). It takes 30 pictures a second, of which only those
- * are made that somebody asks for; settings act from the next cycle on.
+ * are computed that a client requests; settings take effect from the next cycle on. No ball lies in the lab, so none is seen.
  */
 final class Camera {
     private static final double PICTURE_MS = 1000.0 / 30;
 
-    /** What the ball tracking says while it sees no ball. */
-    private static final Eye.Spot NOWHERE = new Eye.Spot(-1, -1, 0);
+    /** The place in the picture that the ball tracking reports while it sees no ball. */
+    private static final double NOWHERE = -1;
 
     private final Eye eye;
     private final Kernel kernel;
@@ -45,10 +45,10 @@ final class Camera {
         number("camera.height", () -> settings.height());
         number("camera.xfov", () -> Eye.XFOV_DEG);
         number("camera.yfov", () -> Eye.YFOV_DEG);
-        number("ball.visible", () -> eye.spot() == null ? 0 : 1);
-        number("ball.x", () -> spot().x());
-        number("ball.y", () -> spot().y());
-        number("ball.ratio", () -> spot().ratio());
+        number("ball.visible", () -> 0);
+        number("ball.x", () -> NOWHERE);
+        number("ball.y", () -> NOWHERE);
+        number("ball.ratio", () -> 0);
     }
 
     /** To be called once a kernel cycle. */
@@ -79,11 +79,6 @@ final class Camera {
             last = shot;
         }
         return shot;
-    }
-
-    private Eye.Spot spot() {
-        Eye.Spot spot = eye.spot();
-        return spot == null ? NOWHERE : spot;
     }
 
     private void field(String name, double start, double min, double max) {

@@ -36,10 +36,6 @@ final class Colours {
         };
     }
 
-    int ball(double slant) {
-        return shaded(Ball.PINK, lit(slant));
-    }
-
     private double light(double xMm, double yMm) {
         return Math.min(1, 0.9 + 0.5 * world.ambientLight(xMm, yMm)) * 1.05;
     }

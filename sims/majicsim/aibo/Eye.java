@@ -3,7 +3,6 @@ package majicsim.aibo;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.World;
-import org.jspecify.annotations.Nullable;
 
 /** The lens and the chip of the camera: makes a picture of what is before the head. */
 final class Eye {
@@ -16,15 +15,13 @@ final class Eye {
     private final World world;
     private final Body body;
     private final Head head;
-    private final Ball ball;
     private final Noise noise;
     private final Colours colours;
 
-    Eye(World world, Body body, Head head, Ball ball, Noise noise) {
+    Eye(World world, Body body, Head head, Noise noise) {
         this.world = world;
         this.body = body;
         this.head = head;
-        this.ball = ball;
         this.noise = noise;
         this.colours = new Colours(world);
     }
@@ -47,34 +44,9 @@ final class Eye {
         return new Picture(width, height, rgb);
     }
 
-    /** Where the ball is seen, or null where it is not: hidden, outside the picture, or nowhere. */
-    @Nullable
-    Spot spot() {
-        Vector centre = ball.centre();
-        if (centre == null) {
-            return null;
-        }
-        View view = head.view();
-        Vector to = centre.minus(view.at());
-        double aheadMm = to.dot(view.ahead());
-        double left = to.dot(view.left()) / aheadMm / TAN_X / 2;
-        double up = to.dot(view.up()) / aheadMm / TAN_Y / 2;
-        boolean inside = aheadMm > 0 && Math.abs(left) <= 0.5 && Math.abs(up) <= 0.5;
-        if (!inside || new Scene(world, body, view.at()).look(to).levelMm() < to.level() * 0.9) {
-            return null;
-        }
-        double size = Ball.size(to.length());
-        return new Spot(left, up, Math.min(1, Math.PI * size * size / (4 * TAN_X * TAN_Y)));
-    }
-
     private int colour(Scene scene, Vector at, Vector ray) {
         Sight sight = scene.look(ray);
-        double toBall = ball.met(at, ray);
-        double level = ray.level();
-        if (toBall * level <= sight.levelMm()) {
-            return colours.ball(ball.slant(at, ray, toBall));
-        }
-        double reach = sight.levelMm() / Math.max(1e-6, level);
+        double reach = sight.levelMm() / Math.max(1e-6, ray.level());
         return colours.of(sight, at.x() + ray.x() * reach, at.y() + ray.y() * reach);
     }
 
@@ -88,13 +60,4 @@ final class Eye {
     private static int level(double value) {
         return (int) Math.max(0, Math.min(255, value));
     }
-
-    /**
-     * The ball in the picture.
-     *
-     * @param x from -0.5 (right edge) to 0.5 (left edge)
-     * @param y from -0.5 (lower edge) to 0.5 (upper edge)
-     * @param ratio how much of the picture it fills
-     */
-    record Spot(double x, double y, double ratio) {}
 }

@@ -54,11 +54,6 @@ final class Gait {
         return !active.isEmpty() && legs.carry();
     }
 
-    /** How far into its gait cycles the dog is. */
-    double cycles() {
-        return cycles;
-    }
-
     /** Moves the legs; called once a kernel cycle while somebody walks. */
     void swing(GaitTask task, long pass) {
         Map<Variable, Double> angles = legs.swing(task.isTurn(), Math.signum(task.cyclesPerMs()), cycles);

@@ -6,15 +6,13 @@ import java.util.List;
 public final class Keeper {
     private final Sensors sensors;
     private final Attitude attitude;
-    private final Ball ball;
     private final Speaker speaker;
     private final Microphone microphone;
     private final Battery battery;
 
-    Keeper(Sensors sensors, Attitude attitude, Ball ball, Speaker speaker, Microphone microphone, Battery battery) {
+    Keeper(Sensors sensors, Attitude attitude, Speaker speaker, Microphone microphone, Battery battery) {
         this.sensors = sensors;
         this.attitude = attitude;
-        this.ball = ball;
         this.speaker = speaker;
         this.microphone = microphone;
         this.battery = battery;
@@ -38,21 +36,6 @@ public final class Keeper {
      */
     public void roll(double degrees) {
         attitude.roll(degrees);
-    }
-
-    /**
-     * Lays the pink ball, 10 cm across, on the floor. The camera sees it; nobody bumps into it.
-     *
-     * @param xMm place in the room
-     * @param yMm place in the room
-     */
-    public void layBall(double xMm, double yMm) {
-        ball.lay(xMm, yMm);
-    }
-
-    /** Takes the ball out of the room. */
-    public void takeBall() {
-        ball.takeAway();
     }
 
     /**

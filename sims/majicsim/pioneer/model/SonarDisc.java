@@ -15,9 +15,4 @@ public record SonarDisc(int number, double xMm, double yMm, double axisDeg) {
     int array() {
         return number / DISCS_PER_ARRAY;
     }
-
-    /** Its turn within its array, 0 to 7. */
-    int slot() {
-        return number % DISCS_PER_ARRAY;
-    }
 }
