@@ -4,7 +4,7 @@ import majicsim.aibo.urbi.Functions;
 import majicsim.aibo.urbi.Kernel;
 import majicsim.aibo.urbi.Server;
 import majicsim.aibo.urbi.Stick;
-import majicsim.aibo.urbi.Value;
+import majicsim.aibo.urbi.value.Value;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
 import majicsim.world.Body;

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.DoubleSupplier;
 import majicsim.aibo.urbi.Kernel;
-import majicsim.aibo.urbi.Value;
 import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -9,9 +9,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import majicsim.aibo.urbi.Blend;
 import majicsim.aibo.urbi.Groups;
-import majicsim.aibo.urbi.Value;
 import majicsim.aibo.urbi.Variable;
 import majicsim.aibo.urbi.Variables;
+import majicsim.aibo.urbi.value.Value;
 
 /** The dog's devices and their groups (URBI sheet, section 13). */
 final class Devices {

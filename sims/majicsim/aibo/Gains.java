@@ -1,9 +1,9 @@
 package majicsim.aibo;
 
 import java.util.List;
-import majicsim.aibo.urbi.Value;
 import majicsim.aibo.urbi.Variable;
 import majicsim.aibo.urbi.Variables;
+import majicsim.aibo.urbi.value.Value;
 
 /** The factors of a motor's controller (URBI sheet, section 13). */
 record Gains(double proportional, double integral, double differential) {

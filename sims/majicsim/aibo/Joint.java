@@ -1,8 +1,8 @@
 package majicsim.aibo;
 
-import majicsim.aibo.urbi.Value;
 import majicsim.aibo.urbi.Variable;
 import majicsim.aibo.urbi.Variables;
+import majicsim.aibo.urbi.value.Value;
 
 /**
  * A motor with its angle. The measured angle runs after the command with a short lag; loose it stays where it is, and switched on it

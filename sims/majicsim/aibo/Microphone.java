@@ -2,8 +2,8 @@ package majicsim.aibo;
 
 import java.nio.charset.StandardCharsets;
 import majicsim.aibo.urbi.Kernel;
-import majicsim.aibo.urbi.Value;
 import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.value.Value;
 import majicsim.world.Noise;
 
 /**

@@ -1,7 +1,7 @@
 package majicsim.aibo;
 
-import majicsim.aibo.urbi.Value;
 import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.value.Value;
 
 /** A lamp or an ear that knows only on and off (URBI sheet, section 13): from one half on it is on. */
 final class OnOff implements Variable.Hardware {

@@ -4,10 +4,10 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import majicsim.aibo.urbi.Blend;
-import majicsim.aibo.urbi.Failure;
 import majicsim.aibo.urbi.Kernel;
-import majicsim.aibo.urbi.Value;
 import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** The speaker: a sound that comes while one plays follows it without a gap (URBI sheet, sections 12 and 13). */

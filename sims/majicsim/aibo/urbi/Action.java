@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** A command that does one thing: an answer, an assignment, a word to the server (URBI sheet, sections 5 to 9). */

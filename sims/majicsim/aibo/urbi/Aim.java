@@ -1,5 +1,7 @@
 package majicsim.aibo.urbi;
 
+import majicsim.aibo.urbi.value.Failure;
+
 /**
  * Where an assignment of a number goes, and how. Immutable.
  *

@@ -2,6 +2,9 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.MemoryLimits;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** The start of an assignment: its value, its modifiers and the variables it goes to (URBI sheet, sections 6 and 10). */

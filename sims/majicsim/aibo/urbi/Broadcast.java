@@ -2,6 +2,7 @@ package majicsim.aibo.urbi;
 
 import java.util.List;
 import java.util.function.Function;
+import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,6 +3,8 @@ package majicsim.aibo.urbi;
 import java.util.List;
 import java.util.function.DoubleSupplier;
 import java.util.function.DoubleUnaryOperator;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 import majicsim.world.Noise;
 
 /** The functions of the language that need no hardware (URBI sheet, section 5). */

@@ -1,6 +1,8 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 
 /** A call of a function whose body is commands; it ends with the body or with a return in it. */
 final class CallTask extends Task {

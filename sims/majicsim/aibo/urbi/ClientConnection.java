@@ -2,6 +2,7 @@ package majicsim.aibo.urbi;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import majicsim.aibo.urbi.value.Value;
 import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 

@@ -1,5 +1,7 @@
 package majicsim.aibo.urbi;
 
+import majicsim.aibo.urbi.value.Value;
+
 /** A client's connection, or the server's own, as the commands that run in it see it. */
 public interface Connection {
     /** The server to which it belongs. */

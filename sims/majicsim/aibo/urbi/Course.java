@@ -3,6 +3,8 @@ package majicsim.aibo.urbi;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 
 /**
  * What an assignment under way goes by. Its modifiers are looked at again each cycle, and so is the centre of an oscillation: a

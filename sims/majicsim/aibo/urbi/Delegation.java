@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.value.Value;
 
 /** A command with the flag {@code +connection}: it runs in the connections that the flag names (URBI sheet, section 7). */
 final class Delegation {

@@ -1,6 +1,9 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.MemoryLimits;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** What the commands that take no time do; each gives the task that goes on, or null. */

@@ -3,6 +3,10 @@ package majicsim.aibo.urbi;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.MemoryLimits;
+import majicsim.aibo.urbi.value.Operators;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** Gives expressions their values on behalf of one command; all it changes are the names that take an event's arguments. */

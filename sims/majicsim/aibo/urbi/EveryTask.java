@@ -1,6 +1,8 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 
 /** Starts its body again and again, at the first cycle after each period; it never ends by itself. */
 final class EveryTask extends Task {

@@ -3,6 +3,7 @@ package majicsim.aibo.urbi;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import majicsim.aibo.urbi.value.Value;
 
 /** Expressions, one method a level of precedence (URBI sheet, section 5); loosest first. */
 final class ExprParser {

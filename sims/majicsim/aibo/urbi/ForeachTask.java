@@ -3,6 +3,8 @@ package majicsim.aibo.urbi;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** A loop over the items of a list, one a cycle. */

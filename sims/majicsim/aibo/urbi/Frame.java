@@ -3,6 +3,7 @@ package majicsim.aibo.urbi;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.Map;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** One call of a function: its local variables and what it returned. */

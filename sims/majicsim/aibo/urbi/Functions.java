@@ -4,6 +4,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.MemoryLimits;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** The functions of the server: built-in ones, those of the hardware, and those that programs define. */

@@ -3,6 +3,7 @@ package majicsim.aibo.urbi;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import majicsim.aibo.urbi.value.Value;
 
 /** The commands themselves, one method a form: assignments, definitions and words (URBI sheet, sections 5 to 10). */
 final class InstructionParser {

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import majicsim.aibo.urbi.value.Value;
 
 /** Turns the text of one command into tokens (URBI sheet, sections 3 and 5). */
 final class Lexer {

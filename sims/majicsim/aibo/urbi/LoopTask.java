@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 
 /** A while loop. Each turn costs a cycle (URBI sheet, section 8), so no program can hold the kernel up. */

@@ -6,6 +6,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.MemoryLimits;
 
 /** The classes and objects of programs, which the kernel does not tell apart: each may inherit from others (URBI sheet, section 10). */
 final class ObjectTable {

@@ -1,5 +1,8 @@
 package majicsim.aibo.urbi;
 
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
+
 /** Waits; it ends at the first cycle after its time. */
 final class PauseTask extends Task {
     private final double ms;

@@ -3,6 +3,8 @@ package majicsim.aibo.urbi;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 
 /** The properties of a variable, such as {@code x.val->rangemin} (URBI sheet, section 5). */
 final class Properties {

@@ -1,6 +1,8 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 
 /** {@code x->rangemin = v}: sets a property of a variable, or of all members of a group (URBI sheet, section 5). */
 final class PropertyAssignment {

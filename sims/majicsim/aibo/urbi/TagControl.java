@@ -3,6 +3,7 @@ package majicsim.aibo.urbi;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 
 /** {@code stop}, {@code freeze}, {@code block} and their opposites: they reach into all connections (URBI sheet, section 7). */

@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.HashSet;
 import java.util.Set;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.MemoryLimits;
 
 /** What is known of tags beyond the commands that carry them: those that are blocked or frozen (URBI sheet, section 7). */
 final class Tags {

@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.IdentityHashMap;
 import java.util.Map;
+import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 
 /**
  * A test that is made anew each cycle; it never ends. A soft test counts only when it has held for its time. An error gives no

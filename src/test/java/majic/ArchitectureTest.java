@@ -65,12 +65,19 @@ class ArchitectureTest {
                                         majic.gui.map
             majicsim.world            :
             majicsim.net              : majicsim.world
-            majicsim.aibo             : majicsim.aibo.urbi majicsim.net majicsim.world
-            majicsim.aibo.urbi        : majicsim.net majicsim.world
-            majicsim.pioneer          : majicsim.net majicsim.pioneer.board majicsim.pioneer.devices \
-                                        majicsim.pioneer.model majicsim.pioneer.serial majicsim.pioneer.session \
-                                        majicsim.world
-            majicsim.pioneer.session  : majicsim.net majicsim.pioneer.board majicsim.pioneer.devices \
+            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi.value
+            majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.value
+            majicsim.aibo.urbi.value  :
+            majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
+                                        majicsim.pioneer.model majicsim.pioneer.motion \
+                                        majicsim.pioneer.devices majicsim.pioneer.ranging \
+                                        majicsim.pioneer.board majicsim.pioneer.report \
+                                        majicsim.pioneer.serial majicsim.pioneer.session
+            majicsim.pioneer.session  : majicsim.net majicsim.world majicsim.pioneer.board \
+                                        majicsim.pioneer.devices majicsim.pioneer.model majicsim.pioneer.motion \
+                                        majicsim.pioneer.packet majicsim.pioneer.ranging majicsim.pioneer.report
+            majicsim.pioneer.serial   : majicsim.net majicsim.pioneer.devices
+            majicsim.pioneer.report   : majicsim.world majicsim.pioneer.board majicsim.pioneer.devices \
                                         majicsim.pioneer.model majicsim.pioneer.motion majicsim.pioneer.packet \
                                         majicsim.pioneer.ranging majicsim.pioneer.report majicsim.world
             majicsim.pioneer.serial   : majicsim.net majicsim.pioneer.devices

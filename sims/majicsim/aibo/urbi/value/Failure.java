@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.value;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -28,18 +28,18 @@ public final class Failure extends Exception {
     }
 
     /** An error that is reported as it is. */
-    static Failure of(String... lines) {
+    public static Failure of(String... lines) {
         return new Failure(List.of(lines));
     }
 
     /** The same error with a line before. */
-    Failure after(String line) {
+    public Failure after(String line) {
         List<String> all = new ArrayList<>(List.of(line));
         all.addAll(lines);
         return new Failure(all);
     }
 
-    List<String> lines() {
+    public List<String> lines() {
         return lines;
     }
 }

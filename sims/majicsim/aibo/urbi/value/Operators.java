@@ -1,12 +1,12 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.value;
 
 /** What the operators do with values (URBI sheet, section 5). */
-final class Operators {
+public final class Operators {
     private static final double EPSILON = 0.0001;
 
     private Operators() {}
 
-    static Value apply(String operator, Value left, Value right) throws Failure {
+    public static Value apply(String operator, Value left, Value right) throws Failure {
         return switch (operator) {
             case "+" -> plus(left, right);
             case "&&" -> Value.of(left.isTrue() && right.isTrue());

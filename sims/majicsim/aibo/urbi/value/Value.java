@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.value;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
