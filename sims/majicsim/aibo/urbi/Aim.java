@@ -1,5 +1,6 @@
 package majicsim.aibo.urbi;
 
+import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.value.Failure;
 
 /**

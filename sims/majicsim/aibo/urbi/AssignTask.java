@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Flag;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 

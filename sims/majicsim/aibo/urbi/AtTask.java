@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Flow;
+import majicsim.aibo.urbi.syntax.Statement;
 
 /** An event handler: once for each time that its test becomes true, and again when it becomes false. */
 final class AtTask extends Task {

@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.List;
 import java.util.function.Function;
+import majicsim.aibo.urbi.syntax.Name;
+import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 

@@ -2,6 +2,11 @@ package majicsim.aibo.urbi;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Action;
+import majicsim.aibo.urbi.syntax.CommandReader;
+import majicsim.aibo.urbi.syntax.Place;
+import majicsim.aibo.urbi.syntax.Statement;
+import majicsim.aibo.urbi.syntax.Step;
 import majicsim.aibo.urbi.value.Value;
 import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;

@@ -4,6 +4,9 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Flag;
+import majicsim.aibo.urbi.syntax.Statement;
+import majicsim.aibo.urbi.syntax.Step;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,6 +1,9 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Expr;
+import majicsim.aibo.urbi.syntax.Flow;
+import majicsim.aibo.urbi.syntax.Statement;
 import org.jspecify.annotations.Nullable;
 
 /** A loop of a known number of turns, or of endlessly many; each turn costs a cycle. */

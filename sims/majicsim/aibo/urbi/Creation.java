@@ -1,6 +1,9 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Definition;
+import majicsim.aibo.urbi.syntax.Expr;
+import majicsim.aibo.urbi.syntax.Name;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;

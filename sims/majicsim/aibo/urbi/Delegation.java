@@ -1,6 +1,9 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Expr;
+import majicsim.aibo.urbi.syntax.Flag;
+import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Value;
 
 /** A command with the flag {@code +connection}: it runs in the connections that the flag names (URBI sheet, section 7). */

@@ -3,6 +3,7 @@ package majicsim.aibo.urbi;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;

@@ -4,6 +4,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import majicsim.aibo.urbi.syntax.Expr;
+import majicsim.aibo.urbi.syntax.Modifier;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;

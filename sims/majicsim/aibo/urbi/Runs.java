@@ -2,6 +2,7 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Statement;
 
 /**
  * The runs of a body that a timer or an event handler has started and that have not ended. They are counted in the whole server, so

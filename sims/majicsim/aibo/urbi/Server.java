@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;
 
 /** The URBI server as the commands that run in it see it: its time, what it stores, and its connections. */

@@ -2,6 +2,12 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Action;
+import majicsim.aibo.urbi.syntax.Definition;
+import majicsim.aibo.urbi.syntax.Expr;
+import majicsim.aibo.urbi.syntax.Flag;
+import majicsim.aibo.urbi.syntax.Flow;
+import majicsim.aibo.urbi.syntax.Statement;
 
 /** Makes the run of a command, one method for each kind (URBI sheet, sections 3 to 10). */
 final class Starter implements Statement.Visitor<Task> {

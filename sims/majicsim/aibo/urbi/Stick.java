@@ -4,6 +4,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import majicsim.aibo.urbi.syntax.CommandReader;
+import majicsim.aibo.urbi.syntax.Statement;
+import majicsim.aibo.urbi.syntax.Step;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 

@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Statement;
 
 /**
  * A command that the kernel runs in place of the one that was given: it has the flags of that one, a tag of the kernel's own, and

@@ -3,6 +3,8 @@ package majicsim.aibo.urbi;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import majicsim.aibo.urbi.syntax.Action;
+import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 

@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Flag;
 
 /** A command under its tag, with the messages that its flags ask for (URBI sheet, section 7). */
 final class TaggedTask extends Task {

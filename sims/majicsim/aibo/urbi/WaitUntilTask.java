@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Expr;
 
 /** Waits until a test holds. */
 final class WaitUntilTask extends Task {

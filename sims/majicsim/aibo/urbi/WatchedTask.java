@@ -1,6 +1,8 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Flow;
+import majicsim.aibo.urbi.syntax.Statement;
 
 /** A command under a condition: ended by {@code timeout} or {@code stopif}, held by {@code freezeif}. */
 final class WatchedTask extends Task {

@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.syntax.Flow;
+import majicsim.aibo.urbi.syntax.Statement;
 import org.jspecify.annotations.Nullable;
 
 /** Repeats a command as long as a test holds, and another as long as it does not; a turn a cycle. */

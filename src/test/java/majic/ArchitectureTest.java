@@ -66,7 +66,9 @@ class ArchitectureTest {
             majicsim.world            :
             majicsim.net              : majicsim.world
             majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi.value
-            majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.value
+            majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.value \
+                                        majicsim.aibo.urbi.syntax
+            majicsim.aibo.urbi.syntax : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.value  :
             majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
                                         majicsim.pioneer.model majicsim.pioneer.motion \

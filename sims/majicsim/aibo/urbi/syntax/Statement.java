@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import java.util.List;
 
@@ -6,7 +6,7 @@ import java.util.List;
  * A command of the language as the parser read it; the kinds that hold other commands are declared here. A statement does nothing by
  * itself: a {@link Visitor} decides what becomes of it.
  */
-sealed interface Statement
+public sealed interface Statement
         permits Action,
                 Definition,
                 Flow,
@@ -49,7 +49,7 @@ sealed interface Statement
     /** A command with its tag ({@link #NO_TAG} if it has none) and flags. */
     record Tagged(String tag, List<Flag> flags, Statement body) implements Statement {
         /** The command inside the conditions of its obsolete flags, which still take effect. */
-        Statement conditional() {
+        public Statement conditional() {
             Statement conditional = body;
             for (Flag flag : flags) {
                 String word = flag.successor();

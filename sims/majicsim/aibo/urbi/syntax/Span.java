@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 /** From the first to the last character of a piece of program text, printed the way the kernel prints positions. */
 record Span(Place first, Place last) {

@@ -1,11 +1,11 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import java.util.List;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /** What can be evaluated to a value. */
-sealed interface Expr {
+public sealed interface Expr {
     /** What an expression needs to have a value: one method for each kind that is not its own value. */
     interface Evaluation {
         Value fixed(Variable variable) throws Failure;
@@ -53,7 +53,7 @@ sealed interface Expr {
 
     /** A variable or a device's field; a static one keeps the value with which a command read it first. */
     record Variable(Name name, boolean isStatic) implements Expr {
-        Variable(Name name) {
+        public Variable(Name name) {
             this(name, false);
         }
 

@@ -1,10 +1,10 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** Control flow and event handlers (URBI sheet, section 8). */
-sealed interface Flow extends Statement {
+public sealed interface Flow extends Statement {
     /**
      * One method for each kind of these commands.
      *

@@ -1,10 +1,10 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** A command that makes a name known or forgets it (URBI sheet, section 10). */
-sealed interface Definition extends Statement {
+public sealed interface Definition extends Statement {
     /**
      * One method for each kind of these commands.
      *

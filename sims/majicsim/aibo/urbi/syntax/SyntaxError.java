@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 /** A command that the grammar refuses; its message is the kernel's, without the position. */
 final class SyntaxError extends Exception {

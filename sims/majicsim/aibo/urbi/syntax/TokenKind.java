@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 /** What a token is, with the name by which the kernel's syntax errors call it. */
 enum TokenKind {

@@ -1,16 +1,16 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** A flag of a tagged command, such as {@code end}, with what stands in brackets behind it. */
-record Flag(String name, @Nullable Expr argument) {
+public record Flag(String name, @Nullable Expr argument) {
     /** Flags that the language had before 1.0 and that became commands. */
     private static final Map<String, String> SUCCESSORS =
             Map.of("timeout", "timeout(time)", "stop", "stopif(test)", "freeze", "freezeif(test)");
 
-    static boolean in(List<Flag> flags, String name) {
+    public static boolean in(List<Flag> flags, String name) {
         for (Flag flag : flags) {
             if (flag.name().equals(name)) {
                 return true;
@@ -27,8 +27,7 @@ record Flag(String name, @Nullable Expr argument) {
     }
 
     /** What the kernel advises to use in place of a flag, or null for a flag of today. */
-    @Nullable
-    String warning() {
+    public @Nullable String warning() {
         String successor = SUCCESSORS.get(name);
         return successor == null
                 ? null

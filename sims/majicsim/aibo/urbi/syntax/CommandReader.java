@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** Reads program text command by command, keeps count of its lines, and tells what the grammar refuses (URBI sheet, section 11). */
-final class CommandReader {
+public final class CommandReader {
     private final Splitter splitter = new Splitter();
     private final Consumer<String> complain;
     private Place place;
@@ -16,13 +16,13 @@ final class CommandReader {
      * @param start where the text begins in the count of lines
      * @param complain takes the body of each error line
      */
-    CommandReader(Place start, Consumer<String> complain) {
+    public CommandReader(Place start, Consumer<String> complain) {
         this.place = start;
         this.complain = complain;
     }
 
     /** All commands of a whole text, in order; a last one needs no separator. */
-    static List<Step> all(byte[] text, Consumer<String> complain) {
+    public static List<Step> all(byte[] text, Consumer<String> complain) {
         CommandReader reader = new CommandReader(new Place(1, 1), complain);
         reader.feed(text);
         reader.feed(new byte[] {'\n', ';'});
@@ -36,12 +36,12 @@ final class CommandReader {
         return List.copyOf(steps);
     }
 
-    void feed(byte[] bytes) {
+    public void feed(byte[] bytes) {
         splitter.feed(bytes);
     }
 
     /** Whether a whole command has arrived; {@link #take} gives it. */
-    boolean isAtCommand() {
+    public boolean isAtCommand() {
         if (text == null) {
             text = splitter.next();
             if (splitter.overflowed()) {
@@ -53,15 +53,14 @@ final class CommandReader {
     }
 
     /** The command that has arrived, or null if the grammar refuses it, which has been told then. */
-    @Nullable
-    Step take() {
+    public @Nullable Step take() {
         String command = text == null ? "" : text;
         text = null;
         return parse(command);
     }
 
     /** The next bytes as they are, or null (and nothing taken) while fewer have arrived. */
-    byte @Nullable [] take(int size) {
+    public byte @Nullable [] take(int size) {
         return splitter.take(size);
     }
 

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,11 +1,11 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import java.util.List;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** A command that does one thing: an answer, an assignment, a word to the server (URBI sheet, sections 5 to 9). */
-sealed interface Action extends Statement {
+public sealed interface Action extends Statement {
     /**
      * One method for each kind of these commands.
      *
@@ -49,7 +49,7 @@ sealed interface Action extends Statement {
         }
 
         /** The same for another variable. */
-        Assign to(Name other) {
+        public Assign to(Name other) {
             return new Assign(other, value, modifiers, declares);
         }
     }
@@ -70,14 +70,14 @@ sealed interface Action extends Statement {
         }
 
         /** The same for another variable. */
-        AssignProperty to(Name other) {
+        public AssignProperty to(Name other) {
             return new AssignProperty(other, property, value);
         }
     }
 
     /** {@code x = bin 5 wav;}, whose bytes follow the command; it can run only when they are filled in. */
     record AssignBinary(Name target, int size, String parameters) implements Action {
-        Statement filled(String bytes) {
+        public Statement filled(String bytes) {
             return new Assign(target, new Expr.Constant(new Value.Binary(bytes, parameters)), List.of(), false);
         }
 

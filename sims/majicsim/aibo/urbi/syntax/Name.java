@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.syntax;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -11,12 +11,12 @@ import org.jspecify.annotations.Nullable;
  * @param index what stands in brackets behind it
  * @param suffix one of {@code 'n ' '' 'd 'dd 'e}, or empty
  */
-record Name(String text, @Nullable Expr computed, List<Expr> index, String suffix) {
-    static Name of(String text) {
+public record Name(String text, @Nullable Expr computed, List<Expr> index, String suffix) {
+    public static Name of(String text) {
         return new Name(text, null, List.of(), "");
     }
 
-    Name withSuffix(String added) {
+    public Name withSuffix(String added) {
         return new Name(text, computed, index, added);
     }
 
