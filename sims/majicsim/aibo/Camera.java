@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.DoubleSupplier;
 import majicsim.aibo.urbi.Kernel;
-import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 

@@ -7,10 +7,10 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import majicsim.aibo.urbi.Blend;
-import majicsim.aibo.urbi.Groups;
-import majicsim.aibo.urbi.Variable;
-import majicsim.aibo.urbi.Variables;
+import majicsim.aibo.urbi.memory.Blend;
+import majicsim.aibo.urbi.memory.Groups;
+import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.value.Value;
 
 /** The dog's devices and their groups (URBI sheet, section 13). */

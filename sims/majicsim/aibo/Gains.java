@@ -1,8 +1,8 @@
 package majicsim.aibo;
 
 import java.util.List;
-import majicsim.aibo.urbi.Variable;
-import majicsim.aibo.urbi.Variables;
+import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.value.Value;
 
 /** The factors of a motor's controller (URBI sheet, section 13). */

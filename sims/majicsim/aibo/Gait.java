@@ -3,7 +3,7 @@ package majicsim.aibo;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 

@@ -1,7 +1,7 @@
 package majicsim.aibo;
 
-import majicsim.aibo.urbi.Variable;
-import majicsim.aibo.urbi.Variables;
+import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.value.Value;
 
 /**

@@ -3,7 +3,7 @@ package majicsim.aibo;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.memory.Variable;
 
 /** The twelve joints of the legs together: the swing of a gait, whether they carry, and the posture they are in. */
 final class Legs {

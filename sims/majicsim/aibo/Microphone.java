@@ -2,7 +2,7 @@ package majicsim.aibo;
 
 import java.nio.charset.StandardCharsets;
 import majicsim.aibo.urbi.Kernel;
-import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.value.Value;
 import majicsim.world.Noise;
 

@@ -1,6 +1,6 @@
 package majicsim.aibo;
 
-import majicsim.aibo.urbi.Variable;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.value.Value;
 
 /** A lamp or an ear that knows only on and off (URBI sheet, section 13): from one half on it is on. */

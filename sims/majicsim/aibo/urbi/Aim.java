@@ -1,5 +1,7 @@
 package majicsim.aibo.urbi;
 
+import majicsim.aibo.urbi.memory.Properties;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.value.Failure;
 

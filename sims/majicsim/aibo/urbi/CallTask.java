@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.memory.Frame;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;

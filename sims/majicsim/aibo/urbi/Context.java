@@ -1,6 +1,10 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.memory.Frame;
+import majicsim.aibo.urbi.memory.Memory;
+import majicsim.aibo.urbi.memory.Scope;
+import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.syntax.Flag;
 import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;

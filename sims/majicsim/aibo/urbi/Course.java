@@ -3,6 +3,7 @@ package majicsim.aibo.urbi;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.value.Failure;

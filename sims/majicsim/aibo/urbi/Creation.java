@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.memory.Memory;
 import majicsim.aibo.urbi.syntax.Definition;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.syntax.Name;

@@ -1,6 +1,8 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.memory.Groups;
+import majicsim.aibo.urbi.memory.Memory;
 import majicsim.aibo.urbi.syntax.Definition;
 import majicsim.aibo.urbi.syntax.Name;
 import majicsim.aibo.urbi.value.Failure;

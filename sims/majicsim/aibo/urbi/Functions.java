@@ -4,6 +4,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import majicsim.aibo.urbi.memory.Frame;
+import majicsim.aibo.urbi.memory.ObjectTable;
 import majicsim.aibo.urbi.syntax.Definition;
 import majicsim.aibo.urbi.syntax.Name;
 import majicsim.aibo.urbi.syntax.Statement;

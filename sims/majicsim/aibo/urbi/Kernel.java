@@ -4,6 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import majicsim.aibo.urbi.memory.Memory;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;

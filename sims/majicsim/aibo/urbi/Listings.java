@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import majicsim.aibo.urbi.memory.Groups;
+import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.value.Value;
 
 /** The long answers of the server: a line for each variable, group, function or command (URBI sheet, section 9). */

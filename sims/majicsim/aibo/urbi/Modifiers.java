@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.syntax.Modifier;
 import majicsim.aibo.urbi.value.Failure;

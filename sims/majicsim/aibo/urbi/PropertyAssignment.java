@@ -1,6 +1,9 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.memory.Blend;
+import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.syntax.Name;

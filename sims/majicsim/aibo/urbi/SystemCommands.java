@@ -1,6 +1,7 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;

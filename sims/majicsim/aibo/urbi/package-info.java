@@ -6,4 +6,5 @@
 @NullMarked
 package majicsim.aibo.urbi;
 
+import majicsim.aibo.urbi.memory.Variable;
 import org.jspecify.annotations.NullMarked;

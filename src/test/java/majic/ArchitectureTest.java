@@ -65,9 +65,10 @@ class ArchitectureTest {
                                         majic.gui.map
             majicsim.world            :
             majicsim.net              : majicsim.world
-            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi.value
+            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi majicsim.aibo.urbi.memory.value
             majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.value \
-                                        majicsim.aibo.urbi.syntax
+                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.memory
+            majicsim.aibo.urbi.memory : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.syntax : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.value  :
             majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -7,7 +7,7 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /** The properties of a variable, such as {@code x.val->rangemin} (URBI sheet, section 5). */
-final class Properties {
+public final class Properties {
     private static final Map<String, Double> DEFAULTS = Map.of(
             "rangemin",
             -Value.INFINITY,
@@ -24,7 +24,7 @@ final class Properties {
     private Blend blend = Blend.NORMAL;
     private String unit = "";
 
-    Value read(String property) throws Failure {
+    public Value read(String property) throws Failure {
         if (property.equals("blend")) {
             return Value.of(blend.word());
         }
@@ -54,15 +54,15 @@ final class Properties {
         blend = mode;
     }
 
-    Blend blend() {
+    public Blend blend() {
         return blend;
     }
 
-    double clip(double value) {
+    public double clip(double value) {
         return Math.max(number("rangemin"), Math.min(number("rangemax"), value));
     }
 
-    double range() {
+    public double range() {
         return number("rangemax") - number("rangemin");
     }
 
@@ -70,7 +70,7 @@ final class Properties {
         return (value - checkedMin(name)) / range();
     }
 
-    double denormalize(String name, double value) throws Failure {
+    public double denormalize(String name, double value) throws Failure {
         return checkedMin(name) + value * range();
     }
 
@@ -82,11 +82,11 @@ final class Properties {
     }
 
     /** One of the properties that are numbers. */
-    double number(String property) {
+    public double number(String property) {
         return Objects.requireNonNull(numbers.get(property), property);
     }
 
-    void write(String property, Value value) throws Failure {
+    public void write(String property, Value value) throws Failure {
         if (property.equals("blend")) {
             Blend mode = value instanceof Value.Text text ? Blend.named(text.text()) : null;
             if (mode == null) {

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -10,25 +10,25 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.MemoryLimits;
 
 /** The classes and objects of programs, which the kernel does not tell apart: each may inherit from others (URBI sheet, section 10). */
-final class ObjectTable {
+public final class ObjectTable {
     private static final String SELF = "self.";
     private static final String LOCAL = "local.";
 
     private final Map<String, Set<String>> parents = new LinkedHashMap<>();
 
-    void define(String name) {
+    public void define(String name) {
         parents.computeIfAbsent(name, any -> new LinkedHashSet<>());
     }
 
-    boolean contains(String name) {
+    public boolean contains(String name) {
         return parents.containsKey(name);
     }
 
-    int count() {
+    public int count() {
         return parents.size();
     }
 
-    void remove(String name) {
+    public void remove(String name) {
         parents.remove(name);
     }
 
@@ -37,7 +37,7 @@ final class ObjectTable {
     }
 
     /** Makes an object inherit from another, which must exist; the object comes to be if need be. */
-    void inherit(String name, String parent) throws Failure {
+    public void inherit(String name, String parent) throws Failure {
         if (!contains(parent)) {
             throw Failure.of("Unkown object " + parent);
         }
@@ -50,7 +50,7 @@ final class ObjectTable {
     }
 
     /** The names under which something called object.field may be found, its own first; only its own for other names. */
-    List<String> places(String name) {
+    public List<String> places(String name) {
         int dot = name.indexOf('.');
         if (dot < 0 || !contains(name.substring(0, dot))) {
             return List.of(name);
@@ -61,7 +61,7 @@ final class ObjectTable {
     }
 
     /** A name as written, with the connection's own name for {@code local} and that of the object that runs for {@code self}. */
-    static String resolve(Scope scope, String name) {
+    public static String resolve(Scope scope, String name) {
         if (name.startsWith(LOCAL)) {
             return scope.connectionId() + name.substring(LOCAL.length() - 1);
         }

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.Map;
 import java.util.Set;
@@ -12,7 +12,7 @@ public final class Memory {
     private Map<String, Set<String>> systemGroups = Map.of();
 
     /** @param cycleMs the length of a cycle of the server */
-    Memory(double cycleMs) {
+    public Memory(double cycleMs) {
         events = new Events(cycleMs);
     }
 
@@ -25,7 +25,7 @@ public final class Memory {
         return groups;
     }
 
-    ObjectTable objects() {
+    public ObjectTable objects() {
         return objects;
     }
 
@@ -38,18 +38,18 @@ public final class Memory {
         return variables;
     }
 
-    Events events() {
+    public Events events() {
         return events;
     }
 
     /** Makes what is there now the system's: {@link #forget} leaves it. */
-    void seal() {
+    public void seal() {
         variables.seal();
         systemGroups = groups.copy();
     }
 
     /** Goes back to what the system has. */
-    void forget() {
+    public void forget() {
         variables.forget();
         groups.restore(systemGroups);
         objects.clear();
@@ -57,7 +57,7 @@ public final class Memory {
     }
 
     /** Forgets what belongs to one connection. */
-    void removeAllOf(String connectionId) {
+    public void removeAllOf(String connectionId) {
         variables.removeAllOf(connectionId);
         events.removeAllOf(connectionId + ".");
     }

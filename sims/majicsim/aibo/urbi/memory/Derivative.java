@@ -1,7 +1,7 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 /** First and second derivative of a number that is sampled once a cycle, in units per second and per second squared. */
-final class Derivative {
+public final class Derivative {
     private double value = Double.NaN;
     private double speed;
     private double acceleration;
@@ -13,11 +13,11 @@ final class Derivative {
         value = next;
     }
 
-    double speed() {
+    public double speed() {
         return speed;
     }
 
-    double acceleration() {
+    public double acceleration() {
         return acceleration;
     }
 }

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import org.jspecify.annotations.Nullable;
 
@@ -8,4 +8,4 @@ import org.jspecify.annotations.Nullable;
  * @param connectionId the connection to which bare names belong
  * @param frame the call that runs, with its local variables; null outside of one
  */
-record Scope(String connectionId, @Nullable Frame frame) {}
+public record Scope(String connectionId, @Nullable Frame frame) {}

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
@@ -18,7 +18,7 @@ public enum Blend {
     /** Who comes second ends the first. */
     CANCEL;
 
-    static @Nullable Blend named(String name) {
+    public static @Nullable Blend named(String name) {
         for (Blend blend : values()) {
             if (blend.word().equals(name)) {
                 return blend;

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.Collection;
 import java.util.HashMap;
@@ -46,12 +46,12 @@ public final class Variables {
         system.putAll(all);
     }
 
-    boolean isSystem(String name) {
+    public boolean isSystem(String name) {
         return system.containsKey(name);
     }
 
     /** Adds a variable that {@link #forget} leaves. */
-    void putSystem(Variable variable) {
+    public void putSystem(Variable variable) {
         variable.keep();
         system.put(variable.name(), variable);
         put(variable);
@@ -67,15 +67,15 @@ public final class Variables {
     }
 
     /** With strict, an assignment makes no variable and changes no type (URBI sheet, section 9). */
-    void strict(boolean wanted) {
+    public void strict(boolean wanted) {
         strict = wanted;
     }
 
-    boolean isStrict() {
+    public boolean isStrict() {
         return strict;
     }
 
-    Map<String, String> aliases() {
+    public Map<String, String> aliases() {
         return aliases;
     }
 
@@ -88,12 +88,11 @@ public final class Variables {
         all.put(variable.name(), variable);
     }
 
-    Collection<Variable> all() {
+    public Collection<Variable> all() {
         return all.values();
     }
 
-    @Nullable
-    Variable find(Scope scope, String key) {
+    public @Nullable Variable find(Scope scope, String key) {
         Variable local = scope.frame() == null ? null : scope.frame().local(key);
         if (local != null) {
             return local;
@@ -115,7 +114,7 @@ public final class Variables {
         secondNames.put(name, device);
     }
 
-    String fullName(Scope scope, String written) {
+    public String fullName(Scope scope, String written) {
         String key = firstName(ObjectTable.resolve(scope, written));
         String alias = aliases.get(key);
         if (alias != null) {
@@ -131,7 +130,7 @@ public final class Variables {
     }
 
     /** The name under which a variable is made that is not there: a bare name in a function is the function's own. */
-    String wantedName(Scope scope, String written) {
+    public String wantedName(Scope scope, String written) {
         Frame frame = scope.frame();
         return frame != null && isOwn(scope, written) ? frame.scope() + "." + written : fullName(scope, written);
     }
@@ -141,7 +140,7 @@ public final class Variables {
     }
 
     /** Makes a local variable of the function that runs, in place of one of the same name. */
-    void declare(Scope scope, String name, Value value) throws Failure {
+    public void declare(Scope scope, String name, Value value) throws Failure {
         Frame frame = Objects.requireNonNull(scope.frame());
         checkCount();
         Variable variable = new Variable(frame.scope() + "." + name, value);
@@ -150,7 +149,7 @@ public final class Variables {
     }
 
     /** Forgets the variables of a call that has ended. */
-    void drop(Frame frame) {
+    public void drop(Frame frame) {
         frame.locals().forEach(variable -> all.remove(variable.name()));
     }
 
@@ -161,7 +160,7 @@ public final class Variables {
     }
 
     /** Makes a name stand for another variable, or with null for itself again. */
-    void alias(String name, @Nullable String meaning) {
+    public void alias(String name, @Nullable String meaning) {
         if (meaning == null) {
             aliases.remove(name);
         } else {
@@ -189,7 +188,7 @@ public final class Variables {
     }
 
     /** Refuses a value for which there is no memory. The variables are weighed once in a pass of the kernel. */
-    void admit(Value value, long pass) throws Failure {
+    public void admit(Value value, long pass) throws Failure {
         if (value.weight() < LIGHT) {
             return;
         }
@@ -205,7 +204,7 @@ public final class Variables {
         }
     }
 
-    void assign(Scope scope, String key, Value value) throws Failure {
+    public void assign(Scope scope, String key, Value value) throws Failure {
         Variable found = find(scope, key);
         (found == null ? obtain(scope, key, true) : found).write(value);
     }
@@ -215,13 +214,12 @@ public final class Variables {
      *
      * @param make whether it may be made if it is not there; else it is an error that it is not
      */
-    Variable target(Scope scope, String key, boolean make) throws Failure {
+    public Variable target(Scope scope, String key, boolean make) throws Failure {
         return obtain(scope, key, make);
     }
 
     /** The members that a name reaches if it is a group's, with its field; null for any other name. */
-    @Nullable
-    List<String> members(Scope scope, String key) {
+    public @Nullable List<String> members(Scope scope, String key) {
         int dot = key.indexOf('.');
         String head = dot < 0 ? key : key.substring(0, dot);
         String field = dot < 0 ? "" : key.substring(dot);
@@ -232,17 +230,17 @@ public final class Variables {
     }
 
     /** Replaces a variable by a plain one; hardware behind it is cut off (URBI sheet, section 5). */
-    void replace(Variable old, Value value) {
+    public void replace(Variable old, Value value) {
         put(new Variable(old.name(), value));
     }
 
     /** Forgets a variable; false if there was none. */
-    boolean remove(Scope scope, String key) {
+    public boolean remove(Scope scope, String key) {
         return all.remove(fullName(scope, key)) != null;
     }
 
     /** The fields of an object by their names, those of itself. */
-    Map<String, Value> fields(String object) {
+    public Map<String, Value> fields(String object) {
         Map<String, Value> fields = new LinkedHashMap<>();
         all.forEach((name, variable) -> {
             if (name.startsWith(object + ".")) {

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -21,11 +21,11 @@ public final class Groups {
         members.put(group, new LinkedHashSet<>(names));
     }
 
-    void add(String group, List<String> names) {
+    public void add(String group, List<String> names) {
         members.computeIfAbsent(group, any -> new LinkedHashSet<>()).addAll(names);
     }
 
-    void remove(String group, List<String> names) {
+    public void remove(String group, List<String> names) {
         members.getOrDefault(group, new LinkedHashSet<>()).removeAll(names);
     }
 
@@ -33,12 +33,12 @@ public final class Groups {
         return members.containsKey(group);
     }
 
-    Set<String> names() {
+    public Set<String> names() {
         return members.keySet();
     }
 
     /** The members as they were named. */
-    Set<String> members(String group) {
+    public Set<String> members(String group) {
         return members.getOrDefault(group, Set.of());
     }
 

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.Collection;
 import java.util.HashMap;
@@ -7,7 +7,7 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** One call of a function: its local variables and what it returned. */
-final class Frame {
+public final class Frame {
     private final String scope;
     private final String self;
     private final Map<String, Variable> locals = new HashMap<>();
@@ -18,7 +18,7 @@ final class Frame {
      * @param scope stands before the names of its variables, as a connection's name does before those of the connection
      * @param self the object whose function is called, empty for a function of none
      */
-    Frame(String scope, String self) {
+    public Frame(String scope, String self) {
         this.scope = scope;
         this.self = self;
     }
@@ -44,16 +44,16 @@ final class Frame {
         return locals.values();
     }
 
-    void giveBack(Value value) {
+    public void giveBack(Value value) {
         result = value;
         returned = true;
     }
 
-    boolean hasReturned() {
+    public boolean hasReturned() {
         return returned;
     }
 
-    Value result() {
+    public Value result() {
         return result;
     }
 }

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -47,7 +47,7 @@ public final class Variable {
 
     /** An assignment that takes time. */
     @FunctionalInterface
-    interface Motion {
+    public interface Motion {
         /** Ends it where it is. */
         void cancel();
     }
@@ -88,11 +88,11 @@ public final class Variable {
         this.hardware = hardware;
     }
 
-    String name() {
+    public String name() {
         return name;
     }
 
-    Properties properties() {
+    public Properties properties() {
         return properties;
     }
 
@@ -131,16 +131,16 @@ public final class Variable {
         }
     }
 
-    boolean isDevice() {
+    public boolean isDevice() {
         return hardware != null;
     }
 
     /** The assignments with modifiers that are under way on it. */
-    List<Motion> motions() {
+    public List<Motion> motions() {
         return motions;
     }
 
-    Value read() {
+    public Value read() {
         return hardware == null ? target : hardware.measure();
     }
 
@@ -184,20 +184,20 @@ public final class Variable {
         write(Value.of(properties.blend().combine(value, sum, writers)));
     }
 
-    double normalized() throws Failure {
+    public double normalized() throws Failure {
         return properties.normalize(name, read().number());
     }
 
-    Derivative profile() {
+    public Derivative profile() {
         return profile;
     }
 
-    Derivative measured() {
+    public Derivative measured() {
         return measured;
     }
 
     /** Takes a sample for the derivatives. */
-    void sample(double seconds) {
+    public void sample(double seconds) {
         if (hardware == null || !hardware.moves()) {
             return;
         }

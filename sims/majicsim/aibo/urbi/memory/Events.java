@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.memory;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -14,12 +14,12 @@ import org.jspecify.annotations.Nullable;
  * The events that programs emit (URBI sheet, section 8). One is seen for a whole cycle at least, by every handler alike; the next of
  * the same name comes a cycle after it, so that handlers see the edge between them.
  */
-final class Events {
+public final class Events {
     /** More events of one name than this do not wait for their turn. */
     private static final int MAX_WAITING = 1000;
 
     /** One event as it was emitted; its time runs from the cycle in which it is seen first. */
-    record Event(List<Value> arguments, double durationMs) {}
+    public record Event(List<Value> arguments, double durationMs) {}
 
     private static final class Channel {
         private final Deque<Event> waiting = new ArrayDeque<>();
@@ -46,19 +46,19 @@ final class Events {
         this.cycleMs = cycleMs;
     }
 
-    void declare(String name) {
+    public void declare(String name) {
         declared.add(name);
     }
 
-    boolean isKnown(String name) {
+    public boolean isKnown(String name) {
         return declared.contains(name) || channels.containsKey(name);
     }
 
-    int count() {
+    public int count() {
         return declared.size() + channels.size();
     }
 
-    void emit(String name, Event event) {
+    public void emit(String name, Event event) {
         Channel channel = channels.computeIfAbsent(name, any -> new Channel());
         if (channel.waiting.size() < MAX_WAITING) {
             channel.waiting.add(event);
@@ -66,18 +66,17 @@ final class Events {
     }
 
     /** The event of that name that is seen in this cycle. */
-    @Nullable
-    Event current(String name) {
+    public @Nullable Event current(String name) {
         Channel channel = channels.get(name);
         return channel == null ? null : channel.current;
     }
 
     /** To be called once a cycle, before any handler looks. */
-    void turn(double nowMs) {
+    public void turn(double nowMs) {
         channels.values().forEach(channel -> channel.turn(nowMs, cycleMs));
     }
 
-    void remove(String name) {
+    public void remove(String name) {
         declared.remove(name);
         channels.remove(name);
     }
