@@ -1,9 +1,9 @@
 package majicsim.aibo;
 
-import majicsim.aibo.urbi.Functions;
 import majicsim.aibo.urbi.Kernel;
-import majicsim.aibo.urbi.Server;
 import majicsim.aibo.urbi.Stick;
+import majicsim.aibo.urbi.run.Functions;
+import majicsim.aibo.urbi.run.Server;
 import majicsim.aibo.urbi.value.Value;
 import majicsim.net.Firmware;
 import majicsim.net.Line;

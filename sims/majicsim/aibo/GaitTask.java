@@ -1,10 +1,10 @@
 package majicsim.aibo;
 
-import majicsim.aibo.urbi.Context;
-import majicsim.aibo.urbi.Evaluator;
-import majicsim.aibo.urbi.Functions;
-import majicsim.aibo.urbi.Server;
-import majicsim.aibo.urbi.Task;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Evaluator;
+import majicsim.aibo.urbi.run.Functions;
+import majicsim.aibo.urbi.run.Server;
+import majicsim.aibo.urbi.run.Task;
 
 /**
  * One walk or turn of a given time. The body moves from its first step on for exactly that time in an exact lab, and up to two kernel

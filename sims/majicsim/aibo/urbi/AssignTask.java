@@ -3,6 +3,8 @@ package majicsim.aibo.urbi;
 import java.util.List;
 import majicsim.aibo.urbi.memory.Blend;
 import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Flag;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;

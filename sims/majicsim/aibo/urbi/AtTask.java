@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.syntax.Statement;
 
@@ -34,7 +36,7 @@ final class AtTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         List<Task> parts = new ArrayList<>(runs.parts());
         parts.add(test);
         return parts;

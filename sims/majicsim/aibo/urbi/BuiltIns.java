@@ -3,6 +3,7 @@ package majicsim.aibo.urbi;
 import java.util.List;
 import java.util.function.DoubleSupplier;
 import java.util.function.DoubleUnaryOperator;
+import majicsim.aibo.urbi.run.Functions;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 import majicsim.world.Noise;

@@ -2,6 +2,11 @@ package majicsim.aibo.urbi;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import majicsim.aibo.urbi.run.CommandStream;
+import majicsim.aibo.urbi.run.Connection;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Server;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.CommandReader;
 import majicsim.aibo.urbi.syntax.Place;

@@ -2,6 +2,10 @@ package majicsim.aibo.urbi;
 
 import java.util.List;
 import majicsim.aibo.urbi.memory.Memory;
+import majicsim.aibo.urbi.run.CallTask;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Evaluator;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Definition;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.syntax.Name;
@@ -58,7 +62,7 @@ final class Creation extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of(constructor);
     }
 }

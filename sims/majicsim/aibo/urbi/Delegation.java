@@ -1,6 +1,10 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.run.Connection;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Prepared;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.syntax.Flag;
 import majicsim.aibo.urbi.syntax.Statement;

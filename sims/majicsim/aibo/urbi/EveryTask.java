@@ -1,6 +1,8 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
@@ -31,7 +33,7 @@ final class EveryTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return runs.parts();
     }
 

@@ -3,6 +3,8 @@ package majicsim.aibo.urbi;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
@@ -52,7 +54,7 @@ final class ForeachTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return turn == null ? List.of() : List.of(turn);
     }
 }

@@ -6,6 +6,9 @@ import java.util.Locale;
 import java.util.Map;
 import majicsim.aibo.urbi.memory.Groups;
 import majicsim.aibo.urbi.memory.Variables;
+import majicsim.aibo.urbi.run.Connection;
+import majicsim.aibo.urbi.run.TaggedTask;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.value.Value;
 
 /** The long answers of the server: a line for each variable, group, function or command (URBI sheet, section 9). */

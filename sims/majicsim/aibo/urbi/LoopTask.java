@@ -1,6 +1,10 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Evaluator;
+import majicsim.aibo.urbi.run.Task;
+import majicsim.aibo.urbi.run.ThenTask;
 import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
@@ -30,7 +34,7 @@ final class LoopTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return turn == null ? List.of() : List.of(turn);
     }
 

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Evaluator;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.syntax.Modifier;
 import majicsim.aibo.urbi.value.Failure;

@@ -1,5 +1,7 @@
 package majicsim.aibo.urbi;
 
+import majicsim.aibo.urbi.run.Server;
+
 /** An assignment that is planned anew each cycle from where the joint really is, {@code adaptive:1} (URBI sheet, section 6). */
 final class Pursuit {
     private final double target;

@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /**

@@ -2,6 +2,14 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.run.BothTask;
+import majicsim.aibo.urbi.run.CommandStream;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.PauseTask;
+import majicsim.aibo.urbi.run.Prepared;
+import majicsim.aibo.urbi.run.TaggedTask;
+import majicsim.aibo.urbi.run.Task;
+import majicsim.aibo.urbi.run.ThenTask;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.Definition;
 import majicsim.aibo.urbi.syntax.Expr;

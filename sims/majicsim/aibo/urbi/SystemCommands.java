@@ -2,6 +2,10 @@ package majicsim.aibo.urbi;
 
 import java.util.List;
 import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.run.Connection;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.PauseTask;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;

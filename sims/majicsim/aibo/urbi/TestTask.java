@@ -2,6 +2,9 @@ package majicsim.aibo.urbi;
 
 import java.util.IdentityHashMap;
 import java.util.Map;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Evaluator;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;

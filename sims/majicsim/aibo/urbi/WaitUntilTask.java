@@ -1,6 +1,8 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Expr;
 
 /** Waits until a test holds. */
@@ -18,7 +20,7 @@ final class WaitUntilTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of(test);
     }
 }

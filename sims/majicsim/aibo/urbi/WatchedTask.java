@@ -1,6 +1,9 @@
 package majicsim.aibo.urbi;
 
 import java.util.List;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Prepared;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.syntax.Statement;
 
@@ -65,12 +68,12 @@ final class WatchedTask extends Task {
     }
 
     @Override
-    boolean isReplaced() {
+    public boolean isReplaced() {
         return body.isReplaced();
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of(body);
     }
 }

@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.syntax.Statement;
 import org.jspecify.annotations.Nullable;
@@ -32,7 +34,7 @@ final class WheneverTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         List<Task> parts = new ArrayList<>(List.of(test));
         if (run != null) {
             parts.add(run);

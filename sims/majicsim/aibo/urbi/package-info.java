@@ -7,4 +7,5 @@
 package majicsim.aibo.urbi;
 
 import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.run.Functions;
 import org.jspecify.annotations.NullMarked;

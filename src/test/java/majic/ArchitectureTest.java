@@ -65,9 +65,11 @@ class ArchitectureTest {
                                         majic.gui.map
             majicsim.world            :
             majicsim.net              : majicsim.world
-            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi majicsim.aibo.urbi.memory.value
+            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi majicsim.aibo.urbi majicsim.aibo.urbi.run.memory.value
             majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.value \
-                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.memory
+                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.memory \
+                                        majicsim.aibo.urbi.run
+            majicsim.aibo.urbi.run    : majicsim.aibo.urbi.memory majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
             majicsim.aibo.urbi.memory : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.syntax : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.value  :

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.List;
 import majicsim.aibo.urbi.memory.Frame;
@@ -22,12 +22,12 @@ import org.jspecify.annotations.Nullable;
  */
 public record Context(Connection connection, @Nullable Frame frame, String tag, int depth, List<Flag> flags) {
     /** For a command inside this one. */
-    Context inner(String itsTag) {
+    public Context inner(String itsTag) {
         return inner(itsTag, List.of());
     }
 
     /** For a command inside this one with flags of its own. */
-    Context inner(String itsTag, List<Flag> itsFlags) {
+    public Context inner(String itsTag, List<Flag> itsFlags) {
         return new Context(connection, frame, itsTag, depth + 1, itsFlags);
     }
 
@@ -44,24 +44,24 @@ public record Context(Connection connection, @Nullable Frame frame, String tag, 
         return connection.server();
     }
 
-    Memory memory() {
+    public Memory memory() {
         return server().memory();
     }
 
-    Variables variables() {
+    public Variables variables() {
         return memory().variables();
     }
 
-    Functions functions() {
+    public Functions functions() {
         return server().functions();
     }
 
-    Scope scope() {
+    public Scope scope() {
         return new Scope(connection.id(), frame);
     }
 
     /** A run of a command inside this one; nothing happens before its first step. */
-    Task start(Statement statement) {
+    public Task start(Statement statement) {
         return server().start(this, statement);
     }
 
@@ -70,23 +70,23 @@ public record Context(Connection connection, @Nullable Frame frame, String tag, 
     }
 
     /** Whether the function that this is a part of has returned, so that nothing further of it may run. */
-    boolean isLeft() {
+    public boolean isLeft() {
         return frame != null && frame.hasReturned();
     }
 
-    void reply(Value value) {
+    public void reply(Value value) {
         connection.reply(tag, value);
     }
 
-    void info(String text) {
+    public void info(String text) {
         connection.send(tag, "*** " + text);
     }
 
-    void error(String text) {
+    public void error(String text) {
         connection.send(tag, "!!! " + text);
     }
 
-    void report(Failure failure) {
+    public void report(Failure failure) {
         failure.lines().forEach(this::error);
     }
 }

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.List;
 import majicsim.aibo.urbi.memory.Frame;
@@ -7,7 +7,7 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /** A call of a function whose body is commands; it ends with the body or with a return in it. */
-final class CallTask extends Task {
+public final class CallTask extends Task {
     /** So deep commands may be nested, calls and all, before a call is refused: a task's own nesting needs stack. */
     private static final int MAX_DEPTH = 300;
 
@@ -20,7 +20,7 @@ final class CallTask extends Task {
         this.body = body;
     }
 
-    static CallTask of(Context context, Expr.Call call, Evaluator evaluator) throws Failure {
+    public static CallTask of(Context context, Expr.Call call, Evaluator evaluator) throws Failure {
         Functions functions = context.functions();
         Frame frame = functions.frame(context, call.function());
         boolean allowed = context.server().budget().takeCall(context.server().pass());
@@ -32,7 +32,7 @@ final class CallTask extends Task {
         return new CallTask(context, frame, body);
     }
 
-    Value result() {
+    public Value result() {
         return frame.result();
     }
 
@@ -52,7 +52,7 @@ final class CallTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of(body);
     }
 }

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.List;
 
@@ -35,7 +35,7 @@ public abstract class Task {
      *
      * @return as they are now
      */
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of();
     }
 
@@ -44,7 +44,7 @@ public abstract class Task {
      *
      * @return true from the step on in which it was replaced
      */
-    boolean isReplaced() {
+    public boolean isReplaced() {
         return false;
     }
 
@@ -69,7 +69,7 @@ public abstract class Task {
     }
 
     /** Steps it; true when it has ended, however. */
-    final boolean step() {
+    public final boolean step() {
         if (over || isFrozen()) {
             return over;
         }
@@ -82,7 +82,7 @@ public abstract class Task {
         return over;
     }
 
-    final void kill() {
+    public final void kill() {
         if (!over) {
             finish();
         }
@@ -95,7 +95,7 @@ public abstract class Task {
         ended();
     }
 
-    final void freeze() {
+    public final void freeze() {
         if (!over && !isFrozen()) {
             frozenAtMs = context.nowMs();
             parts().forEach(Task::freeze);
@@ -103,7 +103,7 @@ public abstract class Task {
         }
     }
 
-    final void thaw() {
+    public final void thaw() {
         if (!over && isFrozen()) {
             startMs += context.nowMs() - frozenAtMs;
             frozenAtMs = Double.NaN;
@@ -112,11 +112,11 @@ public abstract class Task {
         }
     }
 
-    final boolean isOver() {
+    public final boolean isOver() {
         return over;
     }
 
-    final boolean isFrozen() {
+    public final boolean isFrozen() {
         return !Double.isNaN(frozenAtMs);
     }
 
@@ -139,7 +139,7 @@ public abstract class Task {
     }
 
     /** A command that ends at once and does nothing. */
-    static Task done(Context context) {
+    public static Task done(Context context) {
         return new Task(context) {
             @Override
             protected boolean advance() {

@@ -1,10 +1,10 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /** Waits; it ends at the first cycle after its time. */
-final class PauseTask extends Task {
+public final class PauseTask extends Task {
     private final double ms;
 
     PauseTask(Context context, double ms) {
@@ -13,11 +13,11 @@ final class PauseTask extends Task {
     }
 
     /** Lets one cycle go by. */
-    static PauseTask cycle(Context context) {
+    public static PauseTask cycle(Context context) {
         return new PauseTask(context, Double.MIN_VALUE);
     }
 
-    static PauseTask of(Context context, Value ms) throws Failure {
+    public static PauseTask of(Context context, Value ms) throws Failure {
         if (ms instanceof Value.Num number) {
             return new PauseTask(context, number.number());
         }

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -32,12 +32,12 @@ public final class Evaluator implements Expr.Evaluation {
     }
 
     /** @param fixed the static variables that were read already, by identity; null if nothing is evaluated again */
-    Evaluator(Context context, @Nullable Map<Expr.Variable, Value> fixed) {
+    public Evaluator(Context context, @Nullable Map<Expr.Variable, Value> fixed) {
         this.context = context;
         this.fixed = fixed;
     }
 
-    List<Value> values(List<Expr> exprs) throws Failure {
+    public List<Value> values(List<Expr> exprs) throws Failure {
         List<Value> values = new ArrayList<>();
         for (Expr expr : exprs) {
             values.add(expr.value(this));
@@ -126,7 +126,7 @@ public final class Evaluator implements Expr.Evaluation {
     }
 
     /** The key under which a name's variable is stored. */
-    String key(Name name) throws Failure {
+    public String key(Name name) throws Failure {
         String text = name.computed() == null
                 ? name.text()
                 : name.computed().value(this).join();
@@ -149,7 +149,7 @@ public final class Evaluator implements Expr.Evaluation {
     }
 
     /** The variable that an assignment to that name writes; with {@code make} it comes to be if it is not there. */
-    Variable target(Name name, boolean make) throws Failure {
+    public Variable target(Name name, boolean make) throws Failure {
         return context.variables().target(context.scope(), key(name), make);
     }
 

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -8,9 +8,9 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** A command that needs some values first, and then has its effect at once or goes on as another task. */
-final class Prepared extends Task {
+public final class Prepared extends Task {
     /** What to do with the values. */
-    interface Continuation {
+    public interface Continuation {
         /** Does it; returns what goes on then, or null if that was all. */
         @Nullable
         Task with(List<Value> values) throws Failure;
@@ -22,7 +22,7 @@ final class Prepared extends Task {
     private @Nullable CallTask call;
     private @Nullable Task rest;
 
-    Prepared(Context context, List<Expr> exprs, Continuation continuation) {
+    public Prepared(Context context, List<Expr> exprs, Continuation continuation) {
         this(context, exprs, false, continuation);
     }
 
@@ -37,7 +37,7 @@ final class Prepared extends Task {
      * A command whose first expression may be the call of a custom function, which runs first. Everywhere else in an expression the
      * kernel refuses such a call (URBI sheet, section 21).
      */
-    static Prepared calling(Context context, List<Expr> exprs, Continuation continuation) {
+    public static Prepared calling(Context context, List<Expr> exprs, Continuation continuation) {
         return new Prepared(context, exprs, true, continuation);
     }
 
@@ -55,7 +55,7 @@ final class Prepared extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         List<Task> parts = new ArrayList<>();
         if (call != null) {
             parts.add(call);
@@ -67,7 +67,7 @@ final class Prepared extends Task {
     }
 
     @Override
-    boolean isReplaced() {
+    public boolean isReplaced() {
         return rest != null && rest.isReplaced();
     }
 

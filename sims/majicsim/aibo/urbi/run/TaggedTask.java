@@ -1,21 +1,21 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.List;
 import majicsim.aibo.urbi.syntax.Flag;
 
 /** A command under its tag, with the messages that its flags ask for (URBI sheet, section 7). */
-final class TaggedTask extends Task {
+public final class TaggedTask extends Task {
     private final Task body;
     private final List<Flag> flags;
     private boolean begun;
 
-    TaggedTask(Context context, List<Flag> flags, Task body) {
+    public TaggedTask(Context context, List<Flag> flags, Task body) {
         super(context);
         this.flags = flags;
         this.body = body;
     }
 
-    String tag() {
+    public String tag() {
         return context.tag();
     }
 
@@ -53,12 +53,12 @@ final class TaggedTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of(body);
     }
 
     /** Whether another command of the kernel's has taken its place: its tag reaches only that one's parts then. */
-    boolean wasReplaced() {
+    public boolean wasReplaced() {
         return body.isReplaced();
     }
 

@@ -1,7 +1,7 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 /** What the programs of all clients together may use, so that none of them can hold the kernel up. */
-final class Budget {
+public final class Budget {
     /** Far more than a useful program calls in 32 ms. */
     private static final int CALLS_A_PASS = 2000;
 
@@ -22,7 +22,7 @@ final class Budget {
     }
 
     /** Whether text of that length may be run as a program in this pass: it counts for as many calls as it is long. */
-    boolean takeText(long currentPass, int characters) {
+    public boolean takeText(long currentPass, int characters) {
         return takeCalls(currentPass, characters / CHARACTERS_A_CALL);
     }
 
@@ -36,7 +36,7 @@ final class Budget {
     }
 
     /** A cycle begins: what runs is counted anew. */
-    void beginCycle() {
+    public void beginCycle() {
         ranBefore = running;
         running = 0;
     }
@@ -52,7 +52,7 @@ final class Budget {
     }
 
     /** Whether one more body of a timer or an event handler may start beside those that run. */
-    boolean takeRun() {
+    public boolean takeRun() {
         if (runs >= RUNS) {
             return false;
         }
@@ -60,7 +60,7 @@ final class Budget {
         return true;
     }
 
-    void giveRunBack() {
+    public void giveRunBack() {
         runs--;
     }
 }

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.HashSet;
 import java.util.Set;
@@ -6,7 +6,7 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.MemoryLimits;
 
 /** What is known of tags beyond the commands that carry them: those that are blocked or frozen (URBI sheet, section 7). */
-final class Tags {
+public final class Tags {
     private final Set<String> blocked = new HashSet<>();
     private final Set<String> frozen = new HashSet<>();
 
@@ -18,31 +18,31 @@ final class Tags {
         return holds(frozen, tag);
     }
 
-    void block(String tag) throws Failure {
+    public void block(String tag) throws Failure {
         MemoryLimits.checkNames(blocked.size());
         blocked.add(tag);
     }
 
-    void unblock(String tag) {
+    public void unblock(String tag) {
         blocked.remove(tag);
     }
 
-    void freeze(String tag) throws Failure {
+    public void freeze(String tag) throws Failure {
         MemoryLimits.checkNames(frozen.size());
         frozen.add(tag);
     }
 
-    void unfreeze(String tag) {
+    public void unfreeze(String tag) {
         frozen.remove(tag);
     }
 
-    void clear() {
+    public void clear() {
         blocked.clear();
         frozen.clear();
     }
 
     /** Whether a tag is the wanted one or a part of it, as walk.left is of walk. */
-    static boolean matches(String tag, String wanted) {
+    public static boolean matches(String tag, String wanted) {
         return tag.equals(wanted) || tag.startsWith(wanted + ".");
     }
 

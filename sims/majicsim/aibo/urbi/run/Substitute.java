@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.List;
 import majicsim.aibo.urbi.syntax.Statement;
@@ -7,7 +7,7 @@ import majicsim.aibo.urbi.syntax.Statement;
  * A command that the kernel runs in place of the one that was given: it has the flags of that one, a tag of the kernel's own, and
  * the given one never reports its end (URBI sheet, section 21).
  */
-final class Substitute extends Task {
+public final class Substitute extends Task {
     /** The tag of commands that the kernel makes itself. */
     static final String TAG = "__system__";
 
@@ -19,7 +19,7 @@ final class Substitute extends Task {
     }
 
     /** The command that runs in place of the given one. */
-    static Substitute of(Context given, Statement command) {
+    public static Substitute of(Context given, Statement command) {
         return new Substitute(given, context(given).start(command));
     }
 
@@ -34,12 +34,12 @@ final class Substitute extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of(command);
     }
 
     @Override
-    boolean isReplaced() {
+    public boolean isReplaced() {
         return true;
     }
 }

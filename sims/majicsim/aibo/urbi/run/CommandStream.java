@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -13,27 +13,27 @@ import org.jspecify.annotations.Nullable;
  * A queue of commands (URBI sheet, section 3): one that ends with a semicolon holds the following back, one that ends with a comma
  * goes on beside them. A block is a stream that ends; a connection's own stream never does.
  */
-final class CommandStream extends Task {
+public final class CommandStream extends Task {
     private final Deque<Step> pending = new ArrayDeque<>();
     private final List<Task> background = new ArrayList<>();
     private final boolean endless;
     private @Nullable Task foreground;
 
     /** A block. */
-    CommandStream(Context context, List<Step> steps) {
+    public CommandStream(Context context, List<Step> steps) {
         super(context);
         endless = false;
         pending.addAll(steps);
     }
 
     /** The stream of a connection. */
-    CommandStream(Context context) {
+    public CommandStream(Context context) {
         super(context);
         endless = true;
     }
 
     /** Adds a command; it starts at once if nothing holds it back. */
-    void add(Step step) {
+    public void add(Step step) {
         pending.add(step);
         if (foreground == null && !isFrozen()) {
             pump();
@@ -41,16 +41,16 @@ final class CommandStream extends Task {
     }
 
     /** Adds a task that runs in the background from the next cycle on. */
-    void adopt(Task task) {
+    public void adopt(Task task) {
         background.add(task);
     }
 
-    int waiting() {
+    public int waiting() {
         return pending.size() + background.size();
     }
 
     /** Ends everything in it, but not the stream itself. */
-    void clear() {
+    public void clear() {
         pending.clear();
         List.copyOf(parts()).forEach(Task::kill);
     }
@@ -68,7 +68,7 @@ final class CommandStream extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         List<Task> parts = new ArrayList<>(background);
         if (foreground != null) {
             parts.add(foreground);

@@ -1,13 +1,13 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.List;
 
 /** Two commands without a gap between them. */
-final class ThenTask extends Task {
+public final class ThenTask extends Task {
     private final Task first;
     private final Task second;
 
-    ThenTask(Context context, Task first, Task second) {
+    public ThenTask(Context context, Task first, Task second) {
         super(context);
         this.first = first;
         this.second = second;
@@ -22,7 +22,7 @@ final class ThenTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of(first, second);
     }
 }

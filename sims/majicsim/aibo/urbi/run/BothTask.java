@@ -1,13 +1,13 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.List;
 
 /** Two commands that start in the same cycle; it ends when both have. */
-final class BothTask extends Task {
+public final class BothTask extends Task {
     private final Task left;
     private final Task right;
 
-    BothTask(Context context, Task left, Task right) {
+    public BothTask(Context context, Task left, Task right) {
         super(context);
         this.left = left;
         this.right = right;
@@ -27,7 +27,7 @@ final class BothTask extends Task {
     }
 
     @Override
-    protected List<Task> parts() {
+    public List<Task> parts() {
         return List.of(left, right);
     }
 }

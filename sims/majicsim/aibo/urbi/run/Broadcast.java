@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.List;
 import java.util.function.Function;
@@ -11,11 +11,11 @@ import org.jspecify.annotations.Nullable;
  * A command to a group: the kernel runs in place of it the same command for each member, all with its tag and flags, side by side
  * (URBI sheet, sections 10 and 21). A group inside a group counts as its members.
  */
-final class Broadcast {
+public final class Broadcast {
     private Broadcast() {}
 
     /** Gives what runs in place of the command, or null if the name is no group's. */
-    static @Nullable Task of(Context context, Name name, Function<Name, Statement> command) throws Failure {
+    public static @Nullable Task of(Context context, Name name, Function<Name, Statement> command) throws Failure {
         Evaluator evaluator = new Evaluator(context);
         List<String> members = context.variables().members(context.scope(), evaluator.key(name));
         if (members == null) {

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.run;
 
 import java.util.HashMap;
 import java.util.List;
@@ -50,7 +50,7 @@ public final class Functions {
     private final ObjectTable objects;
     private long framesMade;
 
-    Functions(ObjectTable objects) {
+    public Functions(ObjectTable objects) {
         this.objects = objects;
     }
 
@@ -75,7 +75,7 @@ public final class Functions {
         lasting.put(name, new Entry(name, arity, true, function));
     }
 
-    void define(Context context, Definition.Define definition) throws Failure {
+    public void define(Context context, Definition.Define definition) throws Failure {
         String name = fullName(context, definition.function().text());
         if (lasting.containsKey(name)) {
             throw Failure.of("function " + name + " already exists");
@@ -92,20 +92,20 @@ public final class Functions {
     }
 
     /** Forgets a function; false if there was none. */
-    boolean remove(Context context, Name name) {
+    public boolean remove(Context context, Name name) {
         return lasting.remove(fullName(context, name.text())) != null;
     }
 
     /** Forgets what programs defined. */
-    void forget() {
+    public void forget() {
         lasting.values().removeIf(entry -> !entry.resident());
     }
 
-    void removeAllOf(String connectionId) {
+    public void removeAllOf(String connectionId) {
         lasting.keySet().removeIf(name -> name.startsWith(connectionId + "."));
     }
 
-    boolean takesTime(Context context, Name function) {
+    public boolean takesTime(Context context, Name function) {
         return find(context, function) != null;
     }
 
@@ -144,7 +144,7 @@ public final class Functions {
     }
 
     /** One line a function, as {@code def} lists them. */
-    List<String> listing() {
+    public List<String> listing() {
         return lasting.values().stream()
                 .filter(entry -> entry.name().indexOf('.') >= 0)
                 .map(entry -> entry.name() + " : " + entry.arity() + " param(s)")
