@@ -2,6 +2,8 @@ package majicsim.aibo.urbi;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.assign.Assigning;
+import majicsim.aibo.urbi.assign.PropertyAssignment;
 import majicsim.aibo.urbi.run.BothTask;
 import majicsim.aibo.urbi.run.CommandStream;
 import majicsim.aibo.urbi.run.Context;

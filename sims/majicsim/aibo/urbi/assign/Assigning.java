@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.assign;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -17,10 +17,10 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** The start of an assignment: its value, its modifiers and the variables it goes to (URBI sheet, sections 6 and 10). */
-final class Assigning {
+public final class Assigning {
     private Assigning() {}
 
-    static Task start(Context context, Action.Assign assignment) {
+    public static Task start(Context context, Action.Assign assignment) {
         return new Prepared(context, List.of(), values -> {
             Task all = isLocal(context, assignment) ? null : Broadcast.of(context, assignment.target(), assignment::to);
             return all == null ? single(context, assignment) : all;

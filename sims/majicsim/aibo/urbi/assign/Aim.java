@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.assign;
 
 import majicsim.aibo.urbi.memory.Properties;
 import majicsim.aibo.urbi.memory.Variable;

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.assign;
 
 import java.util.List;
 import majicsim.aibo.urbi.memory.Blend;
@@ -16,10 +16,10 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /** {@code x->rangemin = v}: sets a property of a variable, or of all members of a group (URBI sheet, section 5). */
-final class PropertyAssignment {
+public final class PropertyAssignment {
     private PropertyAssignment() {}
 
-    static Task start(Context context, Action.AssignProperty assignment) {
+    public static Task start(Context context, Action.AssignProperty assignment) {
         return new Prepared(context, List.of(), values -> {
             Task all = Broadcast.of(context, assignment.target(), assignment::to);
             return all == null ? single(context, assignment) : all;

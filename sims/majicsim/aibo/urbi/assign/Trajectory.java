@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.assign;
 
 /**
  * How a value goes to its target over time (URBI sheet, section 6).

@@ -1,0 +1,7 @@
+/**
+ * Assignments that take time: modifiers, trajectories and the blending of several.
+ */
+@NullMarked
+package majicsim.aibo.urbi.assign;
+
+import org.jspecify.annotations.NullMarked;
