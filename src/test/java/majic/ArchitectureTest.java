@@ -68,7 +68,10 @@ class ArchitectureTest {
             majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi majicsim.aibo.urbi majicsim.aibo.urbi.run.memory.value
             majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.value \
                                         majicsim.aibo.urbi.syntax majicsim.aibo.urbi.memory \
-                                        majicsim.aibo.urbi.run majicsim.aibo.urbi.assign
+                                        majicsim.aibo.urbi.run majicsim.aibo.urbi.assign \
+                                        majicsim.aibo.urbi.flow
+            majicsim.aibo.urbi.flow   : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
+                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
             majicsim.aibo.urbi.assign : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
                                         majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
             majicsim.aibo.urbi.run    : majicsim.aibo.urbi.memory majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value

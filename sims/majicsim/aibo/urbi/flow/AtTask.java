@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -8,13 +8,13 @@ import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /** An event handler: once for each time that its test becomes true, and again when it becomes false. */
-final class AtTask extends Task {
+public final class AtTask extends Task {
     private final Flow.At handler;
     private final TestTask test;
     private final Runs runs;
     private boolean inside;
 
-    AtTask(Context context, Flow.At handler) {
+    public AtTask(Context context, Flow.At handler) {
         super(context);
         this.handler = handler;
         test = new TestTask(context, handler.test());

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.List;
 import majicsim.aibo.urbi.run.Context;
@@ -8,7 +8,7 @@ import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /** A command under a condition: ended by {@code timeout} or {@code stopif}, held by {@code freezeif}. */
-final class WatchedTask extends Task {
+public final class WatchedTask extends Task {
     /** What is done to the command at this moment. */
     private enum Verdict {
         RUN,
@@ -31,7 +31,7 @@ final class WatchedTask extends Task {
         this.watch = watch;
     }
 
-    static Task start(Context context, Flow.Watched watched) {
+    public static Task start(Context context, Flow.Watched watched) {
         if (watched.word().equals("timeout")) {
             return new Prepared(context, List.of(watched.limit()), values -> {
                 double limitMs = values.get(0).number();

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.IdentityHashMap;
 import java.util.Map;

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -11,12 +11,12 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /** A loop over the items of a list, one a cycle. */
-final class ForeachTask extends Task {
+public final class ForeachTask extends Task {
     private final Flow.Foreach loop;
     private final Deque<Value> items = new ArrayDeque<>();
     private @Nullable Task turn;
 
-    ForeachTask(Context context, Flow.Foreach loop, Value list) throws Failure {
+    public ForeachTask(Context context, Flow.Foreach loop, Value list) throws Failure {
         super(context);
         this.loop = loop;
         if (!(list instanceof Value.Items values)) {

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.List;
 import majicsim.aibo.urbi.run.Context;
@@ -10,7 +10,7 @@ import majicsim.aibo.urbi.syntax.Statement;
 import org.jspecify.annotations.Nullable;
 
 /** A loop of a known number of turns, or of endlessly many; each turn costs a cycle. */
-final class CountedLoop extends Task {
+public final class CountedLoop extends Task {
     private final Statement body;
     private double turnsLeft;
     private @Nullable Task turn;
@@ -21,7 +21,7 @@ final class CountedLoop extends Task {
         turnsLeft = turns;
     }
 
-    static Task start(Context context, Flow.Loop loop) {
+    public static Task start(Context context, Flow.Loop loop) {
         Expr times = loop.times();
         if (times == null) {
             return new CountedLoop(context, loop.body(), Double.POSITIVE_INFINITY);

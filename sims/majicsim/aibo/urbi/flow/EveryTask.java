@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.List;
 import majicsim.aibo.urbi.run.Context;
@@ -8,13 +8,13 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /** Starts its body again and again, at the first cycle after each period; it never ends by itself. */
-final class EveryTask extends Task {
+public final class EveryTask extends Task {
     private final Statement body;
     private final double periodMs;
     private final Runs runs;
     private double lastMs = Double.NEGATIVE_INFINITY;
 
-    EveryTask(Context context, Statement body, Value period) throws Failure {
+    public EveryTask(Context context, Statement body, Value period) throws Failure {
         super(context);
         this.body = body;
         periodMs = period.number();

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -9,12 +9,12 @@ import majicsim.aibo.urbi.syntax.Statement;
 import org.jspecify.annotations.Nullable;
 
 /** Repeats a command as long as a test holds, and another as long as it does not; a turn a cycle. */
-final class WheneverTask extends Task {
+public final class WheneverTask extends Task {
     private final Flow.Whenever handler;
     private final TestTask test;
     private @Nullable Task run;
 
-    WheneverTask(Context context, Flow.Whenever handler) {
+    public WheneverTask(Context context, Flow.Whenever handler) {
         super(context);
         this.handler = handler;
         test = new TestTask(context, handler.test());

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.List;
 import majicsim.aibo.urbi.run.Context;
@@ -10,11 +10,11 @@ import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 
 /** A while loop. Each turn costs a cycle (URBI sheet, section 8), so no program can hold the kernel up. */
-final class LoopTask extends Task {
+public final class LoopTask extends Task {
     private final Flow.While loop;
     private @Nullable Task turn;
 
-    LoopTask(Context context, Flow.While loop) {
+    public LoopTask(Context context, Flow.While loop) {
         super(context);
         this.loop = loop;
     }

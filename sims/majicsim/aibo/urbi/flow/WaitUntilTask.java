@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.flow;
 
 import java.util.List;
 import majicsim.aibo.urbi.run.Context;
@@ -6,10 +6,10 @@ import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Expr;
 
 /** Waits until a test holds. */
-final class WaitUntilTask extends Task {
+public final class WaitUntilTask extends Task {
     private final TestTask test;
 
-    WaitUntilTask(Context context, Expr test) {
+    public WaitUntilTask(Context context, Expr test) {
         super(context);
         this.test = new TestTask(context, test);
     }
