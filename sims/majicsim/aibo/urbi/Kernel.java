@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import majicsim.aibo.urbi.command.Starter;
 import majicsim.aibo.urbi.memory.Memory;
 import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.run.Budget;

@@ -69,7 +69,10 @@ class ArchitectureTest {
             majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.value \
                                         majicsim.aibo.urbi.syntax majicsim.aibo.urbi.memory \
                                         majicsim.aibo.urbi.run majicsim.aibo.urbi.assign \
-                                        majicsim.aibo.urbi.flow
+                                        majicsim.aibo.urbi.flow majicsim.aibo.urbi.command
+            majicsim.aibo.urbi.command: majicsim.aibo.urbi.assign majicsim.aibo.urbi.flow \
+                                        majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
+                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
             majicsim.aibo.urbi.flow   : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
                                         majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
             majicsim.aibo.urbi.assign : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \

@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.command;
 
 import java.util.List;
 import majicsim.aibo.urbi.memory.Events;

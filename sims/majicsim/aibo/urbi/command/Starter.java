@@ -1,4 +1,4 @@
-package majicsim.aibo.urbi;
+package majicsim.aibo.urbi.command;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -28,11 +28,11 @@ import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /** Makes the run of a command, one method for each kind (URBI sheet, sections 3 to 10). */
-final class Starter implements Statement.Visitor<Task> {
+public final class Starter implements Statement.Visitor<Task> {
     private final Context context;
 
     /** @param context of the runs that it makes */
-    Starter(Context context) {
+    public Starter(Context context) {
         this.context = context;
     }
 
