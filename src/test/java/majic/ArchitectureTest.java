@@ -65,11 +65,11 @@ class ArchitectureTest {
                                         majic.gui.map
             majicsim.world            :
             majicsim.net              : majicsim.world
-            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi majicsim.aibo.urbi majicsim.aibo.urbi.run.memory.value
-            majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.value \
-                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.memory \
-                                        majicsim.aibo.urbi.run majicsim.aibo.urbi.assign \
-                                        majicsim.aibo.urbi.flow majicsim.aibo.urbi.command
+            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi.memory \
+                                        majicsim.aibo.urbi.run majicsim.aibo.urbi.value
+            majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.command \
+                                        majicsim.aibo.urbi.memory majicsim.aibo.urbi.run majicsim.aibo.urbi.syntax \
+                                        majicsim.aibo.urbi.value
             majicsim.aibo.urbi.command: majicsim.aibo.urbi.assign majicsim.aibo.urbi.flow \
                                         majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
                                         majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
@@ -81,11 +81,9 @@ class ArchitectureTest {
             majicsim.aibo.urbi.memory : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.syntax : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.value  :
-            majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.packet \
-                                        majicsim.pioneer.model majicsim.pioneer.motion \
-                                        majicsim.pioneer.devices majicsim.pioneer.ranging \
-                                        majicsim.pioneer.board majicsim.pioneer.report \
-                                        majicsim.pioneer.serial majicsim.pioneer.session
+            majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.board \
+                                        majicsim.pioneer.devices majicsim.pioneer.model majicsim.pioneer.serial \
+                                        majicsim.pioneer.session
             majicsim.pioneer.session  : majicsim.net majicsim.world majicsim.pioneer.board \
                                         majicsim.pioneer.devices majicsim.pioneer.model majicsim.pioneer.motion \
                                         majicsim.pioneer.packet majicsim.pioneer.ranging majicsim.pioneer.report
