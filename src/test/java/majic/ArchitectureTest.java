@@ -65,11 +65,11 @@ class ArchitectureTest {
                                         majic.gui.map
             majicsim.world            :
             majicsim.net              : majicsim.world
-            majicsim.aibo             : majicsim.world majicsim.net majicsim.aibo.urbi majicsim.aibo.urbi.memory \
-                                        majicsim.aibo.urbi.run majicsim.aibo.urbi.value
-            majicsim.aibo.urbi        : majicsim.world majicsim.net majicsim.aibo.urbi.command \
-                                        majicsim.aibo.urbi.memory majicsim.aibo.urbi.run majicsim.aibo.urbi.syntax \
-                                        majicsim.aibo.urbi.value
+            majicsim.aibo             : majicsim.aibo.urbi majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
+                                        majicsim.aibo.urbi.value majicsim.net majicsim.world
+            majicsim.aibo.urbi        : majicsim.aibo.urbi.command majicsim.aibo.urbi.memory \
+                                        majicsim.aibo.urbi.run majicsim.aibo.urbi.syntax \
+                                        majicsim.aibo.urbi.value majicsim.net majicsim.world
             majicsim.aibo.urbi.command: majicsim.aibo.urbi.assign majicsim.aibo.urbi.flow \
                                         majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
                                         majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
@@ -77,18 +77,15 @@ class ArchitectureTest {
                                         majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
             majicsim.aibo.urbi.assign : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
                                         majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
-            majicsim.aibo.urbi.run    : majicsim.aibo.urbi.memory majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
+            majicsim.aibo.urbi.run    : majicsim.aibo.urbi.memory majicsim.aibo.urbi.syntax \
+                                        majicsim.aibo.urbi.value
             majicsim.aibo.urbi.memory : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.syntax : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.value  :
-            majicsim.pioneer          : majicsim.world majicsim.net majicsim.pioneer.board \
-                                        majicsim.pioneer.devices majicsim.pioneer.model majicsim.pioneer.serial \
-                                        majicsim.pioneer.session
-            majicsim.pioneer.session  : majicsim.net majicsim.world majicsim.pioneer.board \
-                                        majicsim.pioneer.devices majicsim.pioneer.model majicsim.pioneer.motion \
-                                        majicsim.pioneer.packet majicsim.pioneer.ranging majicsim.pioneer.report
-            majicsim.pioneer.serial   : majicsim.net majicsim.pioneer.devices
-            majicsim.pioneer.report   : majicsim.world majicsim.pioneer.board majicsim.pioneer.devices \
+            majicsim.pioneer          : majicsim.net majicsim.pioneer.board majicsim.pioneer.devices \
+                                        majicsim.pioneer.model majicsim.pioneer.serial majicsim.pioneer.session \
+                                        majicsim.world
+            majicsim.pioneer.session  : majicsim.net majicsim.pioneer.board majicsim.pioneer.devices \
                                         majicsim.pioneer.model majicsim.pioneer.motion majicsim.pioneer.packet \
                                         majicsim.pioneer.ranging majicsim.pioneer.report majicsim.world
             majicsim.pioneer.serial   : majicsim.net majicsim.pioneer.devices
