@@ -22,13 +22,13 @@ public final class Conversation {
     private final TimeSource time;
     private final ConversationListener listener;
     private final Object lock = new Object();
-    private final ConversationState dialogue;
+    private final ConversationState state;
 
     Conversation(Link link, TimeSource time, LineTimes times, ConversationListener listener) {
         this.link = link;
         this.time = time;
         this.listener = listener;
-        this.dialogue = new ConversationState(time, times);
+        this.state = new ConversationState(time, times);
     }
 
     /**
@@ -39,7 +39,7 @@ public final class Conversation {
     public Exchange ask(Question question) {
         Exchange exchange;
         synchronized (lock) {
-            exchange = dialogue.ask(question);
+            exchange = state.ask(question);
         }
         sendNext();
         return exchange;
@@ -51,7 +51,7 @@ public final class Conversation {
      */
     public void stop() {
         synchronized (lock) {
-            dialogue.stop();
+            state.stop();
         }
         sendNext();
     }
@@ -59,90 +59,90 @@ public final class Conversation {
     /** Takes note whether the robot is deafened by more than two characters; so it is taken to be at first. */
     public void brief(boolean now) {
         synchronized (lock) {
-            dialogue.stillness().brief(now);
+            state.motion().brief(now);
         }
     }
 
     /** Takes note whether the robot's running mode sets its speeds again after it was told others. */
     public void setsItsOwnSpeeds(boolean now) {
         synchronized (lock) {
-            dialogue.stillness().setsItsOwnSpeeds(now);
+            state.motion().setsItsOwnSpeeds(now);
         }
     }
 
     /** Whether its running mode may set its speeds again after it was told others. */
     boolean setsItsOwnSpeeds() {
         synchronized (lock) {
-            return dialogue.stillness().setsItsOwnSpeeds();
+            return state.motion().setsItsOwnSpeeds();
         }
     }
 
     /** Whether it sets its own speeds, and was found to do so after it was told to stand. */
     public boolean isContrary() {
         synchronized (lock) {
-            return dialogue.stillness().isContrary();
+            return state.motion().isContrary();
         }
     }
 
     /** How often it has confirmed that it stands. */
     long confirmations() {
         synchronized (lock) {
-            return dialogue.stillness().confirmations();
+            return state.motion().confirmations();
         }
     }
 
-    /** Takes note whether the robot's receiver is known to be that of K-Team's firmware; so it is not taken to be at first. */
-    void hasKTeamsReceiver(boolean now) {
+    /** Sets what the robot's receiver survives; {@link Receiver#UNKNOWN} at first. */
+    void receiver(Receiver known) {
         synchronized (lock) {
-            dialogue.unanswered().isKTeams(now);
+            state.unanswered().receiver(known);
         }
     }
 
     /** Whether it was told to stand, confirmed that, and has been told nothing else since. */
     public boolean isStanding() {
         synchronized (lock) {
-            return dialogue.isStanding();
+            return state.isStanding();
         }
     }
 
     /** Whether the wheels may turn now. */
     public boolean mayMove() {
         synchronized (lock) {
-            return dialogue.stillness().mayMove();
+            return state.motion().mayMove();
         }
     }
 
     /** Whether it may move though it has missed an answer since it began to. */
     public boolean isUnreached() {
         synchronized (lock) {
-            return dialogue.stillness().isUnreached();
+            return state.motion().isUnreached();
         }
     }
 
     /** How long no question has been answered, seconds; only of interest while some are asked. */
     public double silentSeconds() {
         synchronized (lock) {
-            return dialogue.silentNanos() / 1e9;
+            return state.silentNanos() / 1e9;
         }
     }
 
     /** Whether nothing has come in for a while. */
     boolean isQuiet() {
         synchronized (lock) {
-            return dialogue.settling().isQuiet(time.nanos());
+            return state.recovery().isQuiet(time.nanos());
         }
     }
 
     public LinkQuality quality() {
         synchronized (lock) {
-            return dialogue.quality();
+            return state.quality();
         }
     }
 
     /** To be called by the reader whenever bytes came, whatever they are. */
     void heard() {
         synchronized (lock) {
-            dialogue.settling().heard(time.nanos());
+            state.recovery().heard(time.nanos());
         }
     }
 
@@ -151,7 +151,7 @@ public final class Conversation {
         LOG.log(Level.TRACE, "< {0}", reply.text());
         Outcome outcome;
         synchronized (lock) {
-            outcome = dialogue.received(reply);
+            outcome = state.received(reply);
         }
         sendNext();
         outcome.tell(listener);
@@ -161,7 +161,7 @@ public final class Conversation {
     public void tick() {
         Outcome outcome;
         synchronized (lock) {
-            outcome = dialogue.overdue();
+            outcome = state.overdue();
         }
         sendNext();
         outcome.tell(listener);
@@ -170,7 +170,7 @@ public final class Conversation {
     /** Ends everything that waits; nothing can be asked any more. */
     void end(String why) {
         synchronized (lock) {
-            dialogue.end(why);
+            state.end(why);
         }
     }
 
@@ -191,7 +191,7 @@ public final class Conversation {
 
     private @Nullable Exchange next() {
         synchronized (lock) {
-            return dialogue.next();
+            return state.next();
         }
     }
 }

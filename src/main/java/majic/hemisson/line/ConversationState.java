@@ -26,7 +26,6 @@ final class ConversationState {
     /** How soon a stop is sent again, ns. */
     private static final long STOP_AGAIN_NANOS = 300_000_000;
 
-    private static final String OVERTAKEN = "no answer before the stop";
     private static final String TOO_LONG =
             "it takes the line for too long while the robot moves, for a stop may be due";
     private static final String DEAFENING =
@@ -38,10 +37,9 @@ final class ConversationState {
     private final UnansweredCommands unanswered;
     private final ExchangeQueue queue = new ExchangeQueue();
     private final LinkQuality.Meter meter = new LinkQuality.Meter();
-    private final MotionState stillness = new MotionState();
-    private final LineRecovery settling;
-    private @Nullable Exchange inFlight;
-    private @Nullable Exchange overtaken;
+    private final MotionState motion = new MotionState();
+    private final OpenExchanges open = new OpenExchanges();
+    private final LineRecovery recovery;
     private @Nullable String ended;
     private boolean endedInStop;
     private long answeredNanos;
@@ -51,15 +49,15 @@ final class ConversationState {
         this.timeoutNanos = (long) (times.answerSeconds() * 1e9);
         this.unanswered = new UnansweredCommands(times.stallSeconds());
         this.answeredNanos = time.nanos();
-        this.settling = new LineRecovery(answeredNanos);
+        this.recovery = new LineRecovery(answeredNanos);
     }
 
-    MotionState stillness() {
-        return stillness;
+    MotionState motion() {
+        return motion;
     }
 
-    LineRecovery settling() {
-        return settling;
+    LineRecovery recovery() {
+        return recovery;
     }
 
     UnansweredCommands unanswered() {
@@ -72,7 +70,7 @@ final class ConversationState {
 
     /** Whether it was told to stand, confirmed that, and has been told nothing else since. */
     boolean isStanding() {
-        return !stillness.mayMove() && !isStopping() && !endedInStop;
+        return !motion.mayMove() && !isStopping() && !endedInStop;
     }
 
     long silentNanos() {
@@ -98,21 +96,21 @@ final class ConversationState {
         if (ended != null) {
             return ended;
         }
-        if (question.purpose() == Purpose.MOTION && stillness.isDoubtful() && isStopping()) {
+        if (question.purpose() == Purpose.MOTION && motion.isDoubtful() && isStopping()) {
             return "it has not yet confirmed the stop";
         }
-        if (stillness.isBrief() && !question.isBrief()) {
+        if (motion.isBrief() && !question.isBrief()) {
             return DEAFENING;
         }
-        return question.isLong() && stillness.mayMove() ? TOO_LONG : null;
+        return question.isLong() && motion.mayMove() ? TOO_LONG : null;
     }
 
     void stop() {
         if (ended != null) {
             return;
         }
-        Exchange open = inFlight;
-        if (open != null && open.purpose() == Purpose.STOP) {
+        Exchange newest = open.newest();
+        if (newest != null && newest.purpose() == Purpose.STOP) {
             queue.discard(Purpose.MOTION, "stopped");
         } else {
             queue.stop(wayToStop());
@@ -120,13 +118,13 @@ final class ConversationState {
     }
 
     private Question wayToStop() {
-        return stillness.isBrief() ? Question.VERIFY : Question.STOP;
+        return motion.isBrief() ? Question.VERIFY : Question.STOP;
     }
 
     void end(String why) {
         endedInStop |= isStopping();
         ended = why;
-        dropInFlight(why);
+        open.discard(why);
         queue.discardAll(why);
     }
 
@@ -134,9 +132,9 @@ final class ConversationState {
     @Nullable
     Exchange next() {
         long now = time.nanos();
-        Exchange open = inFlight;
+        Exchange before = open.newest();
         Exchange next = firstFitting();
-        if (next == null || !(open == null ? settling.isOver(now) : overtakes(next, open, now))) {
+        if (next == null || !(before == null ? recovery.isOver(now) : overtakes(next, before, now))) {
             return null;
         }
         if (!unanswered.admits(wording(next), now)) {
@@ -152,32 +150,26 @@ final class ConversationState {
         if (next.sendings() > 0) {
             meter.repeated();
         }
-        overtaken = inFlight;
-        inFlight = next;
+        open.sent(next);
         unanswered.sent(next.question(), wording, now);
-        stillness.sent(next.purpose());
+        motion.sent(next.purpose());
         next.sent(wording, now);
     }
 
     /** A stop does not wait longer than a moment for an answer where the robot survives it. */
-    private boolean overtakes(Exchange next, Exchange open, long now) {
-        boolean soon = open.question().isAnsweredBriefly() || now - open.sentNanos() >= STOP_WAITS_NANOS;
-        return next.purpose() == Purpose.STOP && soon && open.isWritten() && !open.isOfStop();
+    private boolean overtakes(Exchange next, Exchange before, long now) {
+        boolean soon = before.question().isAnsweredBriefly() || now - before.sentNanos() >= STOP_WAITS_NANOS;
+        return next.purpose() == Purpose.STOP && soon && before.isWritten() && !before.isOfStop();
     }
 
     private String wording(Exchange next) {
-        Question question = next.question();
-        if (question == Question.STOP && unanswered.carryAStop()) {
-            return Question.BRIEF_STOP;
-        }
-        boolean carries = question.canCarryAStop() && stillness.mayMove() && unanswered.isKTeams();
-        return carries ? question.carryingAStop() : question.text();
+        return unanswered.wording(next.question(), motion.mayMove());
     }
 
     /** What has been waiting since before the robot began to move may be too long by now. */
     private @Nullable Exchange firstFitting() {
         Exchange first = queue.first();
-        while (first != null && first.question().isLong() && stillness.mayMove()) {
+        while (first != null && first.question().isLong() && motion.mayMove()) {
             queue.next();
             first.failed(TOO_LONG);
             first = queue.first();
@@ -195,144 +187,114 @@ final class ConversationState {
 
     /** Gives up a question that has waited too long for its answer. */
     Outcome overdue() {
-        Exchange open = inFlight;
+        Exchange newest = open.newest();
         long now = time.nanos();
-        if (open == null || !open.isWritten() || !isOverdue(open, now)) {
+        if (newest == null || !newest.isWritten() || !isOverdue(newest, now)) {
             return Outcome.NONE;
         }
         meter.missed(now);
-        LOG.log(Level.DEBUG, "no answer to {0}", open.text());
-        return giveUp(open, "no answer within " + timeoutNanos / 1_000_000 + " ms");
+        LOG.log(Level.DEBUG, "no answer to {0}", newest.text());
+        return giveUp(newest, "no answer within " + timeoutNanos / 1_000_000 + " ms");
     }
 
     /** A stop is overdue as soon as it may be sent again. */
-    private boolean isOverdue(Exchange open, long now) {
-        long waitedNanos = now - open.sentNanos();
-        return open.purpose() == Purpose.STOP
+    private boolean isOverdue(Exchange sent, long now) {
+        long waitedNanos = now - sent.sentNanos();
+        return sent.purpose() == Purpose.STOP
                 ? waitedNanos >= STOP_AGAIN_NANOS && unanswered.admits(Question.STOP.text(), now)
                 : waitedNanos >= timeoutNanos;
     }
 
     private Outcome gotAnswer(Reply reply) {
         unanswered.answered(reply);
-        Exchange open = answeredBy(reply);
-        if (open == null) {
+        Exchange answered = open.answeredBy(reply);
+        if (answered == null) {
             LOG.log(Level.DEBUG, "dropped, answers nothing: {0}", reply.text());
             return Outcome.NONE;
         }
-        close(open, reply);
-        meter.answered(open.roundTripNanos());
-        switch (stillness.answered(open.purpose(), reply, answeredNanos)) {
+        close(answered, reply);
+        meter.answered(answered.roundTripNanos());
+        switch (motion.answered(answered.purpose(), reply, answeredNanos)) {
             case VERIFY -> queue.addFirst(new Exchange(Question.VERIFY));
             case VERIFY_LATER -> {
-                settling.begin(answeredNanos);
+                recovery.begin(answeredNanos);
                 queue.addFirst(new Exchange(Question.VERIFY));
             }
             case STOP -> stop();
             case STOP_LATER -> {
-                settling.begin(answeredNanos);
+                recovery.begin(answeredNanos);
                 queue.stopBehindFirst(wayToStop());
             }
             case NOTHING -> LOG.log(Level.TRACE, "nothing follows");
         }
-        return Outcome.answered(open);
+        return Outcome.answered(answered);
     }
 
-    /** The robot answers in the order in which it was asked. */
-    private @Nullable Exchange answeredBy(Reply reply) {
-        Exchange before = overtaken;
-        if (before != null && before.question().isAnsweredBy(reply)) {
-            return before;
-        }
-        Exchange open = inFlight;
-        return open != null && open.question().isAnsweredBy(reply) ? open : null;
-    }
-
-    private void close(Exchange open, Reply reply) {
+    private void close(Exchange answered, Reply reply) {
         answeredNanos = time.nanos();
-        open.answered(reply, answeredNanos);
-        leave(open, OVERTAKEN);
-    }
-
-    /** What was overtaken goes before what overtook it, and is over with that at the latest. */
-    private void leave(Exchange open, String why) {
-        Exchange before = overtaken;
-        overtaken = null;
-        if (open == inFlight) {
-            inFlight = null;
-            if (before != null) {
-                before.failed(why);
-            }
-        }
-    }
-
-    private void dropInFlight(String why) {
-        Exchange open = inFlight;
-        if (open != null) {
-            open.failed(why);
-            leave(open, why);
-        }
+        answered.answered(reply, answeredNanos);
+        open.remove(answered);
     }
 
     private void stopAfterAPause() {
-        settling.begin(time.nanos());
+        recovery.begin(time.nanos());
         stop();
     }
 
     private Outcome gotRefusal(Reply reply) {
         unanswered.damagedAnswer();
-        Exchange open = overtaken == null ? inFlight : overtaken;
-        if (open == null) {
+        Exchange oldest = open.oldest();
+        if (oldest == null) {
             LOG.log(Level.DEBUG, "dropped, refuses nothing: {0}", reply.text());
             return Outcome.NONE;
         }
-        if (open.purpose() != Purpose.VERIFY && open.question() != Question.NOTHING) {
+        if (oldest.purpose() != Purpose.VERIFY && oldest.question() != Question.NOTHING) {
             answeredNanos = time.nanos();
-            open.refused();
-            return giveUp(open, "the robot refused " + open.text() + ": " + reply.text());
+            oldest.refused();
+            return giveUp(oldest, "the robot refused " + oldest.text() + ": " + reply.text());
         }
-        close(open, reply);
-        if (open.purpose() == Purpose.VERIFY) {
-            stillness.cannotTell();
+        close(oldest, reply);
+        if (oldest.purpose() == Purpose.VERIFY) {
+            motion.cannotTell();
         }
-        return Outcome.answered(open);
+        return Outcome.answered(oldest);
     }
 
     /** The robot was switched on or reset: its motors stand, and what was asked before is forgotten (sheet 11). */
     private Outcome gotGreeting() {
-        dropInFlight(Exchange.RESET);
+        open.discard(Exchange.RESET);
         unanswered.clear();
         queue.discardAll(Exchange.RESET);
-        stillness.wasReset();
+        motion.wasReset();
         stopAfterAPause();
         return Outcome.RESET;
     }
 
     /** Decides what becomes of a question without answer. Nothing that moves survives it: nothing resumes by itself. */
-    private Outcome giveUp(Exchange open, String why) {
-        leave(open, why);
-        settling.begin(time.nanos());
-        stillness.missed();
+    private Outcome giveUp(Exchange missed, String why) {
+        open.remove(missed, why);
+        recovery.begin(time.nanos());
+        motion.missed();
         queue.discard(Purpose.MOTION, why);
-        if (mayRepeat(open)) {
-            queue.repeat(open);
+        if (mayRepeat(missed)) {
+            queue.repeat(missed);
         } else {
-            open.failed(why);
+            missed.failed(why);
         }
-        boolean inMotion = stillness.mayMove();
-        if (inMotion || open.isOfStop()) {
+        boolean inMotion = motion.mayMove();
+        if (inMotion || missed.isOfStop()) {
             stop();
         }
-        return Outcome.missed(open, inMotion);
+        return Outcome.missed(missed, inMotion);
     }
 
-    private boolean mayRepeat(Exchange open) {
-        boolean once = open.purpose() == Purpose.ASK && open.sendings() < MOST_SENDINGS;
-        return once && !stillness.mayMove() && open.question() != Question.NOTHING;
+    private boolean mayRepeat(Exchange missed) {
+        boolean once = missed.purpose() == Purpose.ASK && missed.sendings() < MOST_SENDINGS;
+        return once && !motion.mayMove() && missed.question() != Question.NOTHING;
     }
 
     private boolean isStopping() {
-        Exchange open = inFlight;
-        return (open != null && open.isOfStop()) || queue.holds(Purpose.STOP) || queue.holds(Purpose.VERIFY);
+        Exchange newest = open.newest();
+        return (newest != null && newest.isOfStop()) || queue.holds(Purpose.STOP) || queue.holds(Purpose.VERIFY);
     }
 }

@@ -52,7 +52,8 @@ public final class Handshake {
     private void readFirst(Identity identity) {
         Stream.of(Question.PROXIMITY, Question.LIGHT, Question.REMOTE).forEach(this::ask);
         if (identity.listens() && !identity.isRoadNarrows()) {
-            session.conversation().hasKTeamsReceiver(ask(Question.CARRYING_A_STOP) != null);
+            boolean ignoresArguments = ask(Question.CARRYING_A_STOP) != null;
+            session.conversation().receiver(ignoresArguments ? Receiver.K_TEAM : Receiver.UNKNOWN);
         }
     }
 

@@ -15,7 +15,7 @@ final class UnansweredCommands {
 
     private final Deque<Sent> commands = new ArrayDeque<>();
     private final long stallNanos;
-    private boolean kTeams;
+    private Receiver receiver = Receiver.UNKNOWN;
     private long lastSentNanos;
 
     private record Sent(Question question, String text, boolean brief) {
@@ -29,13 +29,22 @@ final class UnansweredCommands {
         stallNanos = (long) (stallSeconds * 1e9);
     }
 
-    /** Takes note that the robot has the receiver that K-Team's firmware was measured with; no other one is known. */
-    void isKTeams(boolean now) {
-        kTeams = now;
+    /** Sets what the robot's receiver survives. */
+    void receiver(Receiver known) {
+        receiver = known;
     }
 
-    boolean isKTeams() {
-        return kTeams;
+    /**
+     * How a question is sent now.
+     *
+     * @param mayMove whether the robot may move; a question then carries the arguments of a stop, if the robot ignores them
+     */
+    String wording(Question question, boolean mayMove) {
+        if (question == Question.STOP && carryAStop()) {
+            return Question.BRIEF_STOP;
+        }
+        boolean carries = question.canCarryAStop() && mayMove && receiver.ignoresArguments();
+        return carries ? question.carryingAStop() : question.text();
     }
 
     /** Whether a command may be sent now. What the line has held longer than it stalls counts as lost. */
@@ -54,7 +63,7 @@ final class UnansweredCommands {
     }
 
     /** Whether the last one carries the arguments of a stop, so that a D without any is one (sheet 4.2). */
-    boolean carryAStop() {
+    private boolean carryAStop() {
         Sent last = commands.peekLast();
         return last != null && last.text().equals(last.question().carryingAStop());
     }
@@ -66,7 +75,7 @@ final class UnansweredCommands {
         if (nowNanos - lastSentNanos >= stallNanos) {
             commands.clear();
         }
-        commands.addLast(new Sent(question, text, kTeams && question.isAnsweredBriefly()));
+        commands.addLast(new Sent(question, text, receiver.readsBehindBriefAnswers() && question.isAnsweredBriefly()));
         lastSentNanos = nowNanos;
     }
 

@@ -358,7 +358,7 @@ class ConversationTest {
     void aStopGoesOutAtOnceBehindWhatIsAnsweredBriefly() {
         conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
         conversation.brief(false);
-        conversation.hasKTeamsReceiver(true);
+        conversation.receiver(Receiver.K_TEAM);
         conversation.ask(Question.wheels(AHEAD));
         conversation.stop();
 
@@ -405,7 +405,7 @@ class ConversationTest {
     private void moveOnABufferedLine() {
         conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
         conversation.brief(false);
-        conversation.hasKTeamsReceiver(true);
+        conversation.receiver(Receiver.K_TEAM);
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
     }
