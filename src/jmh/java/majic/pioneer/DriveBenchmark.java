@@ -30,7 +30,7 @@ import org.openjdk.jmh.annotations.Warmup;
  *
  * <p>Read: p0.50 of {@link #drive} divided by p0.50 of {@link #bareWrites}, at most 2; and the same for p0.99. A drive
  * is two packets, VEL and RVEL, each in a write of its own; so is the bare one. Without a pause between them the peer and
- * all threads stay awake; with a pause of 1 ms each write has to wake the peer, as it has to when a person drives.
+ * all threads stay awake; with a pause of 1 ms each write has to wake the peer, as it has to when a user drives.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.SampleTime)
@@ -53,7 +53,7 @@ public class DriveBenchmark {
     /** Opens a session, and a bare connection to the same peer. */
     @Setup
     public void open() throws IOException {
-        robot = StandingPioneer.open();
+        robot = StationaryPioneer.open();
         driver = new MajicPioneer("pioneer://127.0.0.1:" + robot.port());
         driver.connect();
         bare = SocketChannel.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), robot.port()));
@@ -87,7 +87,7 @@ public class DriveBenchmark {
         return bare.write(speed.flip()) + bare.write(rate.flip());
     }
 
-    /** Says good-bye. */
+    /** Closes the session. */
     @TearDown
     public void close() throws IOException {
         driver.close();

@@ -22,8 +22,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How many SIPs of 16 sonar readings one core takes from the bytes of the link to fields, and on to the state that
- * everybody sees.
+ * How many SIPs of 16 sonar readings one core takes from the bytes of the link to fields, and on to the published
+ * state.
  *
  * <p>Read: {@link #decode} at least 2 SIPs a microsecond; {@code gc.alloc.rate.norm} is the bytes allocated for each.
  */

@@ -12,7 +12,7 @@ import majic.time.Patience;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What becomes of a link when something goes wrong in its reader. */
+/** The effect of errors in a reader on its link. */
 @Timeout(20)
 class LinkReaderTest {
     private final List<String> received = new CopyOnWriteArrayList<>();

@@ -7,7 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import majic.link.Link;
 import majic.link.Traffic;
 
-/** A link whose peer sends some messages, each in one piece, and then hangs up. */
+/** A link whose peer sends some messages, each in one piece, and then closes. */
 public final class ReplayLink implements Link {
     private final Queue<byte[]> messages;
     private final CountDownLatch closed = new CountDownLatch(1);
@@ -17,7 +17,7 @@ public final class ReplayLink implements Link {
         this.messages = new ArrayDeque<>(List.of(messages));
     }
 
-    /** Waits until the driver has closed it; for ever, so tests have a time-out. */
+    /** Waits until the driver has closed it, without a timeout of its own. */
     public void awaitClose() throws InterruptedException {
         closed.await();
     }

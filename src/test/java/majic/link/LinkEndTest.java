@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A stepped clock stands still for as long as a link counts: until somebody has learned that it is lost. */
+/** A stepped clock does not advance while a link counts as open, which is until its end has been handled. */
 @Timeout(20)
 class LinkEndTest {
     private final CountDownLatch ended = new CountDownLatch(1);
@@ -67,7 +67,7 @@ class LinkEndTest {
     }
 
     @Test
-    void aReaderThatClosesTheLinkItselfAndLivesOnHasNothingMoreToTell() throws IOException {
+    void aLinkClosedByItsOwnReaderCountsAsClosed() throws IOException {
         link.close();
         TcpLink mine = new TcpLink("127.0.0.1", server.getLocalPort());
         mine.open(5000);
@@ -81,7 +81,7 @@ class LinkEndTest {
     }
 
     @Test
-    void aLinkThatSomebodyElseClosesCountsNoMore() {
+    void aLinkClosedByAnotherThreadCountsAsClosed() {
         link.close();
 
         assertThat(counts()).isFalse();

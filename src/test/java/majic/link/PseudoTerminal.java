@@ -8,7 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** Stands for an adapter with a robot behind it: this side is the robot's, {@link #name()} the computer's port. */
+/** A pseudo-terminal in place of an adapter with a robot: this side is the robot's, {@link #name()} the computer's port. */
 public final class PseudoTerminal implements AutoCloseable {
     private static final int READ_WRITE = 2;
     private static final int NO_CONTROLLING_TERMINAL = 0x100;
@@ -18,7 +18,7 @@ public final class PseudoTerminal implements AutoCloseable {
     private final int master;
     private final String name;
 
-    /** The few calls of the C library that it takes. */
+    /** The calls of the C library that are used. */
     public interface CLibrary extends Library {
         /** See posix_openpt(3). */
         int posix_openpt(int flags) throws LastErrorException;
@@ -88,7 +88,7 @@ public final class PseudoTerminal implements AutoCloseable {
         }
     }
 
-    /** Pulls the plug: the computer's port is gone. */
+    /** Removes the computer's port, as unplugging the adapter does. */
     @Override
     public void close() {
         C.close(master);

@@ -93,7 +93,7 @@ class SerialLinkTest {
     }
 
     @Test
-    void aSecondOpenSaysThatThePortIsInUse() {
+    void aSecondOpenReportsThatThePortIsInUse() {
         SerialLink second = new SerialLink(plug.name(), 115_200);
 
         assertThatThrownBy(() -> second.open(1000))
@@ -152,7 +152,7 @@ class SerialLinkTest {
         assertThat(link.traffic().remote()).isEqualTo(plug.name());
     }
 
-    /** What the robot's side still gets of a port that was closed. */
+    /** What the robot's side still receives from a port that was closed. */
     private int arrivesInAll() {
         int count = 0;
         try {

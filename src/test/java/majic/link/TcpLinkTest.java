@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(20)
 class TcpLinkTest {
     @Test
-    void aNameThatNobodyAnswersForIsGivenUpInTime() {
+    void aNameLookupWithoutAnswerIsGivenUpInTime() {
         CountDownLatch answered = new CountDownLatch(1);
         TcpLink link = new TcpLink("robot.example", 8101, host -> {
             await(answered);
@@ -33,7 +33,7 @@ class TcpLinkTest {
     }
 
     @Test
-    void anUnknownNameIsSaidToBeUnknown() {
+    void anUnknownNameIsReportedAsUnknown() {
         assertThatThrownBy(() -> new TcpLink("no-such-robot.invalid", 8101).open(5000))
                 .hasMessage(
                         "there is no computer named no-such-robot.invalid; is the name right, or does its IP address do?");

@@ -24,7 +24,7 @@ import majic.pioneer.state.Models;
 import majic.pioneer.state.StateTracker;
 import org.junit.jupiter.api.Test;
 
-/** A whole session of the maker's client with the maker's simulator, where the captures are at hand. */
+/** A whole session of the maker's client with the maker's simulator, where the captures are available. */
 class CaptureTest {
     private static final Path CAPTURE = Path.of(System.getProperty("majic.captures", ""), "arcos-aria-java.log");
 

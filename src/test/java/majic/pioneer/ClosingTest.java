@@ -11,13 +11,13 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Somebody closes the robot while it is still being connected. */
+/** Closing the robot while it is being connected. */
 @Timeout(30)
 class ClosingTest {
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
     private final AtomicInteger packets = new AtomicInteger();
 
-    /** Counts what comes, for the robot. */
+    /** Counts received packets, in place of the robot. */
     private final class Counting implements SteppedPeer.Robot {
         @Override
         public void connected(SteppedPeer line) {
@@ -45,7 +45,7 @@ class ClosingTest {
     @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9})
     void endsAConnectionInGoodOrderHoweverFarItHasCome(int packet) {
         robot.answersConfig = false;
-        try (Stage stage = new Stage(robot, new Counting(), 3)) {
+        try (PioneerRig stage = new PioneerRig(robot, new Counting(), 3)) {
             Throwable thrown = stage.meanwhile(MajicPioneer::connect, () -> {
                 stage.line.await(() -> packets.get() >= packet, 10);
                 stage.bot.close();

@@ -9,7 +9,7 @@ import majic.bot.MajicBot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** From the closed line to the first readings, and what may come instead of an answer. */
+/** Connecting, up to the first readings, with usual and unusual answers. */
 @Timeout(30)
 class ConnectingTest {
     private static final String MOTION = "(ENABLE|VEL|RVEL|VEL2|MOVE|ROTATE|HEAD|DHEAD).*";
@@ -17,7 +17,7 @@ class ConnectingTest {
     @Test
     void switchesNoMotorsOnAndMovesNothing() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             stage.line.pass(5);
 
             assertThat(robot.heard).startsWith("OPEN 1", "CONFIG 1").contains("SONAR 1");
@@ -29,9 +29,9 @@ class ConnectingTest {
     }
 
     @Test
-    void motorsThatAreOnAlreadyAreToldAndLeftAsTheyAre() {
+    void motorsThatAreAlreadyOnAreLeftOn() {
         ScriptedPioneer simulator = ScriptedPioneer.vendorSimulator();
-        try (Stage stage = Stage.connected(simulator)) {
+        try (PioneerRig stage = PioneerRig.connected(simulator)) {
             stage.line.pass(5);
 
             assertThat(stage.bot.get("motors")).hasToString("yes");
@@ -42,7 +42,7 @@ class ConnectingTest {
 
     @Test
     void aSonarCountWithoutReadingsBehindItIsNoReading() {
-        try (Stage stage = Stage.connected(ScriptedPioneer.vendorSimulator())) {
+        try (PioneerRig stage = PioneerRig.connected(ScriptedPioneer.vendorSimulator())) {
             stage.bot.set("sonarPower", "on");
 
             assertThat(stage.bot.get("distanceFront")).hasToString("clear");
@@ -52,16 +52,16 @@ class ConnectingTest {
     @Test
     void aSessionLeftOpenIsStoppedForGoodBeforeTheHandshake() {
         ScriptedPioneer robot = ScriptedPioneer.inOpenSession();
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(robot.heard).startsWith("ESTOP 0", "VEL 0", "RVEL 0", "ENABLE 0", "CLOSE 1", "OPEN 1");
             assertThat(stage.bot.get("motors")).hasToString("no");
         }
     }
 
     @Test
-    void aSessionLeftOpenThatSpeaksUpLateIsStoppedAllTheSame() {
+    void aSessionLeftOpenIsStoppedEvenIfItsSipsComeLate() {
         ScriptedPioneer robot = ScriptedPioneer.inOpenSession().every(400);
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(robot.orders()).startsWith("ESTOP 0", "VEL 0", "RVEL 0", "ENABLE 0", "CLOSE 1", "OPEN 1");
             assertThat(stage.bot.isConnected()).isTrue();
         }
@@ -70,7 +70,7 @@ class ConnectingTest {
     @Test
     void theConfigurationIsAskedForWithoutWaitingForTheFirstData() {
         ScriptedPioneer robot = ScriptedPioneer.robot().every(500);
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(stage.bot.get("firmware")).hasToString("S.0");
             assertThat(robot.heardAt.get(robot.heard.indexOf("CONFIG 1")))
                     .isCloseTo(robot.heardAt.get(robot.heard.indexOf("OPEN 1")), within(5L));
@@ -80,7 +80,7 @@ class ConnectingTest {
     @Test
     void nothingIsSentForTheFirstQuarterOfASecond() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(robot.firstByteMs).isGreaterThanOrEqualTo(250);
             assertThat(stage.bot.isConnected()).isTrue();
         }
@@ -90,7 +90,7 @@ class ConnectingTest {
     void aRobotThatLosesStepOfTheHandshakeIsStartedOver() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.rejectsSyncs = 1;
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(stage.bot.isConnected()).isTrue();
         }
     }
@@ -99,7 +99,7 @@ class ConnectingTest {
     void aSyncWithoutAnswerIsRepeated() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.ignoresSyncs = 1;
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(stage.bot.isConnected()).isTrue();
         }
     }
@@ -108,18 +108,18 @@ class ConnectingTest {
     void aRobotWithoutConfigIsDrivenAsItsModel() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.answersConfig = false;
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(robot.heard).contains("SETV 1000", "SETRV 100");
-            assertThat(Stage.amount(stage.bot.turn(-30))).isBetween(-31.0, -29.0);
+            assertThat(PioneerRig.amount(stage.bot.turn(-30))).isBetween(-31.0, -29.0);
         }
     }
 
     @Test
-    void anUnknownModelIsSaidToBeDrivenSlowly() {
+    void anUnknownModelIsReportedAndDrivenSlowly() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.subclass = "p9xl";
         robot.answersConfig = false;
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(stage.notices).anyMatch(notice -> notice.contains("p9xl") && notice.contains("slowly"));
             assertThat(stage.bot.profile().speed().max()).isEqualTo(300);
             assertThat(robot.heard).contains("SETV 300");
@@ -127,10 +127,10 @@ class ConnectingTest {
     }
 
     @Test
-    void aPeerThatNeverAnswersIsGivenUpInTheTimeItSays() {
+    void aPeerThatNeverAnswersIsGivenUpInTheReportedTime() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.ignoresSyncs = Integer.MAX_VALUE;
-        try (Stage stage = new Stage(robot)) {
+        try (PioneerRig stage = new PioneerRig(robot)) {
             double seconds = stage.secondsOf(() -> assertThatThrownBy(stage.bot::connect)
                     .isInstanceOf(BotException.class)
                     .hasMessageContaining("no Pioneer answers")
@@ -142,18 +142,18 @@ class ConnectingTest {
     }
 
     @Test
-    void aPeerThatHangsUpInTheHandshakeIsSaidToBeTaken() {
+    void aPeerThatClosesInTheHandshakeIsReportedAsBusy() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.hangsUpAtSync = true;
-        try (Stage stage = new Stage(robot)) {
+        try (PioneerRig stage = new PioneerRig(robot)) {
             assertThatThrownBy(stage.bot::connect).hasMessageContaining("one program at a time");
         }
     }
 
     @Test
-    void closingStopsSwitchesOffAndSaysGoodBye() {
+    void closingStopsSwitchesOffAndEndsTheSession() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
-        Stage stage = Stage.connected(robot);
+        PioneerRig stage = PioneerRig.connected(robot);
         stage.bot.drive(100, 0);
 
         stage.close();

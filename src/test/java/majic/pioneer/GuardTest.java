@@ -16,7 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Guards and listeners that read what comes beside the SIPs: in time, and without holding anybody up. */
+/** Guard conditions and listeners that read reports beside the SIPs, without blocking other threads. */
 @Timeout(30)
 class GuardTest {
     private static final int ENCODERS = 0x90;
@@ -24,7 +24,7 @@ class GuardTest {
     private static final byte[] AT_HUNDRED = {100, 0, 0, 0, 0, 0, 0, 0};
 
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
-    private final Stage stage = Stage.connected(robot);
+    private final PioneerRig stage = PioneerRig.connected(robot);
 
     @AfterEach
     void close() {
@@ -66,7 +66,7 @@ class GuardTest {
     }
 
     @Test
-    void aGuardMayWaitForItsFirstReadingWhileTheRobotStillStands() {
+    void aGuardMayWaitForItsFirstReadingBeforeTheRobotMoves() {
         stage.line
                 .time()
                 .thread("late encoders", () -> {
@@ -75,7 +75,7 @@ class GuardTest {
                 })
                 .start();
 
-        assertThat(Stage.amount(
+        assertThat(PioneerRig.amount(
                         stage.bot.move(1000, () -> stage.bot.get("encoderLeft").number() > 50)))
                 .isZero();
     }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What ends a motion before its time, and what a drive. */
+/** What ends a motion or a drive early. */
 @Timeout(30)
 class MotionEndsTest {
     private static final int STOP_BUTTON = 1 << 5;
@@ -23,7 +23,7 @@ class MotionEndsTest {
     private static final int REAR_BUMPER = 0x0002;
 
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
-    private final Stage stage = new Stage(robot);
+    private final PioneerRig stage = new PioneerRig(robot);
 
     @AfterEach
     void close() {
@@ -82,19 +82,19 @@ class MotionEndsTest {
         connect();
         stage.whenBeyond(50, () -> robot.stallBits = REAR_BUMPER);
 
-        assertThat(Stage.amount(stage.bot.move(300))).isBetween(290.0, 310.0);
+        assertThat(PioneerRig.amount(stage.bot.move(300))).isBetween(290.0, 310.0);
     }
 
     @Test
     void aGuardThatHoldsAlreadyLeavesTheMotorsOff() {
         connect();
 
-        assertThat(Stage.amount(stage.bot.move(1000, () -> true))).isZero();
+        assertThat(PioneerRig.amount(stage.bot.move(1000, () -> true))).isZero();
         assertThat(robot.heard).noneMatch(command -> command.startsWith("ENABLE"));
     }
 
     @Test
-    void stopEndsAMotionAndReturnsWhenTheRobotStands() {
+    void stopEndsAMotionAndReturnsWhenTheRobotIsStationary() {
         connect();
         boolean[] beyond = {false};
         stage.whenBeyond(50, () -> beyond[0] = true);
@@ -109,7 +109,7 @@ class MotionEndsTest {
     }
 
     @Test
-    void aStopOfARobotThatDoesNotStandSaysHowLongItWaited() {
+    void aStopThatIsNotConfirmedReportsItsTimeout() {
         connect();
         stage.bot.drive(300, 0);
         stage.line.pass(0.5);
@@ -138,11 +138,11 @@ class MotionEndsTest {
     }
 
     @Test
-    void aLedgeFlagThatStandsForEverMeansNothing() {
+    void aLedgeFlagThatIsAlwaysSetIsIgnored() {
         robot.extraFlags = NEAR_LEDGE;
         connect();
 
-        assertThat(Stage.amount(stage.bot.move(100))).isBetween(90.0, 110.0);
+        assertThat(PioneerRig.amount(stage.bot.move(100))).isBetween(90.0, 110.0);
     }
 
     @Test
@@ -191,7 +191,7 @@ class MotionEndsTest {
     }
 
     @Test
-    void aDrivenRobotThatStallsIsToldToStandAtOnceAndTheDriverWhy() {
+    void aDrivenRobotThatStallsIsStoppedAtOnceWithAReason() {
         connect();
         stage.bot.drive(200, 0);
         stage.line.pass(0.3);
@@ -205,7 +205,7 @@ class MotionEndsTest {
     }
 
     @Test
-    void whoDrivesNoMoreHearsWhyTheDriveEnded() {
+    void theReasonOfADriveThatEndedIsANoticeAtTheStop() {
         connect();
         stage.bot.drive(200, 0);
         stage.line.pass(0.2);
@@ -235,7 +235,7 @@ class MotionEndsTest {
     }
 
     @Test
-    void aDriveWhoseMotorsDoNotComeOnEnds() {
+    void aDriveEndsIfTheMotorsDoNotSwitchOn() {
         connect();
         robot.neverEnables = true;
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What the lab's Pioneer sends beside its SIPs, as the driver takes it. */
+/** The reports of the lab's Pioneer as the driver decodes them. */
 @Timeout(60)
 class PacketsInLabTest {
     private LabRig rig;
@@ -39,7 +39,7 @@ class PacketsInLabTest {
     }
 
     @Test
-    void encodersComeForWhoeverReadsThemAndCountTheWay() {
+    void encodersAreStreamedWhenReadAndCountTheDistance() {
         assertThat(state().encoders()).isEmpty();
 
         EncoderTicks before = encoders();

@@ -12,7 +12,7 @@ import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Models;
 import org.junit.jupiter.api.Test;
 
-/** The page about the Pioneer lists what the driver describes, word for word. */
+/** The page about the Pioneer lists the parameters as the driver describes them. */
 class PioneerPageTest {
     private static final Path PAGE = Path.of("docs", "robots", "pioneer.md");
 

@@ -22,7 +22,7 @@ import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.StateTracker;
 
 /**
- * Whatever bytes come from a robot: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see
+ * Arbitrary bytes from a robot: kept inputs in every build, new ones with {@code JAZZER_FUZZ=1} (see
  * CONTRIBUTING.md).
  */
 class ReceivingFuzzTest {
@@ -70,7 +70,7 @@ class ReceivingFuzzTest {
         assertThat(decode(decoder, Bytes.of(Bytes.TURNING_RIGHT), 16)).containsExactly(GOOD);
     }
 
-    /** The noise may end in a header that waits for 255 bytes, so it can cost three packets, never a fourth. */
+    /** The noise may end in a header that waits for 255 bytes, so it can swallow three packets, never a fourth. */
     @FuzzTest
     void aGoodPacketIsFoundAfterAnyNoiseWithoutASilence(byte[] noise) {
         FrameDecoder decoder = new FrameDecoder();

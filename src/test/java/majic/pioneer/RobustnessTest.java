@@ -15,21 +15,21 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Peers that say too little, too much or the wrong thing, and robots that die and come back. */
+/** Peers that send too little, too much or garbage, and robots that fail and restart. */
 @Timeout(60)
 class RobustnessTest {
     private static final double CONNECT_LIMIT_S = 11;
 
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
 
-    /** Something else in the robot's place. */
+    /** Another peer in place of the robot. */
     private abstract class Impostor implements SteppedPeer.Robot {
         @Override
         public void received(SteppedPeer line, Packet packet) {}
     }
 
     private void refuses(SteppedPeer.Robot impostor) {
-        try (Stage stage = new Stage(robot, impostor, 0)) {
+        try (PioneerRig stage = new PioneerRig(robot, impostor, 0)) {
             double seconds = stage.secondsOf(() -> assertThatThrownBy(stage.bot::connect)
                     .isInstanceOf(BotException.class)
                     .hasMessageMatching("(?s).{20,}"));
@@ -39,7 +39,7 @@ class RobustnessTest {
     }
 
     @Test
-    void whoTalksRubbishForEverIsGivenUp() {
+    void aPeerThatSendsGarbageIsGivenUp() {
         Random random = new Random(4);
         refuses(new Impostor() {
             @Override
@@ -52,7 +52,7 @@ class RobustnessTest {
     }
 
     @Test
-    void whoSendsAByteASecondIsGivenUp() {
+    void aPeerThatSendsAByteASecondIsGivenUp() {
         byte[] answer = Bytes.wire(0, new byte[0]);
         refuses(new Impostor() {
             @Override
@@ -65,7 +65,7 @@ class RobustnessTest {
     }
 
     @Test
-    void whoEchoesEverythingIsGivenUp() {
+    void aPeerThatEchoesEverythingIsGivenUp() {
         refuses(new Impostor() {
             @Override
             public void received(SteppedPeer line, Packet packet) {
@@ -76,7 +76,7 @@ class RobustnessTest {
 
     @ParameterizedTest(name = "silent from step {0} on")
     @ValueSource(ints = {0, 1, 2, 3})
-    void whoStallsInTheHandshakeIsGivenUp(int steps) {
+    void aPeerThatStallsInTheHandshakeIsGivenUp(int steps) {
         refuses(new Impostor() {
             private int answered;
 
@@ -91,7 +91,7 @@ class RobustnessTest {
 
     @ParameterizedTest(name = "closes after {0} bytes")
     @ValueSource(ints = {1, 3, 6, 7, 12, 13, 20, 38})
-    void whoClosesAnywhereIsSaidToHaveClosed(int bytes) {
+    void aPeerThatClosesAnywhereIsReportedToHaveClosed(int bytes) {
         refuses(new Impostor() {
             private int left = bytes;
 
@@ -113,7 +113,7 @@ class RobustnessTest {
 
     @Test
     void aSessionSurvivesEverySingleDamage() {
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             byte[] sip = robot.sip();
             for (int at = 0; at < sip.length; at++) {
                 byte[] damaged = sip.clone();
@@ -125,19 +125,19 @@ class RobustnessTest {
 
             assertThat(stage.bot.isConnected()).isTrue();
             assertThat(stage.bot.state().pose().xMm()).isZero();
-            assertThat(Stage.amount(stage.bot.move(100))).isBetween(90.0, 110.0);
+            assertThat(PioneerRig.amount(stage.bot.move(100))).isBetween(90.0, 110.0);
         }
     }
 
     @Test
     void aRobotThatDiesAndComesBackIsConnectedAgainTwentyTimesWithoutLeavingAnythingBehind() {
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             long threads = threads();
             for (int time = 0; time < 20; time++) {
                 stage.line.hangUp();
                 assertThat(stage.line.await(() -> !stage.bot.isConnected(), 5)).isTrue();
                 stage.bot.connect();
-                assertThat(Stage.amount(stage.bot.move(20))).isBetween(10.0, 30.0);
+                assertThat(PioneerRig.amount(stage.bot.move(20))).isBetween(10.0, 30.0);
             }
 
             assertThat(robot.connections).isEqualTo(21);

@@ -16,16 +16,16 @@ import majic.pioneer.state.Scaling;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a test wants a Pioneer to be, for a {@link SteppedPeer}: it answers the handshake and sends SIPs from a model with
- * ramps; worse than a robot wherever a test says so.
+ * A Pioneer for tests behind a {@link SteppedPeer}: answers the handshake and sends SIPs from a model with ramps; tests can
+ * add faults.
  */
 public final class ScriptedPioneer implements SteppedPeer.Robot {
     private static final int LOST_STEP = 0xFF;
 
-    /** What it heard since it was made, as {@code "VEL 250"}; the handshake not counted. */
+    /** The commands received, as {@code "VEL 250"}, without the handshake. */
     public final List<String> heard = new CopyOnWriteArrayList<>();
 
-    /** When it heard that, ms. */
+    /** When they were received, ms. */
     final List<Long> heardAt = new CopyOnWriteArrayList<>();
 
     public final RampModel robot = new RampModel(300, 300, 100);
@@ -64,12 +64,12 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
     private boolean lieNext;
     private long sips;
 
-    /** One that does all as the sheet says a robot does. */
+    /** Behaves as a robot does by the sheet. */
     public static ScriptedPioneer robot() {
         return new ScriptedPioneer();
     }
 
-    /** One that behaves as the vendor's simulator does (ARCOS sheet 5.2, 9.1, 14.2). */
+    /** Behaves as the vendor's simulator does (ARCOS sheet 5.2, 9.1, 14.2). */
     static ScriptedPioneer vendorSimulator() {
         ScriptedPioneer simulator = new ScriptedPioneer();
         simulator.subclass = "p3dx";
@@ -80,7 +80,7 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
         return simulator;
     }
 
-    /** Sends SIPs in a session that somebody left open. */
+    /** Sends SIPs of a session that was left open. */
     static ScriptedPioneer inOpenSession() {
         ScriptedPioneer left = new ScriptedPioneer();
         left.inOpenSession = true;
@@ -259,7 +259,7 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
         return Bytes.wire(0x32, bytes);
     }
 
-    /** What it heard but pulses. */
+    /** The commands received, without pulses. */
     public List<String> orders() {
         return heard.stream().filter(command -> !command.equals("PULSE 0")).toList();
     }
@@ -270,7 +270,7 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
         return orders.subList(from, orders.size()).equals(List.of(commands));
     }
 
-    /** How often it went the other way than just before. */
+    /** How often the direction of the motion was reversed. */
     int turnsBack() {
         List<Double> moving =
                 speeds.stream().filter(speed -> Math.abs(speed) > 1).toList();

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** The driver on a real serial port, with a robot at the other end that understands one speed at a time. */
+/** The driver on a real serial port, with a robot at the other end that has one speed at a time. */
 @Timeout(20)
 @EnabledOnOs(value = OS.LINUX, disabledReason = "the port's speed is read as Linux keeps it")
 class SerialSpeedTest {
@@ -56,7 +56,7 @@ class SerialSpeedTest {
     }
 
     @Test
-    void aRobotThatAsksForItIsMadeFaster() {
+    void theSpeedIsRaisedIfTheRobotRequestsIt() {
         connect();
 
         assertThat(heard).contains(HOSTBAUD);
@@ -106,7 +106,7 @@ class SerialSpeedTest {
     }
 
     @Test
-    void aRobotThatStaysFastHearsTheGoodByeAllTheSame() {
+    void aRobotThatStaysAtTheHighSpeedReceivesTheClose() {
         connect();
         changesSpeed = false;
 
@@ -117,7 +117,7 @@ class SerialSpeedTest {
         assertThat(speed).isEqualTo(B38400);
     }
 
-    /** What was sent last may still be on the line. */
+    /** The last bytes may still be on the line. */
     private void awaitGoodBye() {
         while (heard.get(heard.size() - 1) != CLOSE) {
             Thread.onSpinWait();
@@ -164,7 +164,7 @@ class SerialSpeedTest {
         }
     }
 
-    /** At another speed than the computer's it is noise. */
+    /** Sends noise if its speed is not the computer's. */
     private synchronized void write(byte[] bytes) {
         boolean understood = plug.speedCode() == speed;
         byte[] arriving = understood || oneMoreIsOnItsWay ? bytes : new byte[] {(byte) 0xE6, 0x19, (byte) 0x80};

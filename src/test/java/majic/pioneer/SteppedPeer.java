@@ -21,9 +21,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robot's end of a line over a real socket, on a stepped clock: time goes on when the driver waits and has dealt with
- * all that was sent to it. What the robot says and hears may be under way for a while. All of it runs on the clock's
- * thread.
+ * The robot's end of a line over a real socket, on a stepped clock: time advances when the driver waits and has handled all
+ * that was sent to it. Packets in both directions may have a latency. Everything runs on the clock's thread.
  */
 public final class SteppedPeer implements AutoCloseable {
     private final ServerSocketChannel server;
@@ -45,18 +44,18 @@ public final class SteppedPeer implements AutoCloseable {
 
     private record Due(long atNanos, Runnable event) {}
 
-    /** What sits at the other end. */
+    /** The behaviour of the robot's end. */
     interface Robot {
-        /** Somebody connected. */
+        /** A client connected. */
         default void connected(SteppedPeer line) {}
 
         /** A packet came. */
         void received(SteppedPeer line, Packet packet);
 
-        /** Another millisecond is over. */
+        /** A millisecond has passed. */
         default void step(SteppedPeer line) {}
 
-        /** Whoever was connected is gone. */
+        /** The client has disconnected. */
         default void left() {}
     }
 
@@ -67,7 +66,7 @@ public final class SteppedPeer implements AutoCloseable {
     /**
      * Listens on a free port of loopback.
      *
-     * @param latencyMs how long a packet is under way, either way
+     * @param latencyMs of packets in either direction
      */
     SteppedPeer(Robot robot, int latencyMs) {
         this.robot = robot;
@@ -102,7 +101,7 @@ public final class SteppedPeer implements AutoCloseable {
         return nanos / 1_000_000;
     }
 
-    /** Waits on the clock, looking whenever something came or was said. */
+    /** Waits on the clock, testing the condition whenever a packet came or was sent. */
     public boolean await(BooleanSupplier condition, double seconds) {
         try {
             return news.await(condition, seconds);
@@ -111,12 +110,12 @@ public final class SteppedPeer implements AutoCloseable {
         }
     }
 
-    /** Makes whoever waits here look again. */
+    /** Wakes the waiting thread to test its condition again. */
     void raise() {
         news.raise();
     }
 
-    /** Lets time pass. */
+    /** Waits for a time on the clock. */
     public void pass(double seconds) {
         await(() -> false, seconds);
     }
@@ -126,7 +125,7 @@ public final class SteppedPeer implements AutoCloseable {
         underWay.add(new Due(nanos + latencyNanos, () -> deliver(bytes)));
     }
 
-    /** Holds up all that is under way either way, and then delivers it at once. */
+    /** Delays all packets in both directions, and then delivers them at once. */
     void hold(double seconds) {
         heldUntilNanos = nanos + (long) (seconds * 1e9);
     }

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 
-/** Bytes written as in the protocol sheet, and packets seen by the real robot's makers' programs. */
+/** Bytes in the notation of the protocol sheet, and packets captured from the maker's programs. */
 public final class Bytes {
     /** ARCOS sheet A4. */
     public static final String NAMES =
@@ -71,7 +71,7 @@ public final class Bytes {
         return packets(hex).get(0);
     }
 
-    /** A packet put together without the driver's own means. */
+    /** A packet built without the driver's encoder. */
     public static byte[] wire(int type, byte[] data) {
         byte[] packet = new byte[data.length + 6];
         packet[0] = (byte) 0xFA;

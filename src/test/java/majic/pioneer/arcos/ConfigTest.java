@@ -26,7 +26,7 @@ class ConfigTest {
     }
 
     @Test
-    void theVendorsSimulatorTellsHowItIsSet() {
+    void theVendorsSimulatorReportsItsSettings() {
         Config config = Config.decode(Bytes.packet(Bytes.CONFIG));
 
         assertThat(config.turnMaxDegPerSec()).isEqualTo(150);
@@ -43,7 +43,7 @@ class ConfigTest {
     }
 
     @Test
-    void theNewestFirmwareTellsMore() {
+    void theNewestFirmwareReportsMore() {
         Config config = decode(concat(Bytes.packet(Bytes.CONFIG).data(), Bytes.of(NEWEST)));
 
         assertThat(config.number(ConfigField.PDBPORT)).isEqualTo(3);

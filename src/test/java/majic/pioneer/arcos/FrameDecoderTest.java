@@ -85,7 +85,7 @@ class FrameDecoderTest {
     }
 
     @Test
-    void theLongestPacketThatACountCanTellIsTaken() {
+    void theLongestPossiblePacketIsDecoded() {
         byte[] longest = Bytes.of("FA FB FF 32" + " 00".repeat(252) + " 32 00");
         feed(100, longest);
 
@@ -93,7 +93,7 @@ class FrameDecoderTest {
     }
 
     @Test
-    void receptionTellsWhatCameWholeAndWhatDidNot() {
+    void packetsAndDamagedBytesAreCounted() {
         feed(10, Bytes.joined(Bytes.AT_REST, WRONG_CHECKSUM, "00 01", Bytes.STALLED));
 
         assertThat(decoder.counts()).isEqualTo(new PacketCounts(2, 1, 11));

@@ -18,7 +18,7 @@ class ReportDecoderTest {
     }
 
     @Test
-    void portsAreAsManyAsTheRobotSays() {
+    void portsAreAsManyAsReported() {
         InputsOutputs ports = (InputsOutputs)
                 ReportDecoder.decode(Bytes.packet("FA FB 0F F0 04 FF FF FF FF 01 00 02 00 02 BC 02 F5 BC"));
 

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 
-/** Puts the data of a SIP together (ARCOS sheet 8). */
+/** Builds the data of a SIP (ARCOS sheet 8). */
 public final class SipBytes {
     private final ByteBuffer data = ByteBuffer.allocate(200).order(ByteOrder.LITTLE_ENDIAN);
     private int readings;

@@ -8,12 +8,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class SipTest {
-    /** All that the newest firmware sends behind the readings. */
+    /** All fields that the newest firmware sends after the readings. */
     private static final String LONGEST_TAIL =
             "21 03 80 F0 0F 1C 01 01 6A FF 02 00 F6 FF E2 4A 01 02 03 84 05 06 07 88";
 
     @Test
-    void aRobotAtRestSaysSo() {
+    void aRobotAtRestReportsZeroVelocities() {
         Sip sip = Bytes.sip(Bytes.AT_REST);
 
         assertThat(sip.flags()).isEqualTo(0x1F);
@@ -30,7 +30,7 @@ class SipTest {
     }
 
     @Test
-    void aMovingRobotTellsWhereItIsAndHowFast() {
+    void aMovingRobotReportsPoseAndVelocities() {
         Sip sip = Bytes.sip(Bytes.TURNING_RIGHT);
 
         assertThat(sip.xPos()).isEqualTo(519);
@@ -51,7 +51,7 @@ class SipTest {
     }
 
     @Test
-    void theNewestFirmwareTellsMostBehindTheReadings() {
+    void theNewestFirmwareSendsAllFieldsOfTheTail() {
         SipTail tail = new SipBytes().sonar(3, 1000).tail(LONGEST_TAIL).sip().tail();
 
         assertThat(tail)
@@ -60,7 +60,7 @@ class SipTest {
     }
 
     @Test
-    void aTailThatEndsEarlyLacksWhatDidNotComeWhole() {
+    void aShortTailLacksPartialFields() {
         byte[] whole = new SipBytes().sonar(3, 1000).tail(LONGEST_TAIL).bytes();
         for (int length = 22; length <= whole.length; length++) {
             Sip sip = Sip.decode(new Packet(0x33, whole, 0, length));

@@ -89,7 +89,7 @@ class PioneerDrawingTest {
     }
 
     @Test
-    void lightsTellByWordAndKind() {
+    void lightsShowAWordAndAKind() {
         lights.show(scene(sip().state(0x0500, SONARS_ON), Connection.CONNECTED));
         assertThat(light("motors")).isEqualTo("GOOD motors on");
         assertThat(light("bumpers")).isEqualTo("ALARM bumper F2");

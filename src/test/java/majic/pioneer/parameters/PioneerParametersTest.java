@@ -15,8 +15,8 @@ import majic.bot.ParameterException;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.MajicPioneer;
+import majic.pioneer.PioneerRig;
 import majic.pioneer.ScriptedPioneer;
-import majic.pioneer.Stage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(60)
 class PioneerParametersTest {
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
-    private final Stage stage = Stage.connected(robot);
+    private final PioneerRig stage = PioneerRig.connected(robot);
     private final MajicPioneer bot = stage.bot;
 
     @AfterEach
@@ -34,7 +34,7 @@ class PioneerParametersTest {
     }
 
     @Test
-    void aPoseThatIsSetIsToldAndOrdersNothing() {
+    void aPoseThatIsSetIsReportedAndSendsNothing() {
         int before = orders().size();
 
         bot.set("pose", numbers(100, 200, 90));
@@ -95,12 +95,12 @@ class PioneerParametersTest {
 
         MotionReport report = bot.move(600);
 
-        assertThat(Stage.amount(report)).isCloseTo(600, within(10.0));
+        assertThat(PioneerRig.amount(report)).isCloseTo(600, within(10.0));
         assertThat(robot.robot.x()).isCloseTo(600, within(12.0));
     }
 
     @Test
-    void rampsAreToldToTheRobotAndFollowed() {
+    void rampsAreSentToTheRobotAndFollowed() {
         double before = stage.secondsOf(() -> bot.move(1000));
 
         bot.set("acceleration", 100);
@@ -109,7 +109,7 @@ class PioneerParametersTest {
         assertThat(orders()).contains("SETA 100", "SETA -100");
         assertThat(bot.get("deceleration")).hasToString("100 mm/s²");
         assertThat(stage.secondsOf(
-                        () -> assertThat(Stage.amount(bot.move(1000))).isCloseTo(1000, within(10.0))))
+                        () -> assertThat(PioneerRig.amount(bot.move(1000))).isCloseTo(1000, within(10.0))))
                 .isGreaterThan(before + 1);
     }
 
@@ -124,7 +124,7 @@ class PioneerParametersTest {
     }
 
     @Test
-    void whatWasSetIsToldAgainInTheNextSession() {
+    void rampsThatWereSetAreSentAgainInTheNextSession() {
         bot.set("turnAcceleration", 60);
         robot.heard.clear();
         stage.line.hangUp();
@@ -163,7 +163,7 @@ class PioneerParametersTest {
     }
 
     @Test
-    void whatTheRobotTakesOnlyWholeIsRefusedBeforeAnythingIsSent() {
+    void fractionsOfWholeNumbersAreRefusedBeforeAnythingIsSent() {
         List<Value> fraction = List.of(Value.of(2.5, Unit.NONE));
         for (String parameter : List.of("digitalOut", "analogPort")) {
             assertThatThrownBy(() -> bot.checkSet(parameter, fraction))
@@ -187,7 +187,7 @@ class PioneerParametersTest {
     }
 
     @Test
-    void aTuneIsToldAndTooLongAOneRefused() {
+    void tonesAreSentAndTooManyRefused() {
         Value answer = Value.text(bot.run("tones", numbers(200, 72, 100, 0)));
 
         assertThat(answer).hasToString("0.3 s of tones");
@@ -201,7 +201,7 @@ class PioneerParametersTest {
     }
 
     @Test
-    void aSettingThatIsNeverToldIsRememberedForItsSession() {
+    void aSettingThatIsNotReportedIsKeptForItsSession() {
         bot.set("mute", "on");
 
         assertThat(bot.get("mute")).hasToString("on");
@@ -217,7 +217,7 @@ class PioneerParametersTest {
         assertThat(bot.get("damagedPackets")).isEqualTo(Value.of(0, Unit.NONE));
     }
 
-    /** What the robot has heard, once it has had the time to. */
+    /** What the robot has received, after the time that takes. */
     private List<String> orders() {
         stage.line.pass(0.1);
         return robot.orders();

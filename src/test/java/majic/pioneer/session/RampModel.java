@@ -5,7 +5,7 @@ import majic.pioneer.arcos.Sip;
 import majic.pioneer.arcos.SipBytes;
 import majic.pioneer.state.Scaling;
 
-/** A robot that follows its set-points along straight ramps, for tests of what steers it. */
+/** A robot that follows its setpoints with constant acceleration, for tests of its controller. */
 public final class RampModel {
     private double acceleration;
     private double deceleration;
@@ -24,7 +24,7 @@ public final class RampModel {
         this.turnAcceleration = turnAcceleration;
     }
 
-    /** Its translation from now on. */
+    /** Sets its speed setpoint. */
     public void ramps(double up, double down) {
         acceleration = up;
         deceleration = down;
@@ -40,7 +40,7 @@ public final class RampModel {
         heading = headingDeg;
     }
 
-    /** Stands at once, and has no set-points. */
+    /** Stops at once and clears the setpoints. */
     public void freeze() {
         speed = 0;
         rate = 0;

@@ -5,7 +5,7 @@ import java.util.List;
 import majic.link.Link;
 import majic.link.Traffic;
 
-/** A link that only remembers what is written. */
+/** A link that only records what is written. */
 final class RecordingLink implements Link {
     final List<byte[]> written = new ArrayList<>();
     String address = "tcp:robot";

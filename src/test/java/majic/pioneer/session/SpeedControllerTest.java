@@ -12,7 +12,7 @@ import majic.pioneer.state.StateTracker;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Steers models of robots, unlike in their ramps and in how late they obey, without link or clock. */
+/** Controls models of robots with different ramps and latencies, without link or clock. */
 class SpeedControllerTest {
     private static final double TICK_S = 0.01;
     private static final int TICKS_PER_SIP = 10;
@@ -30,7 +30,7 @@ class SpeedControllerTest {
         "-5, 300, 500, 50",
         "37, 2000, 2000, 100"
     })
-    void aMoveEndsStandingWithinTenMillimetres(double mm, double acceleration, double deceleration, int lateMs) {
+    void aMoveEndsStationaryWithinTenMillimetres(double mm, double acceleration, double deceleration, int lateMs) {
         RampModel robot = new RampModel(acceleration, deceleration, 100);
 
         double seconds = steer(robot, SpeedProfile.straight(300, RAMPS), mm, lateMs, true);
@@ -43,7 +43,7 @@ class SpeedControllerTest {
     @ParameterizedTest(name = "{0} deg with ramps of {1} deg/s², obeying {2} ms late")
     @CsvSource({"90, 100, 0", "-90, 100, 50", "540, 100, 20", "-720, 300, 20", "2, 100, 20", "-2, 60, 50", "180, 60, 20"
     })
-    void aTurnEndsStandingWithinADegree(double degrees, double acceleration, int lateMs) {
+    void aTurnEndsStationaryWithinADegree(double degrees, double acceleration, int lateMs) {
         RampModel robot = new RampModel(300, 300, acceleration);
 
         double seconds = steer(robot, SpeedProfile.turning(50, RAMPS), degrees, lateMs, false);
@@ -53,7 +53,7 @@ class SpeedControllerTest {
         assertThat(seconds).isLessThan(Math.abs(degrees) / 50 * 2 + 5);
     }
 
-    /** Tells the robot a rate at each SIP, obeyed some ticks later, until it has stood there for a while. */
+    /** Sends a rate at each SIP, which takes effect some ticks later, until the robot has been stationary for a while. */
     private static double steer(RampModel robot, SpeedProfile approach, double target, int lateMs, boolean straight) {
         StateTracker tracker = new StateTracker(Models.of("p3dx-sh"), Pose.START);
         MotionTarget way = null;

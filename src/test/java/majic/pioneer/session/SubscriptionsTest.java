@@ -38,7 +38,7 @@ class SubscriptionsTest {
     }
 
     @Test
-    void gripperAndGyroAreAskedForWhereConfigSaysThatTheyAreThere() {
+    void gripperAndGyroAreRequestedIfConfigReportsThem() {
         on("tcp:robot").begin(config(1, 1));
 
         assertThat(requests()).containsExactly(BATTERIES_STREAM, PORTS_STREAM, "37 2", "58 1");
@@ -59,7 +59,7 @@ class SubscriptionsTest {
     }
 
     @Test
-    void whatSomebodyReadsIsStreamed() throws InterruptedException {
+    void aFeedThatIsReadIsStreamed() throws InterruptedException {
         Subscriptions subscriptions = on("tcp:robot");
 
         read(subscriptions, 10, true);
@@ -68,7 +68,7 @@ class SubscriptionsTest {
     }
 
     @Test
-    void onASlowLineOnePacketASecondIsAskedForWhileSomebodyReads() throws InterruptedException {
+    void onASlowLineOneReportASecondIsRequestedWhileAFeedIsRead() throws InterruptedException {
         Subscriptions subscriptions = on("serial:ttyS0");
 
         read(subscriptions, 4, true);
@@ -122,7 +122,7 @@ class SubscriptionsTest {
         return new Subscriptions(new ArcosLine(wire, clock.time()), clock.time());
     }
 
-    /** Somebody reads the encoders for a while, and the robot answers or does not. */
+    /** Reads the encoders for a while; the robot answers or does not. */
     private void read(Subscriptions subscriptions, double seconds, boolean answers) throws InterruptedException {
         for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
             subscriptions.read(Feed.ENCODERS);
@@ -140,7 +140,7 @@ class SubscriptionsTest {
         }
     }
 
-    /** A CONFIG packet by where the sheet has these two fields. */
+    /** A CONFIG packet with these two fields, placed as in the sheet. */
     private static Config config(int gripper, int gyro) {
         byte[] data = Bytes.packet(Bytes.CONFIG).data();
         data[39] = (byte) gripper;

@@ -17,7 +17,7 @@ class SuspendDetectorTest {
     }
 
     @Test
-    void aMinuteThatOnlyTheWallHasSeenIsOneAndIsToldOnce() {
+    void aMinuteOnTheWallClockAloneIsDetectedOnce() {
         pass(60_000, 20);
         assertThat(slumber.wasSuspended()).isTrue();
         assertThat(slumber.wasSuspended()).isFalse();

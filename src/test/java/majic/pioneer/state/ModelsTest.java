@@ -19,7 +19,7 @@ class ModelsTest {
     private static final double SONARS_STAND_OUT_MM = 20;
 
     @Test
-    void theHullOfAP3DxLiesAsTheSheetSays() {
+    void theHullOfAP3DxLiesAsInTheSheet() {
         Hull hull = Models.of("P3DX-SH").hull();
 
         assertThat(hull.frontMm()).isBetween(209.0, 212.0);
@@ -119,7 +119,7 @@ class ModelsTest {
     }
 
     @Test
-    void whatTheRobotSaysOfItselfLimitsItsModel() {
+    void reportedLimitsReduceThoseOfTheModel() {
         Limits limits = Limits.of(Models.of("p3dx"), Config.decode(Bytes.packet(Bytes.CONFIG)));
 
         assertThat(limits.speedMmPerSec()).isEqualTo(2200);

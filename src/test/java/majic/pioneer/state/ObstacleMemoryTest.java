@@ -40,13 +40,13 @@ class ObstacleMemoryTest {
     }
 
     @Test
-    void whatStandsInTheLaneIsAheadWhicheverDiscSeesIt() {
+    void anObstacleInTheLaneIsAheadWhicheverDiscDetectsIt() {
         assertThat(tracker.track(scan(0, 1, 370).sip(), SECOND).gaps().get(Side.FRONT))
                 .isBetween(100.0, 200.0);
     }
 
     @Test
-    void whatStandsBesideTheLaneIsNotAhead() {
+    void anObstacleBesideTheLaneIsNotAhead() {
         assertThat(tracker.track(scan(0, 1, 900).sip(), SECOND).gaps().get(Side.FRONT))
                 .isInfinite();
     }
@@ -69,7 +69,7 @@ class ObstacleMemoryTest {
     }
 
     @Test
-    void whatWasHeardBeforeTheSonarsWereSwitchedOffIsForgottenAtOnce() {
+    void echoesAreDroppedWhenTheSonarsAreSwitchedOff() {
         tracker.track(scan(0).state(0, 0x1F).sip(), SECOND);
         PioneerState blind = tracker.track(new SipBytes().state(0, 0x01).sip(), SECOND + 1);
 
@@ -102,7 +102,7 @@ class ObstacleMemoryTest {
                 .isInfinite();
     }
 
-    /** All discs hear nothing, but for those named with their ranges. */
+    /** Readings without echoes, except for the discs named with their ranges. */
     private static SipBytes scan(int x, int... discsAndRanges) {
         SipBytes sip = new SipBytes().pose(x, 0, 0);
         for (int disc = 0; disc < 16; disc++) {

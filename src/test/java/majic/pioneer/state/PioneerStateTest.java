@@ -21,7 +21,7 @@ class PioneerStateTest {
     private final StateTracker tracker = new StateTracker(Models.of("p3dx-sh"), Pose.START);
 
     @Test
-    void theTailOfASipTellsOfBatteryAndCharger() {
+    void theTailOfASipHasBatteryAndCharger() {
         Power power = track(new SipBytes().state(0, 1 << 10).tail(TAIL)).power();
 
         assertThat(power.volts()).isEqualTo(12.8);
@@ -31,7 +31,7 @@ class PioneerStateTest {
     }
 
     @Test
-    void theTailOfASipTellsOfPortsAndEquipment() {
+    void theTailOfASipHasPortsAndEquipment() {
         PioneerState state = track(new SipBytes().compass(45).tail(TAIL));
 
         assertThat(state.ports().digitalIn()).hasValue(0xF0);
@@ -76,7 +76,7 @@ class PioneerStateTest {
     }
 
     @Test
-    void flagsTellOfButtonsAndLedges() {
+    void flagsShowButtonsAndLedges() {
         PioneerState state = track(new SipBytes().state(0, 0b11_1110_0000));
 
         assertThat(state.stopButton()).isTrue();
@@ -105,7 +105,7 @@ class PioneerStateTest {
     }
 
     @Test
-    void theIoPacketTellsOfAllPorts() {
+    void theIoPacketHasAllPorts() {
         PioneerState state = hear("F0", "02 FF FE 01 00 02 00 02 FF 03");
 
         assertThat(state.ports().allDigitalIn()).containsExactly(255, 254);
@@ -114,7 +114,7 @@ class PioneerStateTest {
     }
 
     @Test
-    void batteriesOfTheirOwnTellTheCharge() {
+    void batteriesWithElectronicsReportTheCharge() {
         assertThat(hear("FA", "02 05 00 00 00 50 46 00 00 00 28 1E").power().percent())
                 .hasValue(60);
     }

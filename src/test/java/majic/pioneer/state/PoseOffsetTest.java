@@ -10,7 +10,7 @@ class PoseOffsetTest {
     private final PoseOffset placement = new PoseOffset();
 
     @Test
-    void leavesPosesAsTheyAreUntilSomebodySetsOne() {
+    void leavesPosesUnchangedUntilOneIsSet() {
         assertThat(placement.of(new Pose(10, -20, 30))).isEqualTo(new Pose(10, -20, 30));
     }
 

@@ -24,7 +24,7 @@ class ScalingTest {
     }
 
     @Test
-    void withoutATurnRateTheWheelsTellIt() {
+    void withoutATurnRateItIsComputedFromTheWheels() {
         byte[] upToSonar = Arrays.copyOf(Bytes.packet(Bytes.TURNING_RIGHT).data(), 19 + 16 * 3);
         Sip sip = Objects.requireNonNull(Sip.decode(new Packet(0x32, upToSonar, 0, upToSonar.length)));
 

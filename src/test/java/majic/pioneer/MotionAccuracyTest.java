@@ -14,9 +14,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Whether motions end where they should, by the robot's own odometry, with servers unlike in many ways. */
+/** Motions end at their target by the robot's odometry, with servers of different behaviour. */
 @Timeout(60)
-class ArrivalTest {
+class MotionAccuracyTest {
     private static final List<Supplier<ScriptedPioneer>> MAKES =
             List.of(ScriptedPioneer::robot, ScriptedPioneer::vendorSimulator);
 
@@ -37,10 +37,10 @@ class ArrivalTest {
     void aMoveEndsWithinTenMillimetres(double mm, double cruise, int cycleMs, int latencyMs, int lost) {
         for (Supplier<ScriptedPioneer> make : MAKES) {
             ScriptedPioneer robot = make.get().every(cycleMs).losingOneIn(lost);
-            try (Stage stage = Stage.connected(robot, latencyMs)) {
+            try (PioneerRig stage = PioneerRig.connected(robot, latencyMs)) {
                 stage.bot.set("cruise", cruise);
 
-                assertThat(Stage.amount(stage.bot.move(mm))).isCloseTo(mm, within(10.0));
+                assertThat(PioneerRig.amount(stage.bot.move(mm))).isCloseTo(mm, within(10.0));
 
                 assertThat(robot.robot.x()).isCloseTo(mm, within(10.0));
                 assertThat(robot.robot.stands()).isTrue();
@@ -63,10 +63,10 @@ class ArrivalTest {
     void aTurnEndsWithinADegree(double degrees, double cruise, int cycleMs, int latencyMs, int lost) {
         for (Supplier<ScriptedPioneer> make : MAKES) {
             ScriptedPioneer robot = make.get().every(cycleMs).losingOneIn(lost);
-            try (Stage stage = Stage.connected(robot, latencyMs)) {
+            try (PioneerRig stage = PioneerRig.connected(robot, latencyMs)) {
                 stage.bot.set("cruiseTurn", cruise);
 
-                assertThat(Stage.amount(stage.bot.turn(degrees))).isCloseTo(degrees, within(1.0));
+                assertThat(PioneerRig.amount(stage.bot.turn(degrees))).isCloseTo(degrees, within(1.0));
 
                 assertThat(robot.robot.heading()).isCloseTo(degrees, within(1.0));
                 assertThat(robot.robot.stands()).isTrue();
@@ -80,17 +80,17 @@ class ArrivalTest {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.ignoresRamps = true;
         robot.robot.ramps(ramp, ramp);
-        try (Stage stage = Stage.connected(robot)) {
-            assertThat(Stage.amount(stage.bot.move(1000))).isCloseTo(1000, within(10.0));
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
+            assertThat(PioneerRig.amount(stage.bot.move(1000))).isCloseTo(1000, within(10.0));
         }
     }
 
     @Test
-    void aRobotThatSticksWhenSlowIsToldToGoALittleFaster() {
+    void aRobotThatSticksAtLowSpeedIsSentAHigherSpeed() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.deadZone = 40;
-        try (Stage stage = Stage.connected(robot)) {
-            assertThat(Stage.amount(stage.bot.move(12))).isCloseTo(12, within(10.0));
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
+            assertThat(PioneerRig.amount(stage.bot.move(12))).isCloseTo(12, within(10.0));
             stage.line.pass(0.1);
             assertThat(robot.heard.stream().filter(order -> order.startsWith("VEL")))
                     .last()
@@ -103,9 +103,9 @@ class ArrivalTest {
     void countersThatWrapOnTheWayAreNoJump(int x, int y) {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.robot.pose(x, y, 0);
-        try (Stage stage = Stage.connected(robot)) {
-            assertThat(Stage.amount(stage.bot.move(300))).isCloseTo(300, within(10.0));
-            assertThat(Stage.amount(stage.bot.move(-600))).isCloseTo(-600, within(10.0));
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
+            assertThat(PioneerRig.amount(stage.bot.move(300))).isCloseTo(300, within(10.0));
+            assertThat(PioneerRig.amount(stage.bot.move(-600))).isCloseTo(-600, within(10.0));
         }
     }
 
@@ -114,9 +114,9 @@ class ArrivalTest {
     void headingsThatWrapOnTheWayAreNoJump(double heading) {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.robot.pose(0, 0, heading);
-        try (Stage stage = Stage.connected(robot)) {
-            assertThat(Stage.amount(stage.bot.turn(400))).isCloseTo(400, within(1.0));
-            assertThat(Stage.amount(stage.bot.turn(-45))).isCloseTo(-45, within(1.0));
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
+            assertThat(PioneerRig.amount(stage.bot.turn(400))).isCloseTo(400, within(1.0));
+            assertThat(PioneerRig.amount(stage.bot.turn(-45))).isCloseTo(-45, within(1.0));
         }
     }
 
@@ -124,7 +124,7 @@ class ArrivalTest {
     void aRobotThatIsHeldGivesUpWithTheReason() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.held = true;
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThatThrownBy(() -> stage.bot.move(1000))
                     .isInstanceOf(MotionFailed.class)
                     .hasMessage("told to go on, it has not moved for 3 s after 0 mm");
@@ -136,7 +136,7 @@ class ArrivalTest {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         DoubleUnaryOperator slowly = speed -> Math.signum(speed) * Math.min(20, Math.abs(speed));
         robot.governor = slowly;
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             double seconds = stage.secondsOf(() -> assertThatThrownBy(() -> stage.bot.move(3000))
                     .isInstanceOf(MotionFailed.class)
                     .hasMessageContaining("not there within"));
@@ -147,7 +147,7 @@ class ArrivalTest {
     @Test
     void aGuardActsOnTheReadingThatShowsIt() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
-        try (Stage stage = Stage.connected(robot)) {
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
             double[] atMs = {0};
             stage.bot.move(1000, () -> {
                 boolean beyond = stage.bot.state().pose().xMm() > 60;

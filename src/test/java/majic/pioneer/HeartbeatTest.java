@@ -13,11 +13,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What is sent, and when, while robot or driver have nothing to say. */
+/** What is sent, and when, while the robot reports nothing or the driver has no commands. */
 @Timeout(30)
-class SilenceTest {
+class HeartbeatTest {
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
-    private final Stage stage = Stage.connected(robot);
+    private final PioneerRig stage = PioneerRig.connected(robot);
 
     @AfterEach
     void close() {
@@ -47,7 +47,7 @@ class SilenceTest {
     }
 
     @Test
-    void aRobotThatFallsSilentWhileItMovesHearsOfZeroAndThenNothing() {
+    void aMovingRobotThatStopsReportingIsSentZeroAndThenNothing() {
         long[] silentMs = {0};
         stage.whenBeyond(100, () -> {
             robot.silent = true;
@@ -62,13 +62,13 @@ class SilenceTest {
         assertThat(robot.heardLast("VEL 0", "RVEL 0")).isTrue();
         assertThat(robot.heard).last().isEqualTo("RVEL 0");
         assertThat(robot.heardAt.get(robot.heardAt.size() - 1) - silentMs[0]).isBetween(500L, 620L);
-        // The clock waits for bytes but not for an end, and may go on for a cycle or two until that is seen.
+        // The clock waits for bytes but not for the end of a link, which may be noticed a cycle or two later.
         assertThat(stage.line.endMs - silentMs[0]).isBetween(1000L, 1350L);
         assertThat(stage.line.endedHard).isTrue();
     }
 
     @Test
-    void aDrivenRobotThatFallsSilentIsToldToStandAndNotDrivenOn() {
+    void aDrivenRobotThatStopsReportingIsStoppedAndNotDrivenOn() {
         stage.bot.drive(200, 0);
         stage.line.pass(0.4);
         robot.silent = true;
@@ -93,11 +93,11 @@ class SilenceTest {
 
         assertThat(robot.robot.stands()).isTrue();
         assertThat(stage.bot.isConnected()).isTrue();
-        assertThat(Stage.amount(stage.bot.move(100))).isBetween(90.0, 110.0);
+        assertThat(PioneerRig.amount(stage.bot.move(100))).isBetween(90.0, 110.0);
     }
 
     @Test
-    void aRobotThatStandsIsGivenALittleLonger() {
+    void aStationaryRobotIsGivenMoreTime() {
         robot.silent = true;
         stage.line.pass(2.8);
         assertThat(stage.bot.isConnected()).isTrue();
@@ -129,7 +129,7 @@ class SilenceTest {
     }
 
     @Test
-    void aStopWithoutAnAnswerSaysThatTheLinkIsLostAndNotHowLongItWaited() {
+    void aStopWithoutAnAnswerReportsTheLostLinkAndNotATimeout() {
         stage.bot.drive(200, 0);
         stage.line.pass(0.4);
         robot.silent = true;

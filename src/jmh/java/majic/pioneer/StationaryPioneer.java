@@ -7,16 +7,16 @@ import majic.StandingRobot;
 import majic.pioneer.arcos.Bytes;
 
 /**
- * What a Pioneer says in a benchmark: it answers the handshake, says every 100 ms that it stands with its motors on, and reads
- * whatever else comes without looking at it.
+ * A Pioneer for benchmarks: answers the handshake, reports every 100 ms that it is stationary with its motors on, and
+ * discards all other packets.
  */
-final class StandingPioneer {
+final class StationaryPioneer {
     private static final int SYNC2 = 2;
 
-    private StandingPioneer() {}
+    private StationaryPioneer() {}
 
     static StandingRobot open() throws IOException {
-        return new StandingRobot("pioneer", StandingPioneer::talk);
+        return new StandingRobot("pioneer", StationaryPioneer::talk);
     }
 
     private static void talk(Socket client, StandingRobot robot) throws IOException {
@@ -26,7 +26,7 @@ final class StandingPioneer {
         discard(client.getInputStream());
     }
 
-    /** Echoes the SYNCs; false for a client that says something else, which is only to be read. */
+    /** Echoes the SYNCs; false for a client that sends something else, which is only read. */
     private static boolean shakesHands(Socket client) throws IOException {
         byte[] sync = client.getInputStream().readNBytes(6);
         while (sync.length == 6 && sync[3] < SYNC2 && sync[2] == 3) {

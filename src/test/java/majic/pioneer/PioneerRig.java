@@ -13,22 +13,22 @@ import majic.bot.Settings;
 import org.jspecify.annotations.Nullable;
 
 /** The driver and a scripted robot on one stepped clock, for one test. */
-public final class Stage implements AutoCloseable {
+public final class PioneerRig implements AutoCloseable {
     final ScriptedPioneer robot;
     public final SteppedPeer line;
     public final MajicPioneer bot;
     final List<String> notices = new CopyOnWriteArrayList<>();
 
-    Stage(ScriptedPioneer robot) {
+    PioneerRig(ScriptedPioneer robot) {
         this(robot, robot, 0);
     }
 
-    Stage(ScriptedPioneer robot, int latencyMs) {
+    PioneerRig(ScriptedPioneer robot, int latencyMs) {
         this(robot, robot, latencyMs);
     }
 
-    /** With something else at the other end than the robot itself. */
-    Stage(ScriptedPioneer robot, SteppedPeer.Robot peer, int latencyMs) {
+    /** With another peer than the robot itself. */
+    PioneerRig(ScriptedPioneer robot, SteppedPeer.Robot peer, int latencyMs) {
         this.robot = robot;
         this.line = new SteppedPeer(peer, latencyMs);
         this.bot = new MajicPioneer(line.address(), new BotEnvironment(line.time(), Settings.inMemory()));
@@ -40,18 +40,18 @@ public final class Stage implements AutoCloseable {
         });
     }
 
-    public static Stage connected(ScriptedPioneer robot) {
+    public static PioneerRig connected(ScriptedPioneer robot) {
         return connected(robot, 0);
     }
 
-    static Stage connected(ScriptedPioneer robot, int latencyMs) {
-        Stage stage = new Stage(robot, latencyMs);
+    static PioneerRig connected(ScriptedPioneer robot, int latencyMs) {
+        PioneerRig stage = new PioneerRig(robot, latencyMs);
         stage.bot.connect();
         stage.line.pass(0.01);
         return stage;
     }
 
-    /** Does something once, at the first state that has the robot beyond a point. */
+    /** Runs an action once, at the first state with the robot beyond a point. */
     public void whenBeyond(double mm, Runnable event) {
         bot.addListener(new BotListener() {
             @Override
@@ -64,7 +64,7 @@ public final class Stage implements AutoCloseable {
         });
     }
 
-    /** Lets another thread do something to the end; what it throws, or null. */
+    /** Runs an action on another thread to its end; returns what it throws, or null. */
     @Nullable
     Throwable meanwhile(Consumer<MajicPioneer> deed, Runnable here) {
         AtomicReference<Throwable> thrown = new AtomicReference<>();

@@ -8,14 +8,14 @@ import majic.pioneer.arcos.Packet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What answers at a Pioneer's address and is none. */
+/** Other devices than a Pioneer at its address. */
 @Timeout(30)
-class StrangersTest {
+class ForeignPeerTest {
     private static final byte[] RFC_2217 = {(byte) 0xFF, (byte) 0xFB, 0x2C};
 
     @Test
     void aServerWithAGreetingIsQuoted() {
-        try (Stage stage = facing(text("SSH-2.0-OpenSSH_9.2\r\n"))) {
+        try (PioneerRig stage = facing(text("SSH-2.0-OpenSSH_9.2\r\n"))) {
             assertThatThrownBy(stage.bot::connect)
                     .hasMessageContaining(
                             "not as a Pioneer does; it says \"SSH-2.0-OpenSSH_9.2\"; is it the right port?");
@@ -24,7 +24,7 @@ class StrangersTest {
 
     @Test
     void bytesThatAreNoTextAreAskedForTheSpeed() {
-        try (Stage stage = facing(new byte[] {0x1C, (byte) 0xE0, 0x7F})) {
+        try (PioneerRig stage = facing(new byte[] {0x1C, (byte) 0xE0, 0x7F})) {
             assertThatThrownBy(stage.bot::connect)
                     .hasMessageEndingWith("is it the right port, and its speed the robot's?");
         }
@@ -32,22 +32,22 @@ class StrangersTest {
 
     @Test
     void aTelnetServerIsRefusedAtOnce() {
-        try (Stage stage = facing(RFC_2217)) {
+        try (PioneerRig stage = facing(RFC_2217)) {
             double seconds = stage.secondsOf(
                     () -> assertThatThrownBy(stage.bot::connect).hasMessageContaining("telnet (RFC 2217)"));
             assertThat(seconds).isLessThan(1);
         }
     }
 
-    private static Stage facing(byte[] greeting) {
-        return new Stage(ScriptedPioneer.robot(), new Greeter(greeting), 0);
+    private static PioneerRig facing(byte[] greeting) {
+        return new PioneerRig(ScriptedPioneer.robot(), new Greeter(greeting), 0);
     }
 
     private static byte[] text(String greeting) {
         return greeting.getBytes(StandardCharsets.US_ASCII);
     }
 
-    /** Says one thing to whoever comes. */
+    /** Sends one message to every client. */
     private record Greeter(byte[] greeting) implements SteppedPeer.Robot {
         @Override
         public void connected(SteppedPeer line) {
