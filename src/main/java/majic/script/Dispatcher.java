@@ -103,6 +103,7 @@ final class Dispatcher {
                 && adding.isEmpty()
                 && beside.get() == 0
                 && lines.allEnded()
+                && team.areStopsAnswered()
                 && team.members().stream().noneMatch(Member::isStopping);
     }
 

@@ -295,8 +295,7 @@ final class Execution {
 
     /** Whether a stop is on its way to a robot, or what it ended has not given the robot back yet. */
     static boolean isEnding(Member member) {
-        Owner holder = member.owner();
-        return member.isStopping() || (holder != null && holder.isDismissed());
+        return member.isStopping() || member.hasDismissedOwner();
     }
 
     /** Waits until the orders of some kind that were given before have had their turn. */

@@ -113,6 +113,16 @@ public final class Member implements TeamPlace {
     }
 
     /**
+     * Whether an owner that was ended by a stop has not given the robot back yet.
+     *
+     * @return true from the stop until the robot is given back
+     */
+    public boolean hasDismissedOwner() {
+        Owner holder = owner();
+        return holder != null && holder.isDismissed();
+    }
+
+    /**
      * Whether another order would be accepted.
      *
      * @return false while the queue is full

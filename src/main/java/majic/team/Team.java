@@ -40,6 +40,7 @@ public final class Team implements AutoCloseable {
     private final List<TeamListener> listeners = new CopyOnWriteArrayList<>();
     private final OrderedEvents latchEvents = new OrderedEvents();
     private final StopCount stops = new StopCount();
+    private final StopAnswers stopAnswers;
     private volatile boolean latched;
 
     /**
@@ -60,6 +61,7 @@ public final class Team implements AutoCloseable {
     public Team(TimeSource time, int maxBots) {
         this.time = time;
         this.changes = time.signal();
+        this.stopAnswers = new StopAnswers(changes, this::answer);
         this.roster = new Roster(maxBots);
     }
 
@@ -162,7 +164,8 @@ public final class Team implements AutoCloseable {
      * Stops some robots: ends their motions, empties their queues, ends the acts and scripts that own them. Owners and
      * listeners are called on other threads, once the stops are being written to all links. Returns when they have
      * returned, after {@value #CALLBACK_BOUND_MS} ms at most. Later orders wait until the robot has stopped and the
-     * listeners have returned. Each robot confirms by an answer.
+     * listeners have returned. Each robot is answered: {@code done} when it has confirmed its stop and the owner that was
+     * ended has given it back.
      *
      * @param chosen which robots
      * @param by the script that says so, which is not ended by it; null for a person
@@ -243,6 +246,15 @@ public final class Team implements AutoCloseable {
      */
     public StopCount stops() {
         return stops;
+    }
+
+    /**
+     * Whether every stop that a robot has confirmed was answered.
+     *
+     * @return false while an owner that a stop ended has not given its robot back, for 2.5 s at most
+     */
+    public boolean areStopsAnswered() {
+        return stopAnswers.areGiven();
     }
 
     /**
@@ -368,12 +380,11 @@ public final class Team implements AutoCloseable {
     }
 
     private void confirm(Member member, Runnable confirmation) {
-        String stop = member.number() + " stop: ";
         try {
             confirmation.run();
-            answer(new Answer(member.number(), Answer.Outcome.DONE, stop + "done"));
+            stopAnswers.confirmed(member);
         } catch (RuntimeException | Error e) {
-            answer(new Answer(member.number(), Answer.Outcome.FAILED, stop + "failed: " + e.getMessage()));
+            stopAnswers.failed(member, e.getMessage());
         } finally {
             member.stopEnded();
         }

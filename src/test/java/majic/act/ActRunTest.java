@@ -160,6 +160,7 @@ class ActRunTest implements TeamListener {
         time.sleep(5);
         team.stop(List.of(second), null);
         awaitIdle();
+        team.changes().await(team::areStopsAnswered, Signal.FOR_EVER);
         assertThat(said).contains("1 act: stopped", "2 stop: done");
         assertThat(List.of(first, second)).allMatch(member -> member.owner() == null);
         assertThat(leader.sent()).endsWith("halt");

@@ -110,8 +110,32 @@ class ActEndTest {
         assertThat(owners).containsExactly(Optional.empty());
     }
 
+    /** Two sources stop a robot whose act ends only after it was reported to be slow: the robot is free at each answer. */
     @Test
-    void oneThatIgnoresItsEndIsSaidToBeLeftBehind() throws Exception {
+    void stopIsDoneWhenAnActThatIsSlowToEndHasGivenTheRobotBack() throws Exception {
+        List<Optional<Owner>> ownersAtDone = new CopyOnWriteArrayList<>();
+        List<Optional<String>> refusalsAtDone = new CopyOnWriteArrayList<>();
+        desk.session.addListener(line -> {
+            if (line.text().endsWith("Deaf: is still ending; its robots stand and obey it no more")) {
+                System.setProperty("deaf.hears", "now");
+            } else if (line.text().equals("1 stop: done")) {
+                ownersAtDone.add(Optional.ofNullable(desk.team.member(1).owner()));
+                refusalsAtDone.add(desk.prompt.parseText("1 move 20"));
+            }
+        });
+        startDeaf();
+        desk.prompt.parseText("1 stop");
+        MajicParser socket = MajicParser.remote(desk.session);
+        socket.parseText("1 stop");
+        desk.prompt.awaitAll();
+        socket.awaitAll();
+        desk.session.flush();
+        assertThat(ownersAtDone).containsExactly(Optional.empty(), Optional.empty());
+        assertThat(refusalsAtDone).containsExactly(Optional.empty(), Optional.empty());
+    }
+
+    /** Starts an act that ignores its end, waits until it runs and returns the name of its file. */
+    private String startDeaf() throws Exception {
         CountDownLatch begun = new CountDownLatch(1);
         desk.session.addListener(line -> {
             if (line.text().endsWith("Deaf: deaf")) {
@@ -121,6 +145,12 @@ class ActEndTest {
         String name = deaf();
         desk.prompt.parseText("1 act " + name);
         begun.await();
+        return name;
+    }
+
+    @Test
+    void oneThatIgnoresItsEndIsSaidToBeLeftBehind() throws Exception {
+        String name = startDeaf();
         List<String> said = desk.runPipe("1 act off");
         assertThat(desk.prompt.parseText("1 turn 20")).isEmpty();
         assertThat(said)

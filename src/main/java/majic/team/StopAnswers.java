@@ -1,0 +1,99 @@
+package majic.team;
+
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import majic.time.Signal;
+import majic.time.TimeSource;
+
+/**
+ * Answers stops. {@code done} means that the robot has confirmed the stop and is free: the owner that the stop dismissed
+ * has given it back, so that the next motion is accepted. Thread-safe.
+ */
+final class StopAnswers {
+    /** Longer than an act that does not end keeps its robots, seconds of the system's clock. */
+    private static final double BOUND_S = 2.5;
+
+    private final Signal changes;
+    private final Consumer<Answer> answers;
+    private final AtomicInteger open = new AtomicInteger();
+
+    /**
+     * @param changes raised when a robot was given back
+     * @param answers receives each answer
+     */
+    StopAnswers(Signal changes, Consumer<Answer> answers) {
+        this.changes = changes;
+        this.answers = answers;
+    }
+
+    /** Whether all stops that were confirmed have been answered. */
+    boolean areGiven() {
+        return open.get() == 0;
+    }
+
+    /** Answers a stop that was not confirmed. */
+    void failed(Member member, String reason) {
+        answer(member, Answer.Outcome.FAILED, "failed: " + reason);
+    }
+
+    /**
+     * Answers a confirmed stop: at once if the robot is free, otherwise on another thread as soon as it is, or after
+     * {@value #BOUND_S} s. Returns at once.
+     */
+    void confirmed(Member member) {
+        if (!member.hasDismissedOwner()) {
+            answer(member, Answer.Outcome.DONE, "done");
+            return;
+        }
+        open.incrementAndGet();
+        AtomicBoolean late = new AtomicBoolean();
+        boolean begun = TimeSource.system().begin("stop answer timeout", () -> timeOut(late))
+                && member.time().begin("answering the stop of robot " + member.number(), () -> await(member, late));
+        if (!begun) {
+            close(member);
+        }
+    }
+
+    /** Sleeps on the system's clock, because a stepped clock passes 2 s at once while it waits for an act. */
+    private void timeOut(AtomicBoolean late) {
+        try {
+            TimeSource.system().sleep(BOUND_S);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        late.set(true);
+        changes.raise();
+    }
+
+    private void await(Member member, AtomicBoolean late) {
+        try {
+            changes.await(() -> late.get() || !member.hasDismissedOwner(), Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            close(member);
+        }
+    }
+
+    private void close(Member member) {
+        Owner holder = member.owner();
+        try {
+            if (holder == null || !holder.isDismissed()) {
+                answer(member, Answer.Outcome.DONE, "done");
+            } else {
+                answer(
+                        member,
+                        Answer.Outcome.FAILED,
+                        "stopped, but " + holder.name() + " has not given the robot back");
+            }
+        } finally {
+            open.decrementAndGet();
+            changes.raise();
+        }
+    }
+
+    private void answer(Member member, Answer.Outcome outcome, String how) {
+        answers.accept(new Answer(member.number(), outcome, member.number() + " stop: " + how));
+    }
+}
