@@ -99,8 +99,8 @@ public final class Attendant {
      *
      * @return true when it hears nothing any more
      */
-    public boolean isDeaf() {
-        return robot.isDeaf();
+    public boolean isReceiverBlocked() {
+        return robot.isReceiverBlocked();
     }
 
     /**

@@ -147,8 +147,8 @@ public final class HemissonRobot implements Firmware {
         }
     }
 
-    boolean isDeaf() {
-        return uart.isDeaf() || buffer.isStuck();
+    boolean isReceiverBlocked() {
+        return uart.isReceiverBlocked() || buffer.isStuck();
     }
 
     void powerCycle() {
@@ -203,7 +203,7 @@ public final class HemissonRobot implements Firmware {
         startMode();
         uart.busyFor(BOOT_SECONDS);
         String greeting = interpreter.greeting() + (modes.mode().isInternal() ? INTERNAL_MODE : "");
-        uart.say(listeners, greeting);
+        uart.announce(listeners, greeting);
     }
 
     private void startMode() {

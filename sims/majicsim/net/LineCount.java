@@ -10,6 +10,6 @@ package majicsim.net;
  *     replies to them were counted; bytes that jitter or delay keep on the shelf count when shelved
  * @param written bytes given to the client; counted just before they are written
  * @param open whether the robot's end still takes messages, or keeps some that only lab time will release
- * @param deaf whether the robot's end leaves bytes unread on purpose (ordered fault), so that waiting for them is useless
+ * @param unread whether the robot's end leaves bytes unread on purpose (ordered fault), so that waiting for them is useless
  */
-public record LineCount(String robot, String peer, long consumed, long written, boolean open, boolean deaf) {}
+public record LineCount(String robot, String peer, long consumed, long written, boolean open, boolean unread) {}

@@ -127,7 +127,7 @@ public final class PioneerRobot implements Firmware {
     @Override
     public void connected(Line line) {
         if (session != null && session.isUnderWay()) {
-            if (!session.isAbandoned()) {
+            if (!session.hasTimedOut()) {
                 LOG.log(
                         System.Logger.Level.INFO,
                         "pioneer: {0} is turned away, the serial line is in use",

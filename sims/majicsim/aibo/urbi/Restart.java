@@ -25,15 +25,15 @@ final class Restart {
             ordered = false;
             reloadAtMs = kernel.nowMs() + RELOAD_MS;
             kernel.forget();
-            tellAll("Reset completed.");
+            announceToAll("Reset completed.");
         } else if (kernel.nowMs() >= reloadAtMs) {
             reloadAtMs = Double.POSITIVE_INFINITY;
-            tellAll("Reloading");
+            announceToAll("Reloading");
             kernel.reload();
         }
     }
 
-    private void tellAll(String text) {
+    private void announceToAll(String text) {
         kernel.connections().forEach(each -> each.send(TAG, "*** " + text));
     }
 }

@@ -14,7 +14,7 @@ public enum RunMode {
     DANCE,
     /** A BotStudio program from an EEPROM that is empty: speeds stay 0, whatever is commanded. */
     BOTSTUDIO,
-    /** Any other setting: speeds stay 0, and it looks at its receiver so rarely that a longer command deafens it. */
+    /** Any other setting: speeds stay 0, and it looks at its receiver so rarely that a longer command blocks its receiver. */
     OTHER;
 
     static RunMode of(String switches) {

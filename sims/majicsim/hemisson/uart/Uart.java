@@ -33,9 +33,9 @@ public final class Uart {
     private double takenAt;
     private double freeAt;
     private boolean lookingRarely;
-    private boolean deaf;
+    private boolean receiverBlocked;
 
-    /** Overrun without pacing would deafen a client that sends its next command right after a reply that came too early. */
+    /** Overrun without pacing would cut off a client that sends its next command right after a reply that came too early. */
     public Uart(HemissonOptions options) {
         overrun = options.hasOverrun();
         timed = options.isPaced() || overrun;
@@ -45,7 +45,7 @@ public final class Uart {
     public void arrive(Line from, byte[] bytes) {
         for (byte b : bytes) {
             lastArrival = timed ? Math.max(now, lastArrival) + CHARACTER_SECONDS : now;
-            if (!deaf) {
+            if (!receiverBlocked) {
                 waiting.add(new Arrival(from, (char) (b & 0xFF), lastArrival));
             }
         }
@@ -87,7 +87,7 @@ public final class Uart {
     }
 
     /** Says something to all lines, by itself. */
-    public void say(Collection<Line> lines, String text) {
+    public void announce(Collection<Line> lines, String text) {
         send(lines, Reply.of(text));
     }
 
@@ -101,13 +101,13 @@ public final class Uart {
         outbox.sendUntil(now);
     }
 
-    public boolean isDeaf() {
-        return deaf;
+    public boolean isReceiverBlocked() {
+        return receiverBlocked;
     }
 
     /** Switched off and on. */
     public void powerCycle() {
-        deaf = false;
+        receiverBlocked = false;
         waiting.clear();
         outbox.clear();
         transmitter.reset(now);
@@ -134,7 +134,7 @@ public final class Uart {
             arrivals.next();
         }
         if (isBounded() && arrivals.hasNext() && arrivals.next().seconds() <= until) {
-            deaf = true;
+            receiverBlocked = true;
             while (waiting.size() > RECEIVER_HOLDS) {
                 waiting.removeLast();
             }

@@ -145,8 +145,8 @@ public final class Board {
         boot.step(stepNanos);
         drive.step(seconds);
         joyDrive.step(hasClient);
-        heedStopButton();
-        heedBumpers();
+        applyStopButton();
+        applyBumpers();
         sonar.step(stepNanos);
         devices.step(seconds, effort(), body.turnDegPerSec());
     }
@@ -190,14 +190,14 @@ public final class Board {
         return (int) (stepNanos / 1_000_000);
     }
 
-    private void heedStopButton() {
+    private void applyStopButton() {
         if (drive.isEnabled() && devices.stopButton().holdsMotors()) {
             drive.emergencyStop();
             drive.enable(false);
         }
     }
 
-    private void heedBumpers() {
+    private void applyBumpers() {
         int which = devices.settings().get(Setting.BUMPSTALL);
         if (bumpers.stall(which, drive.plannedMmPerSec())) {
             drive.bumped();

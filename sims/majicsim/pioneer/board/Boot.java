@@ -4,14 +4,14 @@ package majicsim.pioneer.board;
 final class Boot {
     private static final long RESTART_NANOS = 1_000_000_000L;
 
-    private long deafNanos;
+    private long restartNanos;
     private boolean maintenance;
     private long upNanos;
 
     /** RESET, or the button for it. */
     void restart() {
         maintenance = false;
-        deafNanos = RESTART_NANOS;
+        restartNanos = RESTART_NANOS;
         upNanos = 0;
     }
 
@@ -21,12 +21,12 @@ final class Boot {
     }
 
     void step(long nanos) {
-        deafNanos = Math.max(0, deafNanos - nanos);
+        restartNanos = Math.max(0, restartNanos - nanos);
         upNanos += nanos;
     }
 
     boolean isListening() {
-        return deafNanos == 0 && !maintenance;
+        return restartNanos == 0 && !maintenance;
     }
 
     /** The controller's clock: microseconds since it started, in 32 bits. */

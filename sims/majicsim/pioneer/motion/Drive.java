@@ -214,12 +214,12 @@ public final class Drive {
         withoutError = withoutError.driven(way * error.way(), turn * error.turn());
         holdChannels();
         replan();
-        if (plannedMmPerSec == 0 && plannedDegPerSec == 0 && (!stall.isPausing() || isAskedToRest())) {
+        if (plannedMmPerSec == 0 && plannedDegPerSec == 0 && (!stall.isPausing() || isCommandedToStop())) {
             stall.rests();
         }
     }
 
-    private boolean isAskedToRest() {
+    private boolean isCommandedToStop() {
         return translation.goal().equals(Goal.STOP) && rotation.goal().equals(Goal.STOP);
     }
 

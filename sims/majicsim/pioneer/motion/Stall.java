@@ -10,14 +10,14 @@ public final class Stall {
     private static final double AWAY = 2;
 
     private boolean stalled;
-    private boolean untold;
+    private boolean unreported;
     private double cameAway;
     private double pauseSeconds;
 
     /** Met something; the motors are to rest for so long. */
     void pushed(double newPauseSeconds) {
         stalled = true;
-        untold = true;
+        unreported = true;
         cameAway = 0;
         pauseSeconds = newPauseSeconds;
     }
@@ -46,8 +46,8 @@ public final class Stall {
 
     /** For the SIP: whether it is stalled, or was since this was last asked. */
     public boolean report() {
-        boolean report = stalled || untold;
-        untold = false;
+        boolean report = stalled || unreported;
+        unreported = false;
         return report;
     }
 }

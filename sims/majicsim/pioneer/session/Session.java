@@ -90,8 +90,8 @@ public final class Session {
     }
 
     /** Whether nobody has been heard for so long that the watchdog has stopped the robot. */
-    public boolean isAbandoned() {
-        return watchdog.hasBarked();
+    public boolean hasTimedOut() {
+        return watchdog.hasExpired();
     }
 
     public void received(byte[] bytes) {
@@ -180,7 +180,7 @@ public final class Session {
             greet(greeting);
             return;
         }
-        if (watchdog.pat()) {
+        if (watchdog.reset()) {
             drive().hold(false);
         }
         Argument argument = new Argument(packet.data());

@@ -78,10 +78,10 @@ public final class Quietness implements BooleanSupplier {
                 return false;
             }
         }
-        return left.values().stream().noneMatch(line -> met.contains(Ends.of(line)) && line.open() && !line.deaf());
+        return left.values().stream().noneMatch(line -> met.contains(Ends.of(line)) && line.open() && !line.unread());
     }
 
     private static boolean agree(Traffic link, LineCount line) {
-        return line.open() && link.consumed() == line.written() && (line.deaf() || line.consumed() == link.written());
+        return line.open() && link.consumed() == line.written() && (line.unread() || line.consumed() == link.written());
     }
 }

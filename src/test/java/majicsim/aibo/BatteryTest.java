@@ -21,7 +21,7 @@ class BatteryTest {
     }
 
     @Test
-    void aDeadDogHangsUpAndANewBatteryWakesIt() {
+    void aDogWithoutPowerClosesConnectionsAndANewBatteryRestartsIt() {
         bench.dog().keeper().changeBattery(0);
         Bench.Client late = bench.client();
         assertThat(late.isOpen()).isFalse();

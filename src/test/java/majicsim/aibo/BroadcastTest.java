@@ -68,7 +68,7 @@ class BroadcastTest {
     }
 
     @Test
-    void withoutFlagsNothingIsTold() {
+    void withoutFlagsNothingIsReported() {
         assertThat(client.ask("motors on; ledF = 1; t: head = 5; legs->blend = mix;"))
                 .isEmpty();
     }

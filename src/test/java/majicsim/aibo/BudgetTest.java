@@ -57,7 +57,7 @@ class BudgetTest {
     }
 
     @Test
-    void whoDoesNotReadLosesWholeMessagesAndIsToldSo() {
+    void aClientThatDoesNotReadLosesWholeMessagesAndGetsAWarning() {
         client.ask("s = \"0123456789\"; for (i = 0; i < 12; i++) s = s + s;", 1000);
         client.say("s;".repeat(100));
         List<String> kept = client.take();

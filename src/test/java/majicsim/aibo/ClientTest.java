@@ -47,7 +47,7 @@ class ClientTest {
     }
 
     @Test
-    void oneClientsWaitHoldsBackNobodyElse() {
+    void oneClientsWaitDelaysNoOther() {
         client.say("wait(3s); echo \"queued behind wait\";");
 
         assertThat(other.ask("echo \"B not blocked\";")).containsExactly("[notag] *** B not blocked");
@@ -64,7 +64,7 @@ class ClientTest {
     }
 
     @Test
-    void quitClosesTheLineAfterWhatWasSaidBefore() {
+    void quitClosesTheLineAfterWhatWasSentBefore() {
         assertThat(client.ask("1; quit; 2;")).containsExactly("[notag] 1.000000");
 
         assertThat(client.isOpen()).isFalse();
@@ -72,7 +72,7 @@ class ClientTest {
     }
 
     @Test
-    void whatADeadConnectionLeftRunningIsGone() {
+    void whatAClosedConnectionLeftRunningIsGone() {
         client.say("motors on; at (headPan.val > 10) { headPan.val = 0 },");
         client.hangUp();
 

@@ -69,7 +69,7 @@ class JointTest {
 
     @ParameterizedTest
     @CsvSource({"time:500, 500", "speed:60, 500", "smooth:400, 400", "time:0, 0"})
-    void aModifierSaysHowLongItTakes(String modifier, int ms) {
+    void aModifierSetsHowLongItTakes(String modifier, int ms) {
         client.ask("motors on;");
         client.say("m+end: headPan = 30 " + modifier + ";");
 
@@ -128,7 +128,7 @@ class JointTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"earL", "ledHC", "ledHW", "modeR", "modeG", "modeB", "ledWIFI"})
-    void whatKnowsOnlyOnAndOffIsOnFromOneHalf(String name) {
+    void onOffDevicesAreOnFromOneHalf(String name) {
         assertThat(client.ask("n = 0.3; n; %1$s = 0.5; %1$s; %1$s = 0.4; %1$s;".formatted(name)))
                 .containsExactly("[notag] 0.300000", "[notag] 1.000000", "[notag] 0.000000");
     }

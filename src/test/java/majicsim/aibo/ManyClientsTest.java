@@ -97,7 +97,7 @@ class ManyClientsTest {
     }
 
     @Test
-    void whoHasSaidAllIsStillAnsweredAndThenHungUpOn() throws IOException {
+    void aHalfClosedClientIsStillAnsweredAndThenClosed() throws IOException {
         try (UrbiClient client = connect();
                 UrbiClient other = connect()) {
             client.send("a: 1;");
@@ -111,18 +111,18 @@ class ManyClientsTest {
     }
 
     @Test
-    void whoStopsReadingHoldsUpNobodyAndIsToldWhatItMissed() throws IOException {
-        try (UrbiClient deaf = connect();
+    void aClientThatStopsReadingDelaysNoOtherAndGetsAWarning() throws IOException {
+        try (UrbiClient silent = connect();
                 UrbiClient other = connect()) {
-            deaf.send("go: 1; s = \"0123456789\"; for (i = 0; i < 13; i++) s = s + s; f: loop s,");
-            deaf.await("go");
+            silent.send("go: 1; s = \"0123456789\"; for (i = 0; i < 13; i++) s = s + s; f: loop s,");
+            silent.await("go");
             run(20_000);
             other.send("a: 1;");
             assertThat(other.await("a")).isEqualTo("1.000000");
 
             other.send("stop f;");
 
-            assertThat(deaf.awaitAmong("error", () -> deaf.send("1;"))).isEqualTo("!!! Send buffer full");
+            assertThat(silent.awaitAmong("error", () -> silent.send("1;"))).isEqualTo("!!! Send buffer full");
         }
     }
 

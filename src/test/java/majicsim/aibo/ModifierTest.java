@@ -11,7 +11,7 @@ class ModifierTest {
     private final Bench.Client client = bench.client();
 
     @Test
-    void anOscillationTellsItsPhase() {
+    void anOscillationReportsItsPhase() {
         client.say("x = 0; s: x = 0 sin:1s ampli:1 getphase:ph,");
 
         double phase = value(client.ask("ph;", 0));
@@ -91,7 +91,7 @@ class ModifierTest {
     }
 
     @Test
-    void theFlagErrorTellsOfLimitsThatAreHeldTo() {
+    void theFlagErrorReportsEnforcedLimits() {
         client.say("x = 0; x->speedmin = 20; y = 0; y->speedmax = 20;");
 
         assertThat(client.ask("t+error: x = 10 time:5s; u+error: y = 10 time:100; x = 0 time:5s;", 2000))

@@ -43,7 +43,7 @@ class ObjectTest {
     }
 
     @Test
-    void aClassThatIsNotKnownIsAnError() {
+    void anUnknownClassIsAnError() {
         assertThat(client.ask("c = new Nothing;")).containsExactly("[notag] !!! Unkown object Nothing");
         assertThat(client.ask("class C; c = new C; c = new C;"))
                 .containsExactly("[notag] !!! c has already inherited from C");

@@ -61,7 +61,7 @@ class SensorTest {
 
     @ParameterizedTest
     @CsvSource({"90, side, 0.000000, -9.806650, 0.000000", "180, back, 0.000000, 0.000000, 9.806650"})
-    void aDogThatIsTurnedOverKnowsIt(double roll, String guess, String x, String y, String z) {
+    void aDogThatIsTurnedOverReportsIt(double roll, String guess, String x, String y, String z) {
         bench.dog().keeper().roll(roll);
 
         assertThat(client.ask("robot.MyguessPosition(); accelX.val; accelY.val; accelZ.val;"))

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(value = 20, unit = TimeUnit.SECONDS)
 class SocketTest {
     @Test
-    void aClientOnARealSocketIsGreetedAnsweredAndToldTheEnd() throws IOException {
+    void aClientOnARealSocketIsGreetedAnsweredAndSentTheEnd() throws IOException {
         Bench bench = Bench.exact();
         ReentrantLock lock = new ReentrantLock();
         Wiring wiring = new Wiring(lock, bench.dog(), new Faults(Noise.exact()));

@@ -65,7 +65,7 @@ class SoundTest {
     }
 
     @Test
-    void whoConnectsHearsAChimeAndLightsALamp() {
+    void aConnectionSoundsAChimeAndLightsALamp() {
         assertThat(last().what()).isEqualTo("client.wav");
         assertThat(client.ask("modeB.val;")).containsExactly("[notag] 1.000000");
     }
@@ -81,14 +81,14 @@ class SoundTest {
     }
 
     @Test
-    void itHearsItsOwnSpeaker() {
+    void itsMicrophonesRecordItsOwnSpeaker() {
         client.ask("speaker.play(\"test.wav\");", 700);
 
         assertThat(loudness()).isGreaterThan(5000);
     }
 
     @Test
-    void itHearsItselfWalkAndAWhistleBesideIt() {
+    void itsMicrophonesRecordItsWalkAndAWhistleBesideIt() {
         client.ask("motors on; robot.stand(); robot.walk(1000),", 3600);
         double walking = loudness();
         bench.run(1500);

@@ -60,7 +60,7 @@ class TranscriptTest {
                 "a.b.c: 1; ~ [error] !!! 19.4: syntax error, unexpected ., expecting end of command",
                 "q: echo \"a\\\"b\"; ~ [q] *** a\"b"
             })
-    void answersOneLineAsTheSheetSays(String sent, String received) {
+    void answersOneLineAsInTheSheet(String sent, String received) {
         assertThat(Bench.exact().client().ask(sent).stream().map(Transcript::plain))
                 .containsExactly(received);
     }

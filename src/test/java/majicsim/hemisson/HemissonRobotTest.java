@@ -31,7 +31,7 @@ class HemissonRobotTest {
 
     @ParameterizedTest
     @CsvSource({"1,3", "2,18", "5,86", "9,184", "-5,-86"})
-    void oneSecondCoversWhatTheTableSays(int value, double mm) throws IOException {
+    void oneSecondCoversTheDistanceOfTheTable(int value, double mm) throws IOException {
         try (Bench bench = new Bench(HemissonOptions.standard());
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             wire.exchange("D," + value + "," + value, "d");
@@ -79,7 +79,7 @@ class HemissonRobotTest {
     }
 
     @Test
-    void aBlockedRobotStillSaysWhatItWasTold() throws IOException {
+    void aBlockedRobotStillReportsItsCommandedSpeed() throws IOException {
         try (Bench bench = new Bench(HemissonOptions.standard());
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             bench.robot.body().place(new Pose(4435, 0, 0));
@@ -92,7 +92,7 @@ class HemissonRobotTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"E\rE\rE\r", "E\rD,1,2\r", "B\rj\rN\rO\r"})
-    void withOverrunAThirdWaitingCharacterDeafensAndTheRobotDrivesOn(String burst) throws IOException {
+    void withOverrunAThirdWaitingCharacterBlocksTheReceiverAndTheRobotDrivesOn(String burst) throws IOException {
         try (Bench bench = new Bench(OVERRUN);
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             wire.send("D,5,5\r");
@@ -102,7 +102,7 @@ class HemissonRobotTest {
             wire.send(burst);
             bench.awaitConsumed(6 + burst.length());
             bench.steps(250);
-            assertThat(bench.robot.isDeaf()).isTrue();
+            assertThat(bench.robot.isReceiverBlocked()).isTrue();
             assertThat(bench.robot.body().pose().xMm()).isGreaterThan(START.xMm() + 80);
         }
     }

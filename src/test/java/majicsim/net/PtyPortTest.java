@@ -69,7 +69,7 @@ class PtyPortTest {
     }
 
     @Test
-    void whatNobodyReadsIsLostAndHoldsUpNobody() throws IOException {
+    void unreadBytesAreLostAndDelayNoOther() throws IOException {
         exchange("a", 5);
         for (int i = 0; i < 100; i++) {
             firmware.last().send(new byte[1000]);

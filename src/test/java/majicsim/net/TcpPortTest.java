@@ -80,7 +80,7 @@ class TcpPortTest {
     }
 
     @Test
-    void aFirmwareHangsUpAfterItsLastWord() throws Exception {
+    void aFirmwareClosesTheLineAfterItsLastMessage() throws Exception {
         try (Client client = new Client(port.address())) {
             client.send("bye");
             assertThat(client.readAll()).isEqualTo("hi[bye]");
@@ -95,7 +95,7 @@ class TcpPortTest {
     }
 
     @Test
-    void aClientThatNeverReadsHoldsUpNobody() throws Exception {
+    void aClientThatNeverReadsDelaysNoOther() throws Exception {
         byte[] flood = new byte[64 * 1024];
         try (Client client = new Client(port.address())) {
             client.send("x");
@@ -143,7 +143,7 @@ class TcpPortTest {
             faults.outage(2);
             client.send("late");
             step(1999 * MS);
-            assertThat(port.lines().get(0).deaf()).isTrue();
+            assertThat(port.lines().get(0).unread()).isTrue();
             assertThat(client.available()).isZero();
             step(2000 * MS);
             assertThat(client.read(6)).isEqualTo("[late]");
@@ -156,7 +156,7 @@ class TcpPortTest {
             client.read(2);
             awaitCount(new LineCount(port.address(), client.key(), 0, 2, true, false));
             faults.stopReading();
-            assertThat(port.lines()).extracting(LineCount::deaf).containsExactly(true);
+            assertThat(port.lines()).extracting(LineCount::unread).containsExactly(true);
             client.send("unread");
             faults.none();
             assertThat(client.read(8)).isEqualTo("[unread]");

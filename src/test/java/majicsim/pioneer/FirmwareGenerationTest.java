@@ -22,7 +22,7 @@ class FirmwareGenerationTest {
     }
 
     @Test
-    void theNewestTellsAllItsFields() {
+    void theNewestReportsAllItsFields() {
         ConfigView config = Rig.open(Rig.EQUIPPED).command(48, 50).config();
         assertThat(config.numbers()).containsAllEntriesOf(Map.of("GRIPPER", 1, "FRONTSONAR", 1, "REARSONAR", 1));
         assertThat(config.numbers()).containsAllEntriesOf(Map.of("LOWBATTERY", 115, "TICKSMM", 128, "SONARCYCLE", 50));
@@ -33,7 +33,7 @@ class FirmwareGenerationTest {
 
     @ParameterizedTest
     @MethodSource("majicsim.pioneer.PioneerRobot#models")
-    void everyModelsConfigTellsItsOwnSubclassAndSonar(String model) {
+    void everyModelsConfigReportsItsOwnSubclassAndSonar(String model) {
         ConfigView config = Rig.open(model).config();
         assertThat(config.texts()).containsEntry("SUBCLASS", model);
         boolean anyDisc = !PioneerModel.of(model).sonars().isEmpty();
@@ -51,7 +51,7 @@ class FirmwareGenerationTest {
     }
 
     @Test
-    void anOlderOneKnowsNeitherTemperatureNorCharge() {
+    void anOlderOneReportsNeitherTemperatureNorCharge() {
         SipView sip = Rig.open("p3dx").nextSip();
         assertThat(sip.celsius()).isEqualTo(-127);
         assertThat(sip.chargePercent()).isZero();

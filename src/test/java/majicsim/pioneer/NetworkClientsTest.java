@@ -61,7 +61,7 @@ class NetworkClientsTest {
     }
 
     @Test
-    void aClientThatNeverSpeaksMakesRoomForTheNextAfterTenSeconds() throws IOException {
+    void aClientThatNeverSendsMakesRoomForTheNextAfterTenSeconds() throws IOException {
         StandClient silent = stand.tcpClient();
         stand.step(9.9);
         assertThat(stand.secondClient().read(1)).isEmpty();

@@ -14,7 +14,7 @@ class RestartTest {
     private final Rig rig = Rig.ready();
 
     @Test
-    void resetTellsTheClientAndForgetsIt() {
+    void resetNotifiesTheClientAndForgetsIt() {
         rig.line.take();
         rig.command(RESET, 0);
         assertThat(rig.line.take()).singleElement().isEqualTo(Hex.bytes("FA FB 03 FE 00 FE"));
@@ -65,7 +65,7 @@ class RestartTest {
     }
 
     @Test
-    void theButtonWorksWithNobodyConnected() {
+    void theButtonWorksWithoutAClient() {
         rig.robot.disconnected(rig.line);
         rig.robot.bystander().pressReset();
         rig.step(1.1).robot.connected(rig.line);

@@ -37,7 +37,7 @@ class ServerChecklistTest {
 
     @ParameterizedTest
     @MethodSource("majicsim.pioneer.PioneerRobot#models")
-    void namesASubclassThatTheVendorsClientKnows(String model) {
+    void namesASubclassThatTheVendorsClientSupports(String model) {
         Rig rig = rig(model).command(0).command(1).command(2);
         assertThat(text(rig.line.take().get(2))).endsWith("\0" + model + "\0");
     }
@@ -62,7 +62,7 @@ class ServerChecklistTest {
 
     @ParameterizedTest
     @MethodSource("majicsim.pioneer.PioneerRobot#models")
-    void scalesPositionsAsTheSubclassWantsThem(String model) {
+    void scalesPositionsByTheSubclass(String model) {
         Rig rig = rig(model)
                 .shakeHands()
                 .command(ENABLE, 1)

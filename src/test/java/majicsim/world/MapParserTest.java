@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class MapParserTest {
     @Test
-    void readsWallsHomesAndBoxesAndSkipsWhatItDoesNotKnow() throws IOException {
+    void readsWallsHomesAndBoxesAndSkipsUnknownLines() throws IOException {
         Room room = parse("""
                 2D-Map
                 MapInfo: GoalType "Name=Goal"

@@ -16,7 +16,7 @@ class WorldMotionTest {
     private final World world = new World(Rooms.square(2000));
 
     @Test
-    void aBodyThatDrivesFreelyGoesExactlyAsFarAsItWants() {
+    void aBodyThatDrivesFreelyMovesByItsSetVelocityExactly() {
         Body body = add(Body.disc("disc", 60, new Pose(0, 0, 90)));
         body.velocity(250, 0);
         steps(1000);
@@ -26,7 +26,7 @@ class WorldMotionTest {
     }
 
     @Test
-    void anArcEndsWhereItsCircleSays() {
+    void anArcEndsOnItsCircle() {
         Body body = add(Body.disc("disc", 60, new Pose(0, 0, 0)));
         body.velocity(500 * Math.PI / 4, 45);
         steps(500);
@@ -94,7 +94,7 @@ class WorldMotionTest {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
-    void whateverBodiesWantTheyNeverStandInAWallOrInEachOther(long seed) {
+    void bodiesNeverStandInAWallOrInEachOther(long seed) {
         Random random = new Random(seed);
         World cage = new World(Room.standard());
         List<Body> bodies = List.of(

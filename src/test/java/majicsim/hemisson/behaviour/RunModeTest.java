@@ -56,12 +56,12 @@ class RunModeTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"0101", "0000", "1100"})
-    void anyOtherSettingAnswersTwoCharactersAndIsDeafenedByMore(String switches) {
+    void anyOtherSettingAnswersTwoCharactersAndIsBlockedByMore(String switches) {
         Desk desk = desk(switches);
         assertThat(desk.ask("I")).startsWith("i,");
         assertThat(desk.ask("E")).isEqualTo("e,00,00");
         assertThat(desk.ask("D,5,5")).isEmpty();
-        assertThat(desk.robot.attendant().isDeaf()).isTrue();
+        assertThat(desk.robot.attendant().isReceiverBlocked()).isTrue();
         assertThat(desk.ask("I")).isEmpty();
     }
 

@@ -26,7 +26,7 @@ class CommandBufferTest {
     void aLineOf79CharactersWorksAndOneOf80IsTheLast() {
         assertThat(desk.say("B" + "x".repeat(77) + "␍")).isEqualTo("b,HemiOS_v_1.50␍␊");
         assertThat(desk.say("B" + "x".repeat(78) + "␍B␍")).isEmpty();
-        assertThat(desk.robot.attendant().isDeaf()).isTrue();
+        assertThat(desk.robot.attendant().isReceiverBlocked()).isTrue();
     }
 
     @Test

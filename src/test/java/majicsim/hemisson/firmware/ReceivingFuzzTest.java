@@ -48,7 +48,7 @@ class ReceivingFuzzTest {
     }
 
     @FuzzTest
-    void theOtherDialectRefusesWhatItDoesNotKnowAndLivesOn(byte[] wire) {
+    void theOtherDialectRefusesUnknownCommandsAndWorksOn(byte[] wire) {
         Desk desk = new Desk(FITTED.withDialect(Dialect.ROADNARROWS));
         assertAnswersWhenSwitchedOn(desk, wire, "b,HemiOS_v_1.50-RNe");
     }

@@ -57,12 +57,12 @@ class RoadNarrowsTest {
                 "A,T,G,3 | a,T,G,3",
                 "A,T,S,  | <E15: bad length>",
             })
-    void answersAsTheSheetSays(String sent, String received) {
+    void answersAsInTheSheet(String sent, String received) {
         assertThat(desk.ask(sent)).isEqualTo(received);
     }
 
     @Test
-    void speedsAreToldAsTheyAre() {
+    void speedsAreReportedUnscaled() {
         assertThat(desk.ask("D,-9,3") + desk.ask("E")).isEqualTo("d,-9,3e,-9,3");
     }
 
@@ -87,7 +87,7 @@ class RoadNarrowsTest {
     }
 
     @Test
-    void whatIsSetCanBeAsked() {
+    void whatIsSetCanBeRead() {
         desk.ask("A,L,E,05");
         desk.ask("A,L,T,60");
         assertThat(desk.ask("A,L,F") + desk.ask("A,L,U")).isEqualTo("a,L,F,05a,L,U,60");
@@ -105,7 +105,7 @@ class RoadNarrowsTest {
     }
 
     @Test
-    void aTextIsSpokenAndABusyVoiceSaysSo() {
+    void aTextIsSpokenAndABusyVoiceReportsIt() {
         String text = "yes, this is a text of seventy-two characters, as long as it may get !!";
         assertThat(desk.ask("A,T,S," + text)).isEqualTo("a,T,S," + text);
         assertThat(desk.ask("A,T,Q")).isEqualTo("a,T,Q,1");

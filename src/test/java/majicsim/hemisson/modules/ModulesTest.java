@@ -67,7 +67,7 @@ class ModulesTest {
     }
 
     @Test
-    void aPingTellsInchesAndMicrosecondsTooAndItsRangeCanBeCut() {
+    void aPingReportsInchesAndMicrosecondsTooAndItsRangeCanBeCut() {
         desk.robot.body().place(new Pose(2000, 2000, 0));
         assertThat(ping("50")).isEqualTo("r,000,035");
         assertThat(ping("52")).isEqualTo("r,020,128");

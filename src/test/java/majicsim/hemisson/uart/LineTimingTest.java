@@ -41,7 +41,7 @@ class LineTimingTest {
                 "R,C0,10,66 | 37",
                 "Z | 14",
             })
-    void theEndOfAReplyComesWhenTheSheetSays(String command, double ms) {
+    void theEndOfAReplyComesAtTheTimeInTheSheet(String command, double ms) {
         assertThat(endOfReplyMs(new Desk(CAMERA), command)).isCloseTo(ms, within(Math.max(0.06, ms * 0.02)));
     }
 
@@ -71,14 +71,14 @@ class LineTimingTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"E␍E␍E␍", "E␍D,1,2␍", "B␍j␍N␍O␍", "N␍D,0,0␍"})
-    void aThirdCharacterThatWaitsDeafensForGoodAndTheWheelsTurnOn(String burst) {
+    void aThirdCharacterThatWaitsBlocksTheReceiverForGoodAndTheWheelsTurnOn(String burst) {
         Desk desk = new Desk(TRUE_RECEIVER);
         desk.ask("D,5,5");
 
         desk.say(burst);
         desk.after(1);
 
-        assertThat(desk.robot.attendant().isDeaf()).isTrue();
+        assertThat(desk.robot.attendant().isReceiverBlocked()).isTrue();
         assertThat(desk.robot.body().pose().xMm()).isGreaterThan(Desk.START.xMm() + 85);
         assertThat(desk.ask("B")).isEmpty();
     }
@@ -108,7 +108,7 @@ class LineTimingTest {
         desk.say(burst);
         String letters = burst.toLowerCase(Locale.ROOT).replaceAll("[^dh]", "").replaceAll(".", "$0␍␊");
         assertThat(desk.after(0.02)).isEqualTo(letters);
-        assertThat(desk.robot.attendant().isDeaf()).isFalse();
+        assertThat(desk.robot.attendant().isReceiverBlocked()).isFalse();
     }
 
     @ParameterizedTest
@@ -117,7 +117,7 @@ class LineTimingTest {
         Desk desk = new Desk(TRUE_RECEIVER);
         desk.say(burst);
         desk.after(0.1);
-        assertThat(desk.robot.attendant().isDeaf()).isTrue();
+        assertThat(desk.robot.attendant().isReceiverBlocked()).isTrue();
     }
 
     @Test
@@ -147,7 +147,7 @@ class LineTimingTest {
     }
 
     @Test
-    void oneQuestionAfterTheOtherNeverDeafens() {
+    void oneQuestionAfterTheOtherNeverBlocksTheReceiver() {
         Desk desk = new Desk(TRUE_RECEIVER);
         for (int i = 0; i < 1500; i++) {
             assertThat(desk.ask("D,3,-3") + desk.ask("E")).isEqualTo("de,03,-3");
@@ -155,7 +155,7 @@ class LineTimingTest {
     }
 
     @Test
-    void whatComesWhileItStartsDeafensTheTrueReceiverAndWaitsForTheForgivingOne() {
+    void whatComesWhileItStartsBlocksTheTrueReceiverAndWaitsForTheForgivingOne() {
         Desk hard = new Desk(TRUE_RECEIVER);
         Desk kind = new Desk(HemissonOptions.standard());
 
@@ -165,7 +165,7 @@ class LineTimingTest {
         kind.say("Z␍E␍E␍");
         hard.after(0.02);
 
-        assertThat(hard.robot.attendant().isDeaf()).isTrue();
+        assertThat(hard.robot.attendant().isReceiverBlocked()).isTrue();
         assertThat(kind.after(0.02)).endsWith("␍␊␍␊e,00,00␍␊e,00,00␍␊");
     }
 

@@ -37,7 +37,7 @@ class BatteryTest {
     }
 
     @Test
-    void aPretendedVoltageStaysUntilTheRealOneIsAskedForAgain() {
+    void aPretendedVoltageStaysUntilTheRealOneIsRequestedAgain() {
         rig.command(BATTEST, 117).command(2, 1).reconnect().shakeHands();
         SipView sip = rig.nextSip();
         assertThat(sip.battery()).isEqualTo(117);
@@ -81,7 +81,7 @@ class BatteryTest {
     }
 
     @Test
-    void aModelWithoutDockingMechanismKnowsNothingOfThePlug() {
+    void aModelWithoutDockingMechanismDoesNotReportThePlug() {
         Rig bare = Rig.open();
         bare.robot.bystander().plugCharger(true);
         SipView sip = bare.nextSip();

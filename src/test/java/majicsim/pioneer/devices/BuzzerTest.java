@@ -44,7 +44,7 @@ class BuzzerTest {
     }
 
     @Test
-    void mutedNothingIsHeardUntilTheSoundIsOnAgain() {
+    void mutedNothingSoundsUntilTheSoundIsOnAgain() {
         rig.command(SOUNDTOG, 0).text(SAY, (byte) 25, A4);
         assertThat(bystander.soundingHertz()).isZero();
         assertThat(rig.step(1).robot.bystander().played()).isEmpty();

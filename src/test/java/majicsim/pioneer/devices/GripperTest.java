@@ -76,13 +76,13 @@ class GripperTest {
     }
 
     @Test
-    void thePacketTellsTypeSwitchesAndGraspTime() {
+    void thePacketReportsTypeSwitchesAndGraspTime() {
         rig.command(GRIPPER, 16).command(GRIPPERVAL, 10);
         assertThat(packet()).startsWith(0xFA, 0xFB, 6, 0xE0, 2, 0b11, 10);
     }
 
     @Test
-    void aRobotWithoutGripperSaysSo() {
+    void aRobotWithoutGripperReportsNone() {
         Rig bare = Rig.open().command(GRIPPER, 1).command(GRIPREQUEST, 1);
         assertThat(bare.packets(0xE0, 0.1))
                 .singleElement()
@@ -92,7 +92,7 @@ class GripperTest {
     }
 
     @Test
-    void itIsAskedForOnceOrEveryCycle() {
+    void itIsRequestedOnceOrEveryCycle() {
         assertThat(rig.command(GRIPREQUEST, 1).packets(0xE0, 0.5)).hasSize(1);
         assertThat(rig.command(GRIPREQUEST, 2).packets(0xE0, 0.5)).hasSize(5);
         assertThat(rig.command(GRIPREQUEST, 0).packets(0xE0, 0.5)).isEmpty();

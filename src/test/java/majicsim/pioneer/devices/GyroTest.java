@@ -22,7 +22,7 @@ class GyroTest {
     }
 
     @Test
-    void turningAsFastAsTheScaleSaysShowsInEverySample() {
+    void turningAsFastAsTheScaleShowsInEverySample() {
         Rig rig = Rig.ready(Rig.EQUIPPED).command(GYRO, 1).command(RVEL, 65).pulse(2);
         assertThat(rates(rig)).containsOnly(512 + 40);
         assertThat(rates(rig.command(RVEL, -65).pulse(4))).containsOnly(512 - 40);

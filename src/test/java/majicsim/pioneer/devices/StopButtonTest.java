@@ -50,7 +50,7 @@ class StopButtonTest {
     }
 
     @Test
-    void withEStallOffItIsShownAndNotHeeded() {
+    void withEStallOffItIsShownAndHasNoEffect() {
         rig.command(E_STALL, 0);
         bystander.pressStop(true);
         SipView sip = rig.nextSip();

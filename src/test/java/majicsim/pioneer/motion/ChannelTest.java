@@ -81,7 +81,7 @@ class ChannelTest {
     }
 
     @Test
-    void aHeldChannelStopsAndGoesOnWhereItWanted() {
+    void aHeldChannelStopsAndContinuesToItsSetPoint() {
         channel.aim(new Goal.Position(1000));
         run(1);
         channel.hold(true);
@@ -94,7 +94,7 @@ class ChannelTest {
     }
 
     @Test
-    void anEmergencyStopEndsWithinOneCycleAndHearsNothingMeanwhile() {
+    void anEmergencyStopEndsWithinOneCycleAndIgnoresCommandsMeanwhile() {
         channel.aim(new Goal.Speed(500));
         run(3);
         channel.emergencyStop();

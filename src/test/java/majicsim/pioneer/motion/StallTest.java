@@ -50,7 +50,7 @@ class StallTest {
     }
 
     @Test
-    void aStallBetweenTwoSipsIsStillTold() {
+    void aStallBetweenTwoSipsIsStillReported() {
         Rig rig = facingTheWall("p3dx-sh").command(VEL, 300);
         while (!rig.body().blocked()) {
             rig.command(0, 0).step(Rig.STEP_SECONDS);
@@ -77,7 +77,7 @@ class StallTest {
     }
 
     @Test
-    void bumpersTellWhereItTouches() {
+    void bumpersReportWhereItTouches() {
         Rig rig = facingTheWall("peoplebot-sh").command(VEL, 300).pulse(4);
         assertThat(rig.nextSip().frontBumpers()).isNotZero();
         assertThat(rig.nextSip().rearBumpers()).isZero();

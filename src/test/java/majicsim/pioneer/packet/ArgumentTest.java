@@ -22,7 +22,7 @@ class ArgumentTest {
 
     @ParameterizedTest
     @CsvSource({"2B 02 68 69, hi", "2B 02 68 69 00, hi", "2B 09 68 69, hi", "2B, ''", "'', ''"})
-    void aStringEndsWhereItsLengthSaysOrThePacketEnds(String hex, String text) {
+    void aStringEndsByItsLengthOrWithThePacket(String hex, String text) {
         assertThat(argument(hex).text()).isEqualTo(text);
     }
 

@@ -34,7 +34,7 @@ class SonarTest {
     }
 
     @Test
-    void switchedOffItIsSilentAndTheFlagsSaySo() {
+    void switchedOffItIsSilentAndTheFlagsShowIt() {
         Rig rig = Rig.open().command(SONAR, 0);
         assertThat(rig.nextSip().sonar()).isEmpty();
         assertThat(rig.nextSip().flags()).isZero();
@@ -55,7 +55,7 @@ class SonarTest {
 
     @ParameterizedTest
     @CsvSource({"0, 3864", "3, 4834", "4, 4834", "7, 3864", "11, 4745", "15, 3864"})
-    void aWallIsHeardAtItsDistanceFromTheDisc(int disc, int range) {
+    void aWallIsMeasuredAtItsDistanceFromTheDisc(int disc, int range) {
         assertThat(allReadings(Rig.open()))
                 .hasEntrySatisfying(disc, heard -> assertThat(heard).isBetween(range, range + 5));
     }
@@ -69,7 +69,7 @@ class SonarTest {
     }
 
     @Test
-    void anotherRobotsCornerIsHeardWhateverItsDirection() {
+    void anotherRobotsCornerIsMeasuredWhateverItsDirection() {
         Rig rig = Rig.silent();
         rig.world.add(Body.box("other", 200, 200, 200, new Pose(1200, 0, 45)));
         double corner = 1200 - 200 * Math.sqrt(2) - 166;
@@ -90,7 +90,7 @@ class SonarTest {
     }
 
     @Test
-    void nothingHeardIsExactlyFiveThousandNoiseOrNot() {
+    void noEchoIsExactlyFiveThousandNoiseOrNot() {
         Rig rig = new Rig(new Pose(-4000, 0, 0), Noise.seeded(7), "p3dx-sh").shakeHands();
         assertThat(allReadings(rig)).containsEntry(3, 5000);
     }

@@ -34,7 +34,7 @@ class CaptureLogTest {
     }
 
     @Test
-    void everythingTheClientSaidIsUnderstood() {
+    void everythingTheClientSentIsUnderstood() {
         PacketReader reader = new PacketReader();
         List<Packet> packets = reader.feed(said("C>"));
         assertThat(packets).hasSizeGreaterThan(80);

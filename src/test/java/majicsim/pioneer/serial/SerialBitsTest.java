@@ -24,7 +24,7 @@ class SerialBitsTest {
 
     @ParameterizedTest
     @CsvSource({"9600,19200", "9600,38400", "9600,57600", "9600,115200", "38400,9600", "115200,9600", "57600,38400"})
-    void endsThatDisagreeHearRubbish(int sentBaud, int readBaud) {
+    void endsAtDifferentSpeedsReceiveRubbish(int sentBaud, int readBaud) {
         byte[] heard = SerialBits.heard(SYNC0, sentBaud, readBaud);
         assertThat(heard).isNotEqualTo(SYNC0);
         assertThat(new PacketReader().feed(heard)).isEmpty();
@@ -42,7 +42,7 @@ class SerialBitsTest {
     }
 
     @Test
-    void nothingSentIsNothingHeard() {
+    void nothingSentIsNothingReceived() {
         assertThat(SerialBits.heard(new byte[0], 9600, 38_400)).isEmpty();
     }
 }

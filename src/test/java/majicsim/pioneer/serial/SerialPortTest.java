@@ -84,7 +84,7 @@ class SerialPortTest {
     }
 
     @Test
-    void thePlugIsNotHeardWhileANetworkClientIsConnected() {
+    void thePlugIsIgnoredWhileANetworkClientIsConnected() {
         rig.robot.connected(rig.line);
         rig.shakeHands();
         assertThat(say(HANDS)).isEmpty();

@@ -69,7 +69,7 @@ class SerialSpeedTest {
     }
 
     @Test
-    void aClientAtAnotherSpeedHearsNothingSensibleAndIsNotHeard() {
+    void aClientAtAnotherSpeedReceivesRubbishAndIsIgnored() {
         serial.baud = 38_400;
         assertThat(answers(SYNC0)).isEmpty();
         serial.baud = 9600;
@@ -95,7 +95,7 @@ class SerialSpeedTest {
     }
 
     @Test
-    void withoutAWordAtTheNewSpeedItFallsBack() {
+    void withoutAPacketAtTheNewSpeedItFallsBack() {
         open();
         say(HOSTBAUD_38400);
         rig.step(0.02);

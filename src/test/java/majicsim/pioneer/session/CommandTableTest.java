@@ -166,7 +166,7 @@ class CommandTableTest {
 
     @ParameterizedTest
     @MethodSource({"obeyed", "obeyedWithMoreThanANumber", "stored"})
-    void commandsOfTheTableDoWhatItSays(Row row) {
+    void commandsOfTheTableDoAsDescribed(Row row) {
         assertThat(Command.of(row.number).map(Enum::name)).contains(row.name);
         Rig rig = Rig.ready(Rig.EQUIPPED);
         rig.line.take();

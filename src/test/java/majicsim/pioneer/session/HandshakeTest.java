@@ -47,7 +47,7 @@ class HandshakeTest {
     }
 
     @Test
-    void onceCompleteItHasNothingToSay() {
+    void onceCompleteItAnswersNothing() {
         handshake.answer(0);
         handshake.answer(1);
         handshake.answer(2);

@@ -120,7 +120,7 @@ class SessionTest {
 
     @ParameterizedTest
     @ValueSource(ints = {14, 34, 70, 81, 95, 110, 150, 199, 239, 254})
-    void commandsItDoesNotKnowAreIgnored(int id) {
+    void unknownCommandsAreIgnored(int id) {
         Rig rig = Rig.open().command(id, 1);
         assertThat(rig.nextSip().flags()).isEqualTo(0x1E);
         assertThat(rig.line.isOpen()).isTrue();
@@ -144,7 +144,7 @@ class SessionTest {
     }
 
     @Test
-    void extraPacketsStandInTheirPlaceAndOnlyAsOftenAsAsked() {
+    void extraPacketsStandInTheirPlaceAndOnlyAsOftenAsRequested() {
         Rig rig = Rig.open().command(19, 2).command(40, 1).command(62, 1).command(237, 2);
         rig.line.take();
         assertThat(rig.step(0.1).line.take())

@@ -65,7 +65,7 @@ class SimulationTest {
     }
 
     @Test
-    void theLongPacketSaysOnceThatTheRobotWasLifted() {
+    void theLongPacketReportsOnceThatTheRobotWasLifted() {
         Rig rig = Rig.open().command(LRF_ENABLE, 2);
         assertThat(scan(rig)).allMatch(packet -> packet.flags() == 0);
         rig.packet(224, "3B 64 00 00 00 00 00 00 00 00 00 00 00");
@@ -102,7 +102,7 @@ class SimulationTest {
     }
 
     @Test
-    void theTruePoseIsToldAtOnceOrWithEverySip() {
+    void theTruePoseIsSentAtOnceOrWithEverySip() {
         Rig rig = Rig.open();
         rig.line.take();
         rig.command(SIM_STAT, 1);
@@ -122,7 +122,7 @@ class SimulationTest {
     }
 
     @Test
-    void theSimulatorTellsItsNameAndItsDevices() {
+    void theSimulatorReportsItsNameAndItsDevices() {
         Rig rig = Rig.open();
         rig.line.take();
         byte[] info = rig.command(SIM_CTRL, 6).line.take().get(0);
@@ -132,7 +132,7 @@ class SimulationTest {
     }
 
     @Test
-    void aMapThatIsAskedForIsAnsweredAsNotChanged() {
+    void aRequestedMapIsAnsweredAsNotChanged() {
         Rig rig = Rig.open();
         rig.line.take();
         rig.packet(SIM_CTRL, "3B 01 00 05 00 61 2E 6D 61 70");
