@@ -23,9 +23,9 @@ public final class AiboRobot implements Firmware {
     private static final double ROUNDING_MS = 1e-6;
 
     private final Kernel kernel;
-    private final Battery battery = new Battery();
+    private final AiboBattery battery = new AiboBattery();
     private final Body body;
-    private final Devices devices;
+    private final AiboDevices devices;
     private final Sensors sensors;
     private final Gait gait;
     private final Attitude attitude;
@@ -48,7 +48,7 @@ public final class AiboRobot implements Firmware {
         body = Body.box("aibo", FRONT_MM, REAR_MM, HALF_WIDTH_MM, start);
         world.add(body);
         kernel = new Kernel(own.fork("random"));
-        devices = new Devices(kernel.memory().variables(), kernel.memory().groups());
+        devices = new AiboDevices(kernel.memory().variables(), kernel.memory().groups());
         attitude = new Attitude(devices.legs());
         gait = new Gait(body, devices.legs(), attitude, own.fork("gait"));
         Head head = new Head(world, body, devices.joints(), attitude);

@@ -8,9 +8,9 @@ public final class Keeper {
     private final Attitude attitude;
     private final Speaker speaker;
     private final Microphone microphone;
-    private final Battery battery;
+    private final AiboBattery battery;
 
-    Keeper(Sensors sensors, Attitude attitude, Speaker speaker, Microphone microphone, Battery battery) {
+    Keeper(Sensors sensors, Attitude attitude, Speaker speaker, Microphone microphone, AiboBattery battery) {
         this.sensors = sensors;
         this.attitude = attitude;
         this.speaker = speaker;

@@ -1,7 +1,7 @@
 package majicsim.hemisson;
 
 import java.util.List;
-import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.board.Pins;
 import majicsim.hemisson.board.WorldEyes;
@@ -19,12 +19,12 @@ public final class Attendant {
     private static final int BYTE = 255;
 
     private final HemissonRobot robot;
-    private final Board board;
+    private final HemissonBoard board;
     private final Motors motors;
     private final WorldEyes eyes;
     private final Modules modules;
 
-    Attendant(HemissonRobot robot, Board board, Motors motors, WorldEyes eyes, Modules modules) {
+    Attendant(HemissonRobot robot, HemissonBoard board, Motors motors, WorldEyes eyes, Modules modules) {
         this.robot = robot;
         this.board = board;
         this.motors = motors;

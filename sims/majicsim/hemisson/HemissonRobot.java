@@ -4,9 +4,9 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import majicsim.hemisson.behaviour.Modes;
 import majicsim.hemisson.behaviour.RunMode;
-import majicsim.hemisson.board.Board;
 import majicsim.hemisson.board.CommandBuffer;
 import majicsim.hemisson.board.Eyes;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.board.Power;
@@ -48,7 +48,7 @@ public final class HemissonRobot implements Firmware {
     private final CommandBuffer buffer;
     private final Motors motors;
     private final InfraRed infraRed;
-    private final Board board;
+    private final HemissonBoard board;
     private final I2cBus bus;
     private final BotStudio botStudio;
     private final Uart uart;
@@ -93,7 +93,7 @@ public final class HemissonRobot implements Firmware {
         motors = new Motors(body, noise.fork("motors"), options.mismatchPercent());
         WorldEyes worldEyes = new WorldEyes(world, body, noise.fork("infra-red"), options.ambient());
         infraRed = new InfraRed(eyes == null ? worldEyes : eyes, buffer);
-        board = new Board(options.switches());
+        board = new HemissonBoard(options.switches());
         Modules modules = new Modules(world, body);
         bus = new I2cBus(modules.fitted(options.modules()));
         botStudio = new BotStudio(motors, board, infraRed);

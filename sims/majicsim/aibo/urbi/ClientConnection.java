@@ -10,8 +10,8 @@ import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.CommandReader;
 import majicsim.aibo.urbi.syntax.Place;
+import majicsim.aibo.urbi.syntax.SeparatedStatement;
 import majicsim.aibo.urbi.syntax.Statement;
-import majicsim.aibo.urbi.syntax.Step;
 import majicsim.aibo.urbi.value.Value;
 import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
@@ -31,7 +31,7 @@ final class ClientConnection implements Connection {
     private final @Nullable Line line;
     private final CommandReader reader = new CommandReader(FIRST_PLACE, problem -> send("error", "!!! " + problem));
     private final CommandStream stream;
-    private final Outbox outbox;
+    private final SendBuffer outbox;
     private Action.@Nullable AssignBinary binary;
     private boolean closing;
     private long refusedInPass = -1;
@@ -42,7 +42,7 @@ final class ClientConnection implements Connection {
         this.id = id;
         this.line = line;
         stream = new CommandStream(context());
-        outbox = new Outbox(line, () -> prefix("error") + "!!! Send buffer full\n");
+        outbox = new SendBuffer(line, () -> prefix("error") + "!!! Send buffer full\n");
     }
 
     @Override
@@ -99,7 +99,7 @@ final class ClientConnection implements Connection {
 
     private boolean takeCommand() {
         boolean arrived = reader.isAtCommand();
-        Step step = arrived ? reader.take() : null;
+        SeparatedStatement step = arrived ? reader.take() : null;
         if (step != null && step.statement() instanceof Action.AssignBinary announced) {
             announce(announced);
         } else if (step != null) {
@@ -115,7 +115,7 @@ final class ClientConnection implements Connection {
         }
         binary = null;
         Statement filled = waiting.filled(new String(bytes, StandardCharsets.ISO_8859_1));
-        run(new Step(new Statement.Tagged(Statement.NO_TAG, List.of(), filled), false));
+        run(new SeparatedStatement(new Statement.Tagged(Statement.NO_TAG, List.of(), filled), false));
         return true;
     }
 
@@ -127,7 +127,7 @@ final class ClientConnection implements Connection {
         }
     }
 
-    private void run(Step step) {
+    private void run(SeparatedStatement step) {
         if (stream.waiting() >= MAX_WAITING) {
             send("error", "!!! Out of memory");
         } else if (!(step.statement() instanceof Statement.Empty)) {

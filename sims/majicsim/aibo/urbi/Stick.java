@@ -10,8 +10,8 @@ import majicsim.aibo.urbi.run.Context;
 import majicsim.aibo.urbi.run.Functions;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.CommandReader;
+import majicsim.aibo.urbi.syntax.SeparatedStatement;
 import majicsim.aibo.urbi.syntax.Statement;
-import majicsim.aibo.urbi.syntax.Step;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
@@ -92,7 +92,7 @@ public final class Stick {
 
     private static Task program(Context context, String text) {
         byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
-        List<Step> steps =
+        List<SeparatedStatement> steps =
                 CommandReader.all(bytes, problem -> context.connection().send("error", "!!! " + problem));
         return new CommandStream(context.inner(Statement.NO_TAG), steps);
     }

@@ -1,6 +1,6 @@
 package majicsim.hemisson.behaviour;
 
-import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
 
@@ -17,10 +17,10 @@ final class Avoiding implements Behaviour {
     private static final int LEFT = 4;
 
     private final Motors motors;
-    private final Board board;
+    private final HemissonBoard board;
     private final InfraRed infraRed;
 
-    Avoiding(Motors motors, Board board, InfraRed infraRed) {
+    Avoiding(Motors motors, HemissonBoard board, InfraRed infraRed) {
         this.motors = motors;
         this.board = board;
         this.infraRed = infraRed;
@@ -33,7 +33,7 @@ final class Avoiding implements Behaviour {
         boolean near = Math.max(infraRed.proximity(FRONT), Math.max(left, right)) > NEAR;
         boolean turnRight = near && left > right;
         motors.set(near && !turnRight ? -AHEAD : AHEAD, turnRight ? -AHEAD : AHEAD);
-        board.leds[Board.FRONT_LEFT] = turnRight;
-        board.leds[Board.FRONT_RIGHT] = near && !turnRight;
+        board.leds[HemissonBoard.FRONT_LEFT] = turnRight;
+        board.leds[HemissonBoard.FRONT_RIGHT] = near && !turnRight;
     }
 }

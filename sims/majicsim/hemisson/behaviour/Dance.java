@@ -1,6 +1,6 @@
 package majicsim.hemisson.behaviour;
 
-import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.Motors;
 
 /** Swings to and fro, 0.9 s each way, at the speeds that the factory firmware was seen to set (sheet, appendix). */
@@ -8,11 +8,11 @@ final class Dance implements Behaviour {
     private static final double FIGURE_SECONDS = 0.9;
 
     private final Motors motors;
-    private final Board board;
+    private final HemissonBoard board;
     private double leftSeconds;
     private boolean back;
 
-    Dance(Motors motors, Board board) {
+    Dance(Motors motors, HemissonBoard board) {
         this.motors = motors;
         this.board = board;
     }
@@ -30,8 +30,8 @@ final class Dance implements Behaviour {
             leftSeconds += FIGURE_SECONDS;
             back = !back;
             motors.set(back ? -5 : 10, back ? -10 : 5);
-            board.leds[Board.FRONT_LEFT] = back;
-            board.leds[Board.FRONT_RIGHT] = !back;
+            board.leds[HemissonBoard.FRONT_LEFT] = back;
+            board.leds[HemissonBoard.FRONT_RIGHT] = !back;
         }
     }
 }

@@ -1,6 +1,6 @@
 package majicsim.hemisson.behaviour;
 
-import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
 
@@ -12,12 +12,12 @@ final class LineFollowing implements Behaviour {
     private static final int GROUND_LEFT = 7;
 
     private final Motors motors;
-    private final Board board;
+    private final HemissonBoard board;
     private final InfraRed infraRed;
     private boolean found;
     private boolean lastOnRight;
 
-    LineFollowing(Motors motors, Board board, InfraRed infraRed) {
+    LineFollowing(Motors motors, HemissonBoard board, InfraRed infraRed) {
         this.motors = motors;
         this.board = board;
         this.infraRed = infraRed;
@@ -34,8 +34,8 @@ final class LineFollowing implements Behaviour {
         boolean left = infraRed.proximity(GROUND_LEFT) < BLACK_BELOW;
         found |= right || left;
         lastOnRight = right == left ? lastOnRight : right;
-        board.leds[Board.FRONT_LEFT] = left;
-        board.leds[Board.FRONT_RIGHT] = right;
+        board.leds[HemissonBoard.FRONT_LEFT] = left;
+        board.leds[HemissonBoard.FRONT_RIGHT] = right;
         if (!found || right && left) {
             motors.set(AHEAD, AHEAD);
         } else {

@@ -1,7 +1,7 @@
 package majicsim.hemisson.behaviour;
 
 import java.util.Map;
-import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
 
@@ -13,7 +13,7 @@ public final class Modes {
     private RunMode mode = RunMode.REMOTE;
     private Behaviour behaviour = IDLE;
 
-    public Modes(Motors motors, Board board, InfraRed infraRed) {
+    public Modes(Motors motors, HemissonBoard board, InfraRed infraRed) {
         behaviours = Map.of(
                 RunMode.AVOIDING, new Avoiding(motors, board, infraRed),
                 RunMode.LINE, new LineFollowing(motors, board, infraRed),

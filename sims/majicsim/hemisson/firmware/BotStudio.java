@@ -1,6 +1,6 @@
 package majicsim.hemisson.firmware;
 
-import majicsim.hemisson.board.Board;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.uart.Reply;
@@ -20,14 +20,14 @@ public final class BotStudio {
     private static final int ERASED_SPEED = 0x3F;
 
     private final Motors motors;
-    private final Board board;
+    private final HemissonBoard board;
     private final InfraRed infraRed;
     private final int[] end = {NO_PROGRAM, NO_PROGRAM};
     private char command;
     private int addressBytes;
     private int programBytes;
 
-    public BotStudio(Motors motors, Board board, InfraRed infraRed) {
+    public BotStudio(Motors motors, HemissonBoard board, InfraRed infraRed) {
         this.motors = motors;
         this.board = board;
         this.infraRed = infraRed;
@@ -55,8 +55,8 @@ public final class BotStudio {
     Reply end() {
         forget();
         motors.set(0, 0);
-        board.leds[Board.FRONT_LEFT] = false;
-        board.leds[Board.FRONT_RIGHT] = false;
+        board.leds[HemissonBoard.FRONT_LEFT] = false;
+        board.leds[HemissonBoard.FRONT_RIGHT] = false;
         board.buzzer = false;
         return Reply.of("x");
     }

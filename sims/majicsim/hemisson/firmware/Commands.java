@@ -2,9 +2,9 @@ package majicsim.hemisson.firmware;
 
 import java.util.Locale;
 import java.util.function.IntUnaryOperator;
-import majicsim.hemisson.board.Board;
 import majicsim.hemisson.board.CommandBuffer;
 import majicsim.hemisson.board.Eyes;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.board.Pins;
@@ -28,7 +28,7 @@ public final class Commands implements Interpreter {
     private final CommandBuffer buffer;
     private final Motors motors;
     private final InfraRed infraRed;
-    private final Board board;
+    private final HemissonBoard board;
     private final ModuleCommands modules;
     private final FastCommands fast;
     private final BotStudio botStudio;
@@ -38,7 +38,7 @@ public final class Commands implements Interpreter {
             CommandBuffer buffer,
             Motors motors,
             InfraRed infraRed,
-            Board board,
+            HemissonBoard board,
             I2cBus bus,
             BotStudio botStudio,
             Power power) {
@@ -112,7 +112,7 @@ public final class Commands implements Interpreter {
     }
 
     private Reply leds() {
-        for (int i = 0; i < Board.LEDS; i++) {
+        for (int i = 0; i < HemissonBoard.LEDS; i++) {
             board.leds[i] = buffer.isOn(2 + 2 * i);
         }
         return Reply.line("l");

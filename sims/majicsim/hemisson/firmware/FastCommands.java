@@ -1,8 +1,8 @@
 package majicsim.hemisson.firmware;
 
-import majicsim.hemisson.board.Board;
 import majicsim.hemisson.board.CommandBuffer;
 import majicsim.hemisson.board.Eyes;
+import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.board.Power;
@@ -16,10 +16,10 @@ final class FastCommands {
     private final CommandBuffer buffer;
     private final Motors motors;
     private final InfraRed infraRed;
-    private final Board board;
+    private final HemissonBoard board;
     private final Power power;
 
-    FastCommands(CommandBuffer buffer, Motors motors, InfraRed infraRed, Board board, Power power) {
+    FastCommands(CommandBuffer buffer, Motors motors, InfraRed infraRed, HemissonBoard board, Power power) {
         this.buffer = buffer;
         this.motors = motors;
         this.infraRed = infraRed;
@@ -47,7 +47,7 @@ final class FastCommands {
 
     Reply write() {
         power.drive((byte) buffer.at(1), (byte) buffer.at(2));
-        for (int i = 0; i < Board.LEDS; i++) {
+        for (int i = 0; i < HemissonBoard.LEDS; i++) {
             board.leds[i] = (buffer.at(3) >> i & 1) == 1;
         }
         return Reply.line("*");

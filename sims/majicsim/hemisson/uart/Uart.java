@@ -26,7 +26,7 @@ public final class Uart {
     private final boolean overrun;
     private final boolean timed;
     private final ArrayDeque<Arrival> waiting = new ArrayDeque<>();
-    private final Outbox outbox = new Outbox();
+    private final CharacterQueue outbox = new CharacterQueue();
     private final Transmitter transmitter;
     private double now;
     private double lastArrival;

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import majicsim.aibo.urbi.syntax.Flag;
+import majicsim.aibo.urbi.syntax.SeparatedStatement;
 import majicsim.aibo.urbi.syntax.Statement;
-import majicsim.aibo.urbi.syntax.Step;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,13 +14,13 @@ import org.jspecify.annotations.Nullable;
  * goes on beside them. A block is a stream that ends; a connection's own stream never does.
  */
 public final class CommandStream extends Task {
-    private final Deque<Step> pending = new ArrayDeque<>();
+    private final Deque<SeparatedStatement> pending = new ArrayDeque<>();
     private final List<Task> background = new ArrayList<>();
     private final boolean endless;
     private @Nullable Task foreground;
 
     /** A block. */
-    public CommandStream(Context context, List<Step> steps) {
+    public CommandStream(Context context, List<SeparatedStatement> steps) {
         super(context);
         endless = false;
         pending.addAll(steps);
@@ -33,7 +33,7 @@ public final class CommandStream extends Task {
     }
 
     /** Adds a command; it starts at once if nothing holds it back. */
-    public void add(Step step) {
+    public void add(SeparatedStatement step) {
         pending.add(step);
         if (foreground == null && !isFrozen()) {
             pump();
@@ -82,7 +82,7 @@ public final class CommandStream extends Task {
                 return;
             }
             foreground = null;
-            Step next = pending.poll();
+            SeparatedStatement next = pending.poll();
             if (next == null) {
                 return;
             }
@@ -90,7 +90,7 @@ public final class CommandStream extends Task {
         }
     }
 
-    private void begin(Step step) {
+    private void begin(SeparatedStatement step) {
         Task task = context.start(step.statement());
         if (!step.background() && !asksForBackground(step.statement())) {
             foreground = task;

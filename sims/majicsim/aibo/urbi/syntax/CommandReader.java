@@ -22,13 +22,13 @@ public final class CommandReader {
     }
 
     /** All commands of a whole text, in order; a last one needs no separator. */
-    public static List<Step> all(byte[] text, Consumer<String> complain) {
+    public static List<SeparatedStatement> all(byte[] text, Consumer<String> complain) {
         CommandReader reader = new CommandReader(new Place(1, 1), complain);
         reader.feed(text);
         reader.feed(new byte[] {'\n', ';'});
-        List<Step> steps = new ArrayList<>();
+        List<SeparatedStatement> steps = new ArrayList<>();
         while (reader.isAtCommand()) {
-            Step step = reader.take();
+            SeparatedStatement step = reader.take();
             if (step != null && !(step.statement() instanceof Statement.Empty)) {
                 steps.add(step);
             }
@@ -53,7 +53,7 @@ public final class CommandReader {
     }
 
     /** The command that has arrived, or null if the grammar refuses it, which has been told then. */
-    public @Nullable Step take() {
+    public @Nullable SeparatedStatement take() {
         String command = text == null ? "" : text;
         text = null;
         return parse(command);
@@ -64,7 +64,7 @@ public final class CommandReader {
         return splitter.take(size);
     }
 
-    private @Nullable Step parse(String command) {
+    private @Nullable SeparatedStatement parse(String command) {
         Place start = place;
         List<String> invalid = new ArrayList<>();
         Lexer lexer = new Lexer(command, start, (at, problem) -> invalid.add(at + ": " + problem));
@@ -75,7 +75,7 @@ public final class CommandReader {
             return null;
         }
         try {
-            Step step = parser.command();
+            SeparatedStatement step = parser.command();
             place = lexer.end();
             return step;
         } catch (SyntaxError error) {

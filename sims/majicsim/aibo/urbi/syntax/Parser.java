@@ -24,10 +24,10 @@ final class Parser {
     }
 
     /** The whole command with its separator. */
-    Step command() throws SyntaxError {
+    SeparatedStatement command() throws SyntaxError {
         Statement statement = atBinary() ? binary() : chain();
         if (tokens.peek().is(TokenKind.END)) {
-            return new Step(statement, false);
+            return new SeparatedStatement(statement, false);
         }
         boolean background = tokens.at(",");
         boolean ended = background || tokens.at(";");
@@ -38,7 +38,7 @@ final class Parser {
         if (!tokens.peek().is(TokenKind.END)) {
             throw SyntaxError.expectedEnd(tokens.peek(), true);
         }
-        return new Step(statement, background);
+        return new SeparatedStatement(statement, background);
     }
 
     /** One command with its tag, if it has one. */
@@ -90,14 +90,14 @@ final class Parser {
     }
 
     private Statement block() throws SyntaxError {
-        List<Step> steps = new ArrayList<>();
+        List<SeparatedStatement> steps = new ArrayList<>();
         boolean open = true;
         while (open) {
             Statement statement = chain();
             boolean background = tokens.match(",");
             open = background || tokens.match(";");
             if (!(statement instanceof Statement.Empty)) {
-                steps.add(new Step(statement, background));
+                steps.add(new SeparatedStatement(statement, background));
             }
         }
         tokens.expect("}");

@@ -67,7 +67,7 @@ public sealed interface Statement
     }
 
     /** {@code { … }}. */
-    record Block(List<Step> steps) implements Statement {
+    record Block(List<SeparatedStatement> steps) implements Statement {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.block(this);

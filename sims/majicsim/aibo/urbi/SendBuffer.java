@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * What is on its way to one client (URBI sheet, section 2). Beyond 1 MiB that the client has not read messages are lost, whole ones;
  * the next one that finds room again comes behind a line that says so.
  */
-final class Outbox {
+final class SendBuffer {
     private static final int LIMIT = (1 << 20) - 1024;
     private static final int PACKET = 32 * 1024;
 
@@ -23,7 +23,7 @@ final class Outbox {
      * @param line the client, or null for nobody
      * @param complaint makes the line that tells of a loss
      */
-    Outbox(@Nullable Line line, Supplier<String> complaint) {
+    SendBuffer(@Nullable Line line, Supplier<String> complaint) {
         this.line = line;
         this.complaint = complaint;
     }

@@ -1,7 +1,7 @@
 package majicsim.aibo;
 
 /** The charge of the dog: an hour and a half from full to empty. */
-final class Battery {
+final class AiboBattery {
     private static final double FIRST = 0.878;
     private static final double LASTS_SEC = 5400;
 

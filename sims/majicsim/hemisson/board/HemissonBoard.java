@@ -3,7 +3,7 @@ package majicsim.hemisson.board;
 import java.util.Arrays;
 
 /** What sits on the robot's board and keeps a state: LEDs, buzzer, switches as last read, TV code, pins. */
-public final class Board {
+public final class HemissonBoard {
     public static final int LEDS = 4;
     public static final int FRONT_LEFT = 2;
     public static final int FRONT_RIGHT = 3;
@@ -18,7 +18,7 @@ public final class Board {
     private double sinceHeartbeatSeconds;
     private String switchesSeen;
 
-    public Board(String switches) {
+    public HemissonBoard(String switches) {
         this.switches = switches;
         this.switchesSeen = switches;
     }

@@ -14,7 +14,7 @@ import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.value.Value;
 
 /** The dog's devices and their groups (URBI sheet, section 13). */
-final class Devices {
+final class AiboDevices {
     private static final List<String> BACK_LEDS = List.of("ledBFC", "ledBFW", "ledBMC", "ledBMW", "ledBRC", "ledBRW");
     private static final List<String> HEAD_LEDS = List.of("ledHC", "ledHW", "modeR", "modeG", "modeB", "ledWIFI");
     private static final List<String> LEG_NAMES = List.of("RF", "RH", "LF", "LH");
@@ -23,7 +23,7 @@ final class Devices {
     private final Variables variables;
     private final Groups groups;
 
-    Devices(Variables variables, Groups groups) {
+    AiboDevices(Variables variables, Groups groups) {
         this.variables = variables;
         this.groups = groups;
         Stream.concat(JointType.HEAD_AND_TAIL.stream(), JointType.LEGS.stream()).forEach(this::joint);

@@ -7,7 +7,7 @@ import java.util.Map;
 import majicsim.net.Line;
 
 /** Characters on their way out, each with the time at which it has left. */
-final class Outbox {
+final class CharacterQueue {
     private final ArrayDeque<Departure> leaving = new ArrayDeque<>();
 
     void add(Line to, char character, double seconds) {
