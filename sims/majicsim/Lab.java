@@ -26,8 +26,8 @@ import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The simulated lab: one room, its robots, and their ports on loopback. Clients are answered as soon as it is open; its clock stands
- * until {@link #step()} or {@link #run} moves it. All methods may be called from any thread.
+ * The simulated lab: one room, its robots, and their ports on loopback. Clients are answered as soon as it is open; its clock
+ * stands until {@link #step()} or {@link #run} moves it. All methods may be called from any thread.
  */
 public final class Lab implements AutoCloseable {
     /** Lab time of one step. */
@@ -52,7 +52,7 @@ public final class Lab implements AutoCloseable {
      *
      * @param options room, noise and ports
      * @return the open lab, its clock standing at 0
-     * @throws IOException if a wished port is taken or the room has no place for a robot; the message says which, and nothing stays
+     * @throws IOException if a wished port is taken or the room has no place for a robot; the message names it, and nothing stays
      *     open
      */
     public static Lab open(LabOptions options) throws IOException {
@@ -187,7 +187,7 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * Does something at the Pioneer itself: presses its buttons, plugs its charger, listens to it. The lab stands still meanwhile.
+     * Acts on the Pioneer itself: presses its buttons, plugs its charger, reads its buzzer. The lab does not step meanwhile.
      *
      * @param deed what to do; must not wait for anything
      */
@@ -196,7 +196,7 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * Does something at the Aibo itself: touches it, turns it over, listens to it. The lab stands still
+     * Acts on the Aibo itself: touches it, turns it over, reads what it played. The lab does not step
      * meanwhile.
      *
      * @param deed what to do; must not wait for anything
@@ -207,7 +207,7 @@ public final class Lab implements AutoCloseable {
 
     /**
      * Does something at the Hemisson itself: presses keys of a TV remote, moves its switches, lifts it, switches it off and on. The
-     * lab stands still meanwhile.
+     * lab does not step meanwhile.
      *
      * @param deed what to do; must not wait for anything
      */

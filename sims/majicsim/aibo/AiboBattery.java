@@ -11,7 +11,7 @@ final class AiboBattery {
         return (int) Math.floor(charge * 100 + 1e-9);
     }
 
-    /** Once it is empty the dog is dead: nothing in it runs. */
+    /** Once it is empty, nothing in the dog runs. */
     boolean isEmpty() {
         return charge <= 0;
     }

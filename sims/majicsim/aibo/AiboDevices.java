@@ -52,7 +52,7 @@ final class AiboDevices {
         return Objects.requireNonNull(joints.get(name), name);
     }
 
-    /** A lamp that can be dimmed: it shows what it is told, within 0 to 1. */
+    /** A lamp that can be dimmed: it shows the assigned brightness, within 0 to 1. */
     private void lamp(String name) {
         install(new Variable(name + ".val", Value.of(0)));
     }

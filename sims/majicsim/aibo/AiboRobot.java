@@ -13,8 +13,9 @@ import majicsim.world.Pose;
 import majicsim.world.World;
 
 /**
- * A simulated Aibo ERS-7 with an URBI 1.0 server, for any number of clients. Its motors are loose until {@code motors on}. It lives
- * on lab time: the kernel's cycle is 32 ms, and a command that nothing holds back runs as soon as it comes. Guarded by the lab's lock.
+ * A simulated Aibo ERS-7 with an URBI 1.0 server, for any number of clients. Its motors are loose until {@code motors on}. It runs
+ * on lab time: the kernel's cycle is 32 ms, and a command that nothing holds back runs as soon as it comes. Guarded by the lab's
+ * lock.
  */
 public final class AiboRobot implements Firmware {
     private static final double FRONT_MM = 150;
@@ -39,7 +40,7 @@ public final class AiboRobot implements Firmware {
     /**
      * Puts a dog into a room.
      *
-     * @param world where it lives; its body is added
+     * @param world in which it is; its body is added
      * @param start where it lies first
      * @param noise exact for a dog that keeps to the sheet's tables
      */

@@ -4,7 +4,7 @@ import java.util.Map;
 import majicsim.world.Body;
 
 /**
- * What a robot looks like to the dog: an upright block of one colour.
+ * How a robot appears in the dog's camera: an upright block of one colour.
  *
  * @param heightMm of its top above the floor
  * @param rgb its colour

@@ -1,6 +1,6 @@
 package majicsim.aibo;
 
-/** How the dog lies in space: by its legs, and turned over by whoever does that. */
+/** How the dog lies in space: from its legs, and from being turned over by hand. */
 final class Attitude {
     private static final double ON_ITS_SIDE_DEG = 45;
     private static final double ON_ITS_BACK_DEG = 135;

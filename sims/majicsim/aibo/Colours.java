@@ -2,7 +2,7 @@ package majicsim.aibo;
 
 import majicsim.world.World;
 
-/** What colour the surfaces of the room have in its light: chosen, as maps tell of none. */
+/** What colour the surfaces of the room have in its light: chosen, as maps contain none. */
 final class Colours {
     private static final int PAINT = 0xE6DCC8;
     private static final int CEILING = 0xF2F2EE;

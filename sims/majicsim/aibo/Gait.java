@@ -9,8 +9,8 @@ import majicsim.world.Noise;
 
 /**
  * What walking and turning do to the body. Nominal: 83.333 mm/s and 36 deg/s at one gait cycle a second (URBI sheet, section 15,
- * calibration); walks under way at once are averaged, as the legs are blended. A real dog's steps differ and drift, and backward it is
- * slower; an exact lab has none of that.
+ * calibration); walks under way at once are averaged, as the legs are blended. A real dog's steps differ and drift, and backward
+ * it is slower; an exact lab has none of that.
  */
 final class Gait {
     static final double MM_PER_CYCLE = 83.333;
@@ -54,7 +54,7 @@ final class Gait {
         return !active.isEmpty() && legs.carry();
     }
 
-    /** Moves the legs; called once a kernel cycle while somebody walks. */
+    /** Moves the legs; called once a kernel cycle while the dog walks. */
     void swing(GaitTask task, long pass) {
         Map<Variable, Double> angles = legs.swing(task.isTurn(), Math.signum(task.cyclesPerMs()), cycles);
         angles.forEach((joint, degrees) -> joint.submit(degrees, pass));

@@ -2,7 +2,7 @@ package majicsim.aibo;
 
 import java.util.List;
 
-/** What a person beside the dog can do to it, and hear and see of it. All calls with the lab's lock held. */
+/** What a person beside the dog can do to it and observe of it. All calls with the lab's lock held. */
 public final class Keeper {
     private final Sensors sensors;
     private final Attitude attitude;
@@ -19,7 +19,7 @@ public final class Keeper {
     }
 
     /**
-     * Touches the dog, presses a paw or the switch, or lets go of it.
+     * Touches the dog, presses a paw or the switch, or releases it.
      *
      * @param sensor a touch sensor's URBI name, such as backSensorM, chinSensor, pawLF or WIFIswitch
      * @param value what it feels from now on, in its own unit and clipped to its range; 0 is nothing
@@ -48,7 +48,7 @@ public final class Keeper {
     }
 
     /**
-     * Whistles beside the dog, which its microphones hear; a new whistle ends the one before.
+     * Whistles beside the dog, for its microphones; a new whistle ends the one before.
      *
      * @param hertz pitch, above 0
      * @param ms how long from now on
@@ -58,8 +58,8 @@ public final class Keeper {
     }
 
     /**
-     * Puts another battery in while the dog runs. With an empty one the dog is dead: it stands still as it is, says nothing, and
-     * hangs up on who connects. With the next one that is not empty it goes on where it was.
+     * Puts another battery in while the dog runs. With an empty one nothing in the dog runs: it keeps its posture, sends nothing,
+     * and closes each new connection. With the next one that is not empty it continues where it was.
      *
      * @param charge 0 (empty) to 1 (full)
      */

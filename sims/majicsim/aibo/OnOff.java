@@ -3,7 +3,7 @@ package majicsim.aibo;
 import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.value.Value;
 
-/** A lamp or an ear that knows only on and off (URBI sheet, section 13): from one half on it is on. */
+/** A lamp or an ear that is only on or off (URBI sheet, section 13): from one half on it is on. */
 final class OnOff implements Variable.Hardware {
     private static final double ENOUGH = 0.5;
 

@@ -6,7 +6,7 @@ import majicsim.world.Point;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a body takes up of one vertical slice of the room.
+ * The part of one vertical slice of the room that a body fills.
  *
  * @param entryMm where the slice enters it
  * @param exitMm where it leaves it

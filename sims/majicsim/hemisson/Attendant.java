@@ -10,7 +10,7 @@ import majicsim.hemisson.modules.Modules;
 import majicsim.hemisson.options.HemissonOptions;
 
 /**
- * What a person beside the robot can do to it, and see and hear of it. Works with or without a client connected; what is done to a
+ * What a person beside the robot can do to it and observe of it. Works with or without a client connected; what is done to a
  * module that is not fitted shows no effect. All calls with the lab's lock held.
  */
 public final class Attendant {
@@ -97,14 +97,14 @@ public final class Attendant {
     /**
      * Whether it has stopped listening for good, until {@link #powerCycle()}.
      *
-     * @return true when it hears nothing any more
+     * @return true when it receives nothing any more
      */
     public boolean isReceiverBlocked() {
         return robot.isReceiverBlocked();
     }
 
     /**
-     * What its text-to-speech module said.
+     * The texts that its text-to-speech module spoke.
      *
      * @return the last 100 texts, oldest first; a stored phrase as "phrase 7"
      */
@@ -154,7 +154,7 @@ public final class Attendant {
     }
 
     /**
-     * The level of a digital line of its general I/O module, whoever put it there last.
+     * The level of a digital line of its general I/O module, whether set by the firmware or from outside.
      *
      * @param line 0 to 11
      * @return true for high

@@ -31,9 +31,10 @@ import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A Hemisson with HemiOS 1.50 behind its serial line. It greets after power-up and reset only, whoever has spoken to it, and it has no
- * watchdog: without a client it drives on. It was switched on long ago, so a new one does not greet. Several lines are one wire: a
- * reply goes to the line whose character completed the command. Every method with the lab's lock held.
+ * A Hemisson with HemiOS 1.50 behind its serial line. It greets after power-up and reset only, on the lines from which something
+ * was received, and it has no watchdog: without a client it drives on. It was switched on long ago, so a new one does not greet.
+ * Several lines are one wire: a reply goes to the line whose character completed the command. Every method with the lab's lock
+ * held.
  */
 public final class HemissonRobot implements Firmware {
     /** The radius of the disc that stands for its body, mm. */
@@ -56,7 +57,7 @@ public final class HemissonRobot implements Firmware {
     private final Modes modes;
     private final Attendant attendant;
 
-    /** Who has said something: a plug that nobody has opened would keep the greeting for the next one who does. */
+    /** The lines from which something was received: a plug that is not open would keep the greeting for the next client. */
     private final Set<Line> listeners = new LinkedHashSet<>();
 
     private boolean restarting;

@@ -1,6 +1,6 @@
 package majicsim.net;
 
-/** Whether and by whom a line was ended. */
+/** Whether a line has ended, and by which end. */
 enum Ending {
     /** Not at all: the line is open. */
     NONE,

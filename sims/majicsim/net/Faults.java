@@ -6,7 +6,7 @@ import majicsim.world.Noise;
 
 /**
  * What is wrong with a robot's lines. Faults may be ordered at any time and from any thread, take effect at once, last until
- * {@link #none()}, and hold for both directions unless they say otherwise. Times are lab time.
+ * {@link #none()}, and hold for both directions unless stated otherwise. Times are lab time.
  */
 public final class Faults {
     private static final double NANOS_PER_MS = 1e6;
@@ -26,7 +26,8 @@ public final class Faults {
     /**
      * No faults yet.
      *
-     * @param noise draws jitter and garbled bytes; with the exact one there is no jitter, and garbling happens only if it is certain
+     * @param noise draws jitter and garbled bytes; with the exact one there is no jitter, and garbling happens only if it is
+     *     certain
      */
     public Faults(Noise noise) {
         this.noise = noise;
@@ -104,7 +105,7 @@ public final class Faults {
         changed();
     }
 
-    /** A port that wants to know when reading stops or goes on, and when its lines are to be cut. */
+    /** A port that is notified when reading stops or continues, and when its lines are to be cut. */
     void attach(Runnable watcher, Runnable cutter) {
         watchers.add(watcher);
         cutters.add(cutter);

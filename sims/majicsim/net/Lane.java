@@ -4,7 +4,10 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
-/** One direction of a line: applies the ordered faults and keeps what is not due yet. Guarded by the lab's lock, but for {@link #isEmpty()}. */
+/**
+ * One direction of a line: applies the ordered faults and keeps what is not due yet. Guarded by the lab's lock, but for {@link
+ * #isEmpty()}.
+ */
 final class Lane {
     private final Faults faults;
     private final boolean jitters;
@@ -46,7 +49,7 @@ final class Lane {
         empty = true;
     }
 
-    /** Whether nothing is kept; may be asked without the lock. */
+    /** Whether nothing is kept; may be read without the lock. */
     boolean isEmpty() {
         return empty;
     }

@@ -82,7 +82,7 @@ final class PseudoTerminal {
         }
     }
 
-    /** Writes what there is room for; says how many bytes that was. */
+    /** Writes what there is room for; returns how many bytes that was. */
     int write(byte[] bytes) {
         try {
             return Math.max(0, c.write(master, bytes, bytes.length));
@@ -91,7 +91,7 @@ final class PseudoTerminal {
         }
     }
 
-    /** The speed that the client has set, in bits a second; 0 if it is none we know. */
+    /** The speed that the client has set, in bits a second; 0 if it is not a supported one. */
     int baud() {
         try (Memory termios = new Memory(TERMIOS_AT_MOST_BYTES)) {
             c.tcgetattr(slave, termios);
@@ -116,7 +116,7 @@ final class PseudoTerminal {
         };
     }
 
-    /** Ends a wait in {@link #read} from another thread, by a byte that nobody sent. */
+    /** Ends a wait in {@link #read} from another thread, by a byte that is not from the client. */
     void wake() {
         try {
             c.write(slave, new byte[1], 1);

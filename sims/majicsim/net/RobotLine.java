@@ -19,7 +19,7 @@ abstract class RobotLine implements Line {
     private final AtomicLong written = new AtomicLong();
     private volatile Ending ending = Ending.NONE;
 
-    /** With {@code jitters}, each exchange takes as long as the faults' jitter says. */
+    /** With {@code jitters}, each exchange takes as long as the faults' jitter is. */
     RobotLine(String robot, String peer, Wiring wiring, boolean jitters) {
         this.robot = robot;
         this.peer = peer;
@@ -28,7 +28,7 @@ abstract class RobotLine implements Line {
         this.in = new Lane(wiring.faults(), jitters, this::deliver);
     }
 
-    /** Gives bytes to the client without blocking, and says how many it took or keeps for later; the others are lost. */
+    /** Gives bytes to the client without blocking, and returns how many it took or keeps for later; the others are lost. */
     abstract int write(byte[] bytes);
 
     /** Whether everything given to {@link #write} has left. */
@@ -59,8 +59,8 @@ abstract class RobotLine implements Line {
     }
 
     /**
-     * Hands bytes to the firmware, or shelves them; the reader's thread, without the lock. A failure of the firmware is logged, and the
-     * line lives on.
+     * Hands bytes to the firmware, or shelves them; the reader's thread, without the lock. A failure of the firmware is logged,
+     * and the line lives on.
      */
     final void receive(byte[] bytes) {
         wiring.lock().lock();

@@ -9,7 +9,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.ArrayDeque;
 
-/** A line over TCP. Writes at once what the socket takes; the rest goes out when the port's selector says there is room. */
+/** A line over TCP. Writes at once what the socket takes; the rest goes out when the port's selector reports room. */
 final class TcpLine extends RobotLine {
     private static final System.Logger LOG = System.getLogger(TcpLine.class.getName());
     private static final int MOST_BYTES_KEPT = 1 << 20;

@@ -10,7 +10,7 @@ import java.util.concurrent.locks.ReentrantLock;
  * @param faults ordered for this robot's lines
  */
 public record Wiring(ReentrantLock lock, Firmware firmware, Faults faults) {
-    /** Does something while the lab stands still; everything that may call the firmware must. */
+    /** Runs an action while the lab does not step; everything that may call the firmware must use this. */
     void locked(Runnable work) {
         lock.lock();
         try {

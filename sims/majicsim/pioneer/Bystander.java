@@ -6,7 +6,7 @@ import majicsim.pioneer.devices.Devices;
 import majicsim.pioneer.devices.Tone;
 
 /**
- * What a person beside the robot can do to it, and hear from it. Works with or without a client connected; what a model does not
+ * What a person beside the robot can do to it and observe of it. Works with or without a client connected; what a model does not
  * carry (gripper, charger) shows no effect. All calls with the lab's lock held.
  */
 public final class Bystander {
@@ -27,7 +27,7 @@ public final class Bystander {
         devices.stopButton().press(down);
     }
 
-    /** Presses the reset button: the controller restarts, deaf for a second, and a client hears packet 0xFE. */
+    /** Presses the reset button: the controller restarts, receives nothing for a second, and sends packet 0xFE to its client. */
     public void pressReset() {
         reset.run();
     }
@@ -51,7 +51,7 @@ public final class Bystander {
     }
 
     /**
-     * Pushes the joystick. The robot heeds it while the fire button is held.
+     * Pushes the joystick. It drives the robot while the fire button is held.
      *
      * @param right -1 (left) to 1 (right)
      * @param ahead -1 (back) to 1 (ahead)

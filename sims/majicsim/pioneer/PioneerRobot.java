@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 public final class PioneerRobot implements Firmware {
     private static final System.Logger LOG = System.getLogger(PioneerRobot.class.getName());
 
-    /** A plain Pioneer 3-DX with its present controller, as most labs have it: the model unless told otherwise. */
+    /** A plain Pioneer 3-DX with its present controller, as most labs have it: the model unless another is given. */
     public static final String STANDARD_MODEL = "p3dx-sh";
 
     private static final String OWNERS_NAME = "MajicSim";
@@ -36,7 +36,7 @@ public final class PioneerRobot implements Firmware {
     /**
      * A Pioneer of the {@link #STANDARD_MODEL}, put into the world.
      *
-     * @param world where it lives
+     * @param world in which it is
      * @param start where it stands first
      * @param noise the lab's source of chance; exact: wheels, sonar and odometry without error
      * @throws IllegalArgumentException if there is no room at the start; nothing was added
@@ -48,7 +48,7 @@ public final class PioneerRobot implements Firmware {
     /**
      * A Pioneer of the given model, put into the world.
      *
-     * @param world where it lives
+     * @param world in which it is
      * @param start where it stands first
      * @param noise the lab's source of chance; exact: wheels, sonar and odometry without error
      * @param name the model by the name it has in the handshake, one of {@link #models()}, with its extras as in
@@ -185,7 +185,7 @@ public final class PioneerRobot implements Firmware {
         }
     }
 
-    /** The plug: whoever writes to it, the controller sees one and the same line. */
+    /** The plug: the controller sees one and the same line for all clients. */
     private final class SerialPort implements Firmware {
         private final SerialWire wire;
 

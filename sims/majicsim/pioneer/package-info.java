@@ -3,7 +3,7 @@
  * odometry. Written from the ARCOS protocol sheet alone; it shares no code with the driver in {@code majic.pioneer},
  * so that one misreading cannot hide on both sides. Sockets and the room belong to the lab, not here.
  *
- * <p>Everything is called with the lab's lock held and knows no clock but the lab's steps.
+ * <p>Everything is called with the lab's lock held and uses no clock but the lab's steps.
  */
 @NullMarked
 package majicsim.pioneer;

@@ -6,7 +6,7 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A rigid robot: an outline around its turning centre, and the velocity it wants. The world moves it, never through a wall or
+ * A rigid robot: an outline around its turning centre, and its set velocity. The world moves it, never through a wall or
  * another body. Guarded by the lab's lock.
  */
 public final class Body {

@@ -1,7 +1,7 @@
 package majicsim.world;
 
 /**
- * What a ray met first. If it met nothing, {@link #found()} is false, the distance is the length that was asked for and the
+ * What a ray met first. If it met nothing, {@link #found()} is false, the distance is the length of the ray and the
  * reflectivity is 0.
  *
  * @param distanceMm mm from the ray's start

@@ -13,7 +13,10 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 
-/** The fixed part of a lab: walls, start places, lamps, tape on the floor. Read from the vendor's map text (ARCOS sheet appendix B). Immutable. */
+/**
+ * The fixed part of a lab: walls, start places, lamps, tape on the floor. Read from the vendor's map text (ARCOS sheet appendix
+ * B). Immutable.
+ */
 public final class Room {
     private static final String STANDARD = "/worlds/lab.map";
 
@@ -40,7 +43,7 @@ public final class Room {
      *
      * @param file a map in the vendor's text format
      * @return the room
-     * @throws IOException if it cannot be read or is no such map; the message says file, line and what is wrong
+     * @throws IOException if it cannot be read or is no such map; the message names the file, the line and what is wrong
      */
     public static Room load(Path file) throws IOException {
         if (Files.isDirectory(file)) {
@@ -61,7 +64,7 @@ public final class Room {
      * @param text a map in the vendor's text format; not closed
      * @param name of the map, for messages
      * @return the room
-     * @throws IOException if it cannot be read or is no such map; the message says name, line and what is wrong
+     * @throws IOException if it cannot be read or is no such map; the message gives name, line and what is wrong
      */
     public static Room parse(Reader text, String name) throws IOException {
         return new MapParser(name, new BufferedReader(text)).parse();

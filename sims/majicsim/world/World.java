@@ -51,7 +51,7 @@ public final class World {
     }
 
     /**
-     * Puts a body into the room, where its pose says.
+     * Puts a body into the room, at its pose.
      *
      * @param b a body of no other world
      * @throws IllegalArgumentException if it would stand in a wall or another body; it was not added

@@ -2,7 +2,7 @@ package majicsim.aibo.urbi;
 
 import java.util.List;
 
-/** What the server says first: the shape of the real one (URBI sheet, section 2) in words of our own. */
+/** The server's first lines: the shape of the real ones (URBI sheet, section 2) in words of our own. */
 final class Banner {
     private static final String RULE = "**********************************************************";
 

@@ -20,7 +20,7 @@ final class BuiltIns {
         functions.builtIn("cpuload", arguments -> Value.of(0.12));
         functions.builtIn("freemem", arguments -> Value.of(19_000_000));
         functions.builtIn("random", arguments -> random(number(arguments, 0), noise));
-        // The evaluator answers these two itself when they are asked of a name; of anything else they are true and
+        // The evaluator computes these two itself when their argument is a name; for anything else they are true and
         // false.
         functions.builtIn("isdef", arguments -> Value.of(true));
         functions.builtIn("isvoid", arguments -> Value.of(argument(arguments, 0) instanceof Value.Void));

@@ -46,7 +46,7 @@ public final class Kernel implements Server {
     private long nextId = FIRST_ID;
 
     /**
-     * A kernel that knows the language and no hardware yet.
+     * A kernel with the language and no hardware yet.
      *
      * @param noise what {@code random} draws from
      */
@@ -164,7 +164,7 @@ public final class Kernel implements Server {
     }
 
     /**
-     * Takes what a client said; what nothing holds back is done at once.
+     * Takes bytes of a client; commands that do not have to wait run at once.
      *
      * @param line the client's
      * @param bytes in whatever pieces

@@ -7,8 +7,8 @@ import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is on its way to one client (URBI sheet, section 2). Beyond 1 MiB that the client has not read messages are lost, whole ones;
- * the next one that finds room again comes behind a line that says so.
+ * What is on its way to one client (URBI sheet, section 2). Beyond 1 MiB that the client has not read messages are lost, whole
+ * ones; the next one that finds room again comes behind a line that says so.
  */
 final class SendBuffer {
     private static final int LIMIT = (1 << 20) - 1024;
@@ -20,8 +20,8 @@ final class SendBuffer {
     private boolean lost;
 
     /**
-     * @param line the client, or null for nobody
-     * @param complaint makes the line that tells of a loss
+     * @param line the client, or null for none
+     * @param complaint makes the line that reports a loss
      */
     SendBuffer(@Nullable Line line, Supplier<String> complaint) {
         this.line = line;
@@ -29,7 +29,7 @@ final class SendBuffer {
     }
 
     /**
-     * Takes a message for the next packet; it is not even made if nobody can get it.
+     * Takes a message for the next packet; it is not even made if no client can receive it.
      *
      * @param about how long it will be, in bytes
      */

@@ -5,7 +5,7 @@ public interface Behaviour {
     /** The mode begins. */
     default void begin() {}
 
-    /** Time goes by. */
+    /** Lets time pass. */
     default void step(double seconds) {}
 
     /** The sensors were read anew. */

@@ -1,8 +1,9 @@
 package majicsim.hemisson.board;
 
 /**
- * The firmware's two sensor tables, which lie in the command buffer's memory and are refreshed every 41 ms (sheet 4.2, 4.6, 6). Proximity is ambient minus lit, modulo 256, never above the
- * ambient value; ground left subtracts from the ambient value of ground right, a slip of the real firmware.
+ * The firmware's two sensor tables, which lie in the command buffer's memory and are refreshed every 41 ms (sheet 4.2, 4.6, 6).
+ * Proximity is ambient minus lit, modulo 256, never above the ambient value; ground left subtracts from the ambient value of
+ * ground right, a slip of the real firmware.
  */
 public final class InfraRed {
     private static final double ROUND_SECONDS = 0.041;
@@ -53,7 +54,7 @@ public final class InfraRed {
         return memory.text(PROXIMITY, Eyes.COUNT) + memory.text(AMBIENT, Eyes.COUNT);
     }
 
-    /** Whether the tables were refreshed since this was last asked. */
+    /** Whether the tables were refreshed since the last call. */
     public boolean takeFresh() {
         boolean was = fresh;
         fresh = false;

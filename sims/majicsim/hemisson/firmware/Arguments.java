@@ -6,7 +6,7 @@ import java.util.Locale;
 final class Arguments {
     private Arguments() {}
 
-    /** As many upper-case hex digits as said. */
+    /** Upper-case hex digits, as many as given. */
     static int hex(String text, int digits) throws RefusedException {
         return number(text, "[0-9A-F]{" + digits + "}", 16);
     }

@@ -5,9 +5,9 @@ import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.uart.Reply;
 
-/** Command A of the RoadNarrows dialect: finds the module that is meant, and repeats what it was told before the module's answer. */
+/** Command A of the RoadNarrows dialect: finds the module that is meant, and repeats the command before the module's answer. */
 final class RoadNarrowsModules {
-    /** A stamp and general I/O are named in the sheet, what they are told is not. */
+    /** The sheet names a stamp and general I/O, but not their commands. */
     private static final String NAMED_ONLY = "2GD";
 
     private final I2cBus bus;

@@ -42,7 +42,7 @@ public final class Ultrasonic implements I2cModule {
         return ModuleKind.ULTRASONIC;
     }
 
-    /** While it listens for echoes nobody is at its address. */
+    /** While it waits for echoes it does not answer at its address. */
     @Override
     public int read(int register, int index) {
         if (leftSeconds > 0) {

@@ -57,7 +57,7 @@ public final class Voice implements I2cModule {
         leftSeconds = Math.max(0, leftSeconds - seconds);
     }
 
-    /** What was said, oldest first; stored phrases as "phrase 1" and so on. */
+    /** The spoken texts, oldest first; stored phrases as "phrase 1" and so on. */
     public List<String> said() {
         return List.copyOf(said);
     }

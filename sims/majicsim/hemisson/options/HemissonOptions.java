@@ -10,8 +10,8 @@ import majicsim.hemisson.modules.ModuleKind;
  * @param modules what sits on its bus
  * @param switches the four top switches in the order of command I, each 0 or 1; they choose the running mode (sheet 7)
  * @param isPaced whether characters take 88 µs each, both ways; otherwise replies come at once
- * @param hasOverrun whether a third character that waits while it is busy blocks the receiver until it is powered off and on (sheet 4.4);
- *     otherwise it is lenient, as behind a serial server that buffers. Characters take their time then too
+ * @param hasOverrun whether a third character that waits while it is busy blocks the receiver until it is powered off and on
+ *     (sheet 4.4); otherwise it is lenient, as behind a serial server that buffers. Characters take their time then too
  * @param ambient what a light sensor reads far from lamps, 0 bright sun to 255 dark
  * @param mismatchPercent by how much the right wheel is faster than the left one, -50 to 50, beside what the noise does
  */
@@ -32,7 +32,7 @@ public record HemissonOptions(
     /**
      * Checks them.
      *
-     * @throws IllegalArgumentException if something is outside its range; the message says what
+     * @throws IllegalArgumentException if something is outside its range; the message names it
      */
     public HemissonOptions {
         modules = Set.copyOf(modules);
@@ -61,7 +61,7 @@ public record HemissonOptions(
      *
      * @param model such as {@code kteam+camera+ultrasonic+overrun} or {@code roadnarrows+switches=1110+ambient=60}
      * @return the options
-     * @throws IllegalArgumentException if there is no such robot; the message says which word and what there is
+     * @throws IllegalArgumentException if there is no such robot; the message names the word and what there is
      */
     public static HemissonOptions parse(String model) {
         return ModelWords.parse(model);

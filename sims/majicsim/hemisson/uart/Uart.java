@@ -9,11 +9,11 @@ import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robot's serial port as its firmware uses it: an interrupt takes the characters that have arrived out of the receiver, and a command
- * is answered inside that interrupt, which lasts until the transmitter has a place for the last character of the answer. The receiver
- * holds two characters; with overrun a third one stops it until the power is switched off and on (sheet 4.4). Without overrun characters
- * wait outside until they are taken, as behind a serial server. With pacing a character takes 88 µs, both ways, and everything happens
- * at its own time within a step of the lab; without it all happens at once.
+ * The robot's serial port as its firmware uses it: an interrupt takes the characters that have arrived out of the receiver, and a
+ * command is answered inside that interrupt, which lasts until the transmitter has a place for the last character of the answer.
+ * The receiver holds two characters; with overrun a third one stops it until the power is switched off and on (sheet 4.4).
+ * Without overrun characters wait outside until they are taken, as behind a serial server. With pacing a character takes 88 µs,
+ * both ways, and everything happens at its own time within a step of the lab; without it all happens at once.
  */
 public final class Uart {
     static final double CHARACTER_SECONDS = 88e-6;
@@ -91,7 +91,7 @@ public final class Uart {
         send(lines, Reply.of(text));
     }
 
-    /** The firmware does something else for a while; what is said then, follows it. */
+    /** The firmware does something else for a while; what is sent meanwhile follows it. */
     public void busyFor(double seconds) {
         freeAt += seconds;
     }

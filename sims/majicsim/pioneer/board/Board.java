@@ -84,7 +84,7 @@ public final class Board {
         return boot.clockMicros();
     }
 
-    /** Whether the controller hears its client: not while it restarts, nor in maintenance mode. */
+    /** Whether the controller receives anything: not while it restarts, nor in maintenance mode. */
     public boolean isListening() {
         return boot.isListening();
     }
@@ -108,7 +108,7 @@ public final class Board {
         devices.restore();
     }
 
-    /** RESET, or the button for it: all as after switching on, and deaf for a moment. */
+    /** RESET, or the button for it: all as after switching on, and receives nothing for a moment. */
     public void restart() {
         endSession();
         drive.setOdometry(new Pose(0, 0, 0));
@@ -151,7 +151,7 @@ public final class Board {
         devices.step(seconds, effort(), body.turnDegPerSec());
     }
 
-    /** Whether the SIP must show a stall; takes note that it was told. */
+    /** Whether the SIP must show a stall; records that it was reported. */
     public boolean reportStall() {
         boolean stalled = drive.stall().report();
         return stalled || devices.stopButton().holdsMotors();
@@ -171,7 +171,7 @@ public final class Board {
         }
     }
 
-    /** Whether a client has lifted it and put it down elsewhere since this was last asked. */
+    /** Whether a client has lifted it and put it down elsewhere since the last call. */
     public boolean wasLifted() {
         boolean was = lifted;
         lifted = false;

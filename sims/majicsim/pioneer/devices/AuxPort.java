@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One of the controller's serial ports for accessories: bytes go out at the port's baud rate, and what the device answers
- * waits until the client asks for it (ARCOS sheet 6.1, TTY2 and GETAUX). A plug that sends back what it gets is in it at first.
+ * waits until the client requests it (ARCOS sheet 6.1, TTY2 and GETAUX). At first a plug is in it that sends back what it gets.
  */
 public final class AuxPort {
     /** The longest packet has 200 bytes, 6 of them around the data (ARCOS sheet 2.2). */
@@ -46,7 +46,7 @@ public final class AuxPort {
         append(bytes, outgoing);
     }
 
-    /** GETAUX: so many bytes more when they are there; 0 forgets what waits and what was asked for. */
+    /** GETAUX: so many bytes more when they are there; 0 forgets what waits and what was requested. */
     public void request(int bytes) {
         if (bytes == 0) {
             incoming.clear();
@@ -65,7 +65,7 @@ public final class AuxPort {
         }
     }
 
-    /** What the client asked for and is there, as a packet; null if there is nothing to send. */
+    /** What the client requested and is there, as a packet; null if there is nothing to send. */
     public byte @Nullable [] nextPacket() {
         int count = Math.min(MOST_BYTES_A_PACKET, Math.min(requested, incoming.size()));
         if (count == 0) {

@@ -35,7 +35,7 @@ public final class Battery {
         return charge;
     }
 
-    /** In percent as far as the voltage shows it, 1 to 100, since 0 says that it is not known. */
+    /** In percent as far as the voltage shows it, 1 to 100, since 0 means unknown. */
     public int percent() {
         double shown = isPretended() ? (pretendedTenthVolts / 10.0 - EMPTY_VOLTS) / (FULL_VOLTS - EMPTY_VOLTS) : charge;
         return (int) Math.round(Math.max(1, Math.min(100, shown * 100)));

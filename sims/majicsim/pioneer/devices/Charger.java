@@ -2,7 +2,7 @@ package majicsim.pioneer.devices;
 
 /**
  * The charger and the docking mechanism that takes its power (ARCOS sheet 6.1 CHARGE, 8 CHARGESTATE). A model without the
- * mechanism charges by a plug of which its controller knows nothing.
+ * mechanism charges by a plug that its controller does not sense.
  */
 public final class Charger {
     static final int NOT_CHARGING = 0;
@@ -39,7 +39,7 @@ public final class Charger {
         return fitted && isCharging();
     }
 
-    /** As CHARGESTATE says it. */
+    /** As CHARGESTATE reports it. */
     public int state() {
         if (!isPowerGood()) {
             return NOT_CHARGING;

@@ -6,7 +6,7 @@ import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;
 import majicsim.world.Noise;
 
-/** Everything on the robot that does not move it and hears no echoes. What a model does not carry is there and idle. */
+/** Everything on the robot besides motors, sonar and laser. A device that a model does not carry is there and idle. */
 public final class Devices {
     /** What controller, sonar and radio draw, and the motors at full speed on top. */
     private static final double IDLE_AMPERES = 0.9;

@@ -2,7 +2,7 @@ package majicsim.pioneer.devices;
 
 /** The controller's temperature, and the warning when it gets too hot (ARCOS sheet 8, FAULT_FLAGS and TEMPERATURE). */
 public final class Thermometer {
-    /** Where a controller would switch itself off, as CONFIG tells; this one only warns, 10 degrees earlier. */
+    /** Where a controller would switch itself off, as CONFIG reports; this one only warns, 10 degrees earlier. */
     public static final int SHUTDOWN_CELSIUS = 75;
 
     private static final int WARNING_CELSIUS = SHUTDOWN_CELSIUS - 10;

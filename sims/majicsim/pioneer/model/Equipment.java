@@ -1,7 +1,7 @@
 package majicsim.pioneer.model;
 
 /**
- * What a model carries beside motors, sonar and bumpers. The vendor's parameter files do not tell; what stands in the table
+ * What a model carries beside motors, sonar and bumpers. The vendor's parameter files do not contain it; what stands in the table
  * is our choice, documented there. Immutable.
  *
  * @param generation of its firmware

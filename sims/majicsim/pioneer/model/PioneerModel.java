@@ -13,7 +13,7 @@ import java.util.List;
  * @param topSpeedMmPerSec the fastest it drives
  * @param topTurnDegPerSec the fastest it turns
  * @param scaling the factors of its raw numbers
- * @param hasMove whether the controller knows MOVE
+ * @param hasMove whether the controller has the command MOVE
  * @param frontBumpers bumper segments in front, 0 to 7
  * @param rearBumpers bumper segments behind, 0 to 7
  * @param sonars the discs that are fitted, by number
@@ -41,7 +41,7 @@ public record PioneerModel(
     }
 
     /**
-     * The model that goes by this subclass, with the extras that follow it behind plus signs, without regard to case.
+     * The model with the name of this subclass, with the extras that follow it behind plus signs, without regard to case.
      *
      * @throws IllegalArgumentException if there is no such model or extra; the message lists those there are
      */

@@ -11,7 +11,7 @@ import majicsim.world.Pose;
 
 /**
  * The motors and what the controller makes of motion commands (ARCOS sheet 7): two independent channels, straight ramps,
- * stall, odometry from the wheels. Speeds and ways in here are what the encoders say; {@link WheelError} stands between
+ * stall, odometry from the wheels. Speeds and distances in here are what the encoders measure; {@link WheelError} stands between
  * them and the truth.
  */
 public final class Drive {
@@ -46,7 +46,7 @@ public final class Drive {
         this.rotation = new Channel(MotionLimits.stored(model).rotation());
     }
 
-    /** Motors on, or off: then it brakes and knows no set-points any more. */
+    /** Motors on, or off: then it brakes and drops its set-points. */
     public void enable(boolean on) {
         enabled = on;
         if (!on) {
@@ -82,7 +82,7 @@ public final class Drive {
         });
     }
 
-    /** HEAD: to this odometry heading, the shorter way round; asked for again it changes nothing. */
+    /** HEAD: to this odometry heading, the shorter way round; repeated it changes nothing. */
     public void heading(double degrees) {
         turn(channel -> servo.head(channel, odometry.headingDeg(), degrees));
     }
@@ -148,7 +148,7 @@ public final class Drive {
         return new MotionLimits(translation.limits(), rotation.limits());
     }
 
-    /** SETO: what it believes of its place becomes this; where it stands does not change. */
+    /** SETO: its odometry becomes this; its true pose does not change. */
     public void setOdometry(Pose pose) {
         servo.shift(pose.headingDeg() - odometry.headingDeg());
         odometry = pose;
@@ -159,7 +159,7 @@ public final class Drive {
         return odometry;
     }
 
-    /** What the odometry would say if the wheels did not mislead it. */
+    /** The odometry without the errors of the wheels. */
     public Pose odometryWithoutError() {
         return withoutError;
     }
@@ -196,7 +196,7 @@ public final class Drive {
         return plannedMmPerSec;
     }
 
-    /** A bumper touched something on the way: stands still, stalled. */
+    /** A bumper touched something on the way: it stops, stalled. */
     public void bumped() {
         translation.blockAfter(0);
         stall.pushed(STALL_PAUSE_SECONDS);
@@ -223,7 +223,7 @@ public final class Drive {
         return translation.goal().equals(Goal.STOP) && rotation.goal().equals(Goal.STOP);
     }
 
-    /** Without power, for want of a client's packets or after a stall, the motors rest and keep their set-points. */
+    /** Without power, without packets from a client or after a stall, the motors rest and keep their set-points. */
     private void holdChannels() {
         boolean hold = held || stall.isPausing();
         translation.hold(hold);

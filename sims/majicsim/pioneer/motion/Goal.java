@@ -1,6 +1,6 @@
 package majicsim.pioneer.motion;
 
-/** What a motion channel is asked for; holds until replaced (ARCOS sheet 7.1). */
+/** The set-point of a motion channel; holds until replaced (ARCOS sheet 7.1). */
 sealed interface Goal {
     Goal STOP = new Speed(0);
 

@@ -17,7 +17,7 @@ public record MotionLimits(Limits translation, Limits rotation) {
     private static final double STORED_ACCELERATION = 300;
     private static final double STORED_TURN_ACCELERATION = 100;
 
-    /** The most the model can do, whatever it is told. */
+    /** The most the model can do, whatever is commanded. */
     public static MotionLimits tops(PioneerModel model) {
         return new MotionLimits(
                 new Limits(model.topSpeedMmPerSec(), TOP_ACCELERATION, TOP_ACCELERATION),

@@ -2,7 +2,7 @@ package majicsim.pioneer.motion;
 
 /**
  * Whether the motors push without getting anywhere (ARCOS sheet 7.5): set when the robot meets something, kept while the
- * command that pushed is in force, cleared once it has come away or is asked to rest. Shown in at least one SIP. After each
+ * command that pushed is in force, cleared once it has come away or is commanded to stop. Shown in at least one SIP. After each
  * push the motors have no power for a pause, then they try again.
  */
 public final class Stall {
@@ -30,7 +30,7 @@ public final class Stall {
         }
     }
 
-    /** Neither moves nor wants to. */
+    /** Neither moves nor is commanded to. */
     void rests() {
         stalled = false;
     }
@@ -44,7 +44,7 @@ public final class Stall {
         return pauseSeconds > 0;
     }
 
-    /** For the SIP: whether it is stalled, or was since this was last asked. */
+    /** For the SIP: whether it is stalled, or was since the last call. */
     public boolean report() {
         boolean report = stalled || unreported;
         unreported = false;

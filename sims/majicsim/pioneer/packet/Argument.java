@@ -10,7 +10,7 @@ import java.util.Arrays;
 public record Argument(byte[] data) {
     private static final int NEGATIVE = 0x1B;
 
-    /** The number: a magnitude, negative if the type byte says so; -65535 to 65535. */
+    /** The number: a magnitude, negative by its type byte; -65535 to 65535. */
     public int integer() {
         return at(0) == NEGATIVE ? -magnitude() : magnitude();
     }

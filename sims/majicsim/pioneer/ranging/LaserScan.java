@@ -9,7 +9,7 @@ package majicsim.pioneer.ranging;
  * @param stepDeg between two readings, {@value #FINEST_DEG} or more
  */
 public record LaserScan(double startDeg, double endDeg, double stepDeg) {
-    /** A scanner of the vendor's robots unless told otherwise: half a circle ahead, one reading a degree. */
+    /** A scanner of the vendor's robots by default: half a circle ahead, one reading a degree. */
     public static final LaserScan USUAL = new LaserScan(-90, 90, 1);
 
     static final double FINEST_DEG = 0.1;

@@ -12,7 +12,7 @@ import majicsim.world.Pose;
 import majicsim.world.World;
 
 /**
- * What one sonar disc hears: the nearest echo in a cone of 30 degrees. A flat surface throws sound back only when it is
+ * What one sonar disc measures: the nearest echo in a cone of 30 degrees. A flat surface throws sound back only when it is
  * met within about 30 degrees of square, beyond that the echo is lost; edges and corners scatter it and are heard from
  * near by whatever their direction.
  */

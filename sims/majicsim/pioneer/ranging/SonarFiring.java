@@ -84,7 +84,7 @@ public final class SonarFiring {
         }
     }
 
-    /** The readings since this was last asked, in the order of firing. */
+    /** The readings since the last call, in the order of firing. */
     public List<SonarReading> takeFresh() {
         List<SonarReading> readings = fresh.entrySet().stream()
                 .map(entry -> new SonarReading(entry.getKey(), entry.getValue()))

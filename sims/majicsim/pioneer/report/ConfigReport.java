@@ -13,7 +13,7 @@ import majicsim.pioneer.motion.MotionLimits;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**
- * The CONFIG packet (ARCOS sheet 10), as far as the model's generation of firmware knows it. Serial number and version tell
+ * The CONFIG packet (ARCOS sheet 10), as far as the model's generation of firmware has it. Serial number and version tell
  * clients that this is a simulator.
  *
  * @param robotName the owner's name for the robot

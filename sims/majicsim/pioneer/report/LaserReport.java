@@ -34,7 +34,7 @@ public record LaserReport(Pose odometry, int[] ranges) {
         return packets;
     }
 
-    /** With word, once, that somebody lifted the robot and put it down elsewhere. */
+    /** Reports once that the robot was lifted and put down elsewhere. */
     public List<byte[]> withReflectance(boolean lifted) {
         List<byte[]> packets = new ArrayList<>();
         for (int first = 0; first < ranges.length; first += MOST_IN_A_PACKET) {

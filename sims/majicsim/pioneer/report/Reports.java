@@ -7,7 +7,7 @@ import java.util.Map;
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.AuxPort;
 
-/** What one client gets in each cycle: the SIP, what it asked for beside it, and what came in at the AUX ports. */
+/** What one client gets in each cycle: the SIP, what it requested besides it, and what came in at the AUX ports. */
 public final class Reports {
     private final Board board;
     private final Map<Report, Subscription> subscriptions = new EnumMap<>(Report.class);

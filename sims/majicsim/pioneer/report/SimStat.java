@@ -5,7 +5,7 @@ import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Pose;
 
 /**
- * The simulator's own packet, the only one that tells the true pose (ARCOS sheet 11.7).
+ * The simulator's own packet, the only one with the true pose (ARCOS sheet 11.7).
  *
  * @param stepMs the simulator's step
  * @param truePose where the robot really is in the room

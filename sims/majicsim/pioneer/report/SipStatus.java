@@ -4,7 +4,7 @@ import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.Devices;
 
 /**
- * The part of a SIP between motion and sonar that says how the robot is (ARCOS sheet 8).
+ * The part of a SIP between motion and sonar: the robot's status (ARCOS sheet 8).
  *
  * @param batteryTenthVolts in 0.1 V
  * @param left bit 0 left motor stalled, bits 1 to 7 rear bumpers

@@ -7,7 +7,7 @@ import majicsim.pioneer.model.Generation;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**
- * What a SIP says after the sonar readings, more of it with each generation of firmware (ARCOS sheet 8).
+ * The part of a SIP after the sonar readings, more of it with each generation of firmware (ARCOS sheet 8).
  *
  * @param generation where it ends
  * @param gripper its state, as sheet 11.5
@@ -18,7 +18,7 @@ import majicsim.pioneer.packet.PacketWriter;
  * @param chargeState 0 not charging, 1 bulk, 2 overcharge, 3 float
  * @param faults 0 if all is well
  * @param celsius temperature
- * @param chargePercent state of charge, 0 for not known
+ * @param chargePercent state of charge, 0 for unknown
  * @param clockMicros since the controller started
  */
 record SipTail(

@@ -77,7 +77,7 @@ public final class SerialWire implements Line {
         }
     }
 
-    /** A line that has no speed of its own, or does not tell it, is taken to be right. */
+    /** A line that has no speed of its own, or does not report it, is taken to be right. */
     private int clientBaud() {
         int baud = plug == null ? 0 : plug.baud();
         return baud == 0 ? speed.bitsPerSecond() : baud;

@@ -12,7 +12,7 @@ import majicsim.pioneer.report.ConfigReport;
 import majicsim.pioneer.report.Report;
 import majicsim.world.Pose;
 
-/** The commands that the controller knows, by the manual's names and numbers, and what each does (ARCOS sheet 6). */
+/** The commands of the controller, by the manual's names and numbers, and what each does (ARCOS sheet 6). */
 public enum Command {
     PULSE(0, (session, argument) -> {}),
     OPEN(1, (session, argument) -> session.open()),

@@ -1,7 +1,7 @@
 package majicsim.pioneer.session;
 
 /**
- * The vendor's client still asks for the simulated laser by the numbers of a much older simulator, 36, 37, 38 and then 35
+ * The vendor's client still requests the simulated laser by the numbers of a much older simulator, 36, 37, 38 and then 35
  * (ARCOS sheet 6.2), which the robot uses for its gripper and its analog port. Three in that order, the second with an
  * angle that no gripper request has, are the laser's; all others are the robot's. A client that has spoken so once means
  * the laser by these numbers for the rest of its session.

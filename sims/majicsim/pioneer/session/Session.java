@@ -89,7 +89,7 @@ public final class Session {
         return ended;
     }
 
-    /** Whether nobody has been heard for so long that the watchdog has stopped the robot. */
+    /** Whether no packet has come for so long that the watchdog has stopped the robot. */
     public boolean hasTimedOut() {
         return watchdog.hasExpired();
     }
@@ -146,7 +146,7 @@ public final class Session {
         line.close();
     }
 
-    /** RESET, or the button for it: tells the client, forgets it, and starts anew (ARCOS sheet 11.6). */
+    /** RESET, or the button for it: notifies the client, forgets it, and starts anew (ARCOS sheet 11.6). */
     public void restart() {
         send(new PacketWriter(RESTARTED).toBytes());
         forgetClient();

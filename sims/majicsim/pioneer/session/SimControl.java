@@ -7,8 +7,8 @@ import majicsim.pioneer.report.ConfigReport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * SIM_CTRL and its like: orders to the simulator itself (ARCOS sheet 6.2). One client may not change the room under everybody's wheels,
- * so a map that is asked for is answered as not changed, and never opened.
+ * SIM_CTRL and its like: orders to the simulator itself (ARCOS sheet 6.2). One client may not change the room under everybody's
+ * wheels, so a request for a map is answered as not changed, and never opened.
  */
 final class SimControl {
     private static final System.Logger LOG = System.getLogger(SimControl.class.getName());

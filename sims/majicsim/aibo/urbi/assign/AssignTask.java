@@ -9,7 +9,7 @@ import majicsim.aibo.urbi.syntax.Flag;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** An assignment of a number under way: at once, or along a trajectory; it heeds the variable's blend mode. */
+/** An assignment of a number under way: at once, or along a trajectory; by the variable's blend mode. */
 final class AssignTask extends Task implements Variable.Motion {
     private final Variable variable;
     private final Course course;

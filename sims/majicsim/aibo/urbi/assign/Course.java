@@ -12,7 +12,7 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /**
- * What an assignment under way goes by. Its modifiers are looked at again each cycle, and so is the centre of an oscillation: a
+ * The present aim of a running assignment. Its modifiers are evaluated again each cycle, and so is the centre of an oscillation: a
  * program steers a swing through the variables in it (URBI sheet, section 6).
  */
 final class Course {

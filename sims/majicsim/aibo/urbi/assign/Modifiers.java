@@ -52,7 +52,7 @@ record Modifiers(Map<String, Double> numbers, @Nullable Variable phase) {
         return new Modifiers(Map.copyOf(numbers), phase);
     }
 
-    /** Put into a string: each {@code $name} in it gives way to the value of that name. */
+    /** Put into a string: each {@code $name} in it is replaced by the value of that name. */
     static String compose(String text, List<Modifier> written, List<Value> values) {
         String composed = text;
         for (int i = 0; i < Math.min(written.size(), values.size()); i++) {

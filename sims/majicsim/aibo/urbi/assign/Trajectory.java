@@ -13,7 +13,7 @@ record Trajectory(double durationMs, Curve curve, Curve phase) {
         double at(double elapsedMs);
     }
 
-    /** From one value to another, or around it, as the modifiers say. */
+    /** From one value to another, or around it, by the modifiers. */
     static Trajectory of(double from, double to, Modifiers modifiers) {
         if (modifiers.oscillates()) {
             return oscillation(to, modifiers);

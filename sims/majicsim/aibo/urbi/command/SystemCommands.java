@@ -34,7 +34,7 @@ final class SystemCommands {
                 return PauseTask.cycle(context);
             }
             default -> {
-                // What is left has no reply here: what would switch the robot off.
+                // The other words, which would switch the robot off, have no reply here.
             }
         }
         return null;
@@ -66,7 +66,7 @@ final class SystemCommands {
         return null;
     }
 
-    /** The name of a connection as written, or what a shared variable of that name says. */
+    /** The name of a connection as written, or the value of a shared variable of that name. */
     private static String named(Context context, String written) {
         Variable variable =
                 written.indexOf('.') < 0 ? null : context.variables().find(context.scope(), written);

@@ -9,7 +9,7 @@ import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 
-/** A while loop. Each turn costs a cycle (URBI sheet, section 8), so no program can hold the kernel up. */
+/** A while loop. Each turn costs a cycle (URBI sheet, section 8), so no program can block the kernel. */
 public final class LoopTask extends Task {
     private final Flow.While loop;
     private @Nullable Task turn;

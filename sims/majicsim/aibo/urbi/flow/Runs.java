@@ -7,8 +7,8 @@ import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /**
- * The runs of a body that a timer or an event handler has started and that have not ended. They are counted in the whole server, so
- * that bodies which never end cannot eat its memory: beyond the limit none is started.
+ * The runs of a body that a timer or an event handler has started and that have not ended. They are counted in the whole server,
+ * so that bodies which never end cannot use up its memory: beyond the limit none is started.
  */
 final class Runs {
     private final Context context;

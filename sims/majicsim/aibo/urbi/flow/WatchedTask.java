@@ -59,7 +59,7 @@ public final class WatchedTask extends Task {
         body.freeze();
     }
 
-    /** What somebody else froze, by its tag, stays so. */
+    /** A command that was frozen by its tag stays frozen. */
     private void letGo() {
         if (holds) {
             holds = false;

@@ -11,11 +11,11 @@ public enum Blend {
     MIX,
     /** They are added. */
     ADD,
-    /** Who comes second has no effect. */
+    /** The second one has no effect. */
     DISCARD,
-    /** Who comes second waits for the end of the first. */
+    /** The second one waits for the end of the first. */
     QUEUE,
-    /** Who comes second ends the first. */
+    /** The second one ends the first. */
     CANCEL;
 
     public static @Nullable Blend named(String name) {

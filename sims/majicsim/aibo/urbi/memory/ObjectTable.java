@@ -9,7 +9,7 @@ import java.util.Set;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.MemoryLimits;
 
-/** The classes and objects of programs, which the kernel does not tell apart: each may inherit from others (URBI sheet, section 10). */
+/** The classes and objects of programs, which are the same to the kernel: each may inherit from others (URBI sheet, section 10). */
 public final class ObjectTable {
     private static final String SELF = "self.";
     private static final String LOCAL = "local.";

@@ -31,7 +31,7 @@ public final class Variable {
         /**
          * It was given bytes.
          *
-         * @param binary the bytes and what was said of them
+         * @param binary the bytes and their description
          */
         default void receive(Value.Binary binary) {}
 
@@ -79,7 +79,7 @@ public final class Variable {
      * A variable that may have hardware behind it.
      *
      * @param name its full name, with a dot
-     * @param value what its command is first; the hardware is not told
+     * @param value its first command, which is not passed to the hardware
      * @param hardware what is read and commanded through it; null for none
      */
     public Variable(String name, Value value, @Nullable Hardware hardware) {
@@ -97,7 +97,7 @@ public final class Variable {
     }
 
     /**
-     * Clips numbers that are assigned from now on, without a word (URBI sheet, section 6).
+     * Clips numbers that are assigned from now on, silently (URBI sheet, section 6).
      *
      * @param min the least, in its unit
      * @param max the most
@@ -154,7 +154,7 @@ public final class Variable {
     }
 
     /**
-     * Assigns a value at once, and tells the hardware.
+     * Assigns a value at once, and passes it to the hardware.
      *
      * @param value numbers are clipped to the limits
      */

@@ -1,6 +1,6 @@
 package majicsim.aibo.urbi.run;
 
-/** What the programs of all clients together may use, so that none of them can hold the kernel up. */
+/** What the programs of all clients together may use, so that none of them can block the kernel. */
 public final class Budget {
     /** Far more than a useful program calls in 32 ms. */
     private static final int CALLS_A_PASS = 2000;

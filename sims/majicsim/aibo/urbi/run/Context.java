@@ -12,9 +12,9 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * On whose behalf a command runs. Immutable.
+ * The connection, call, tag and flags with which a command runs. Immutable.
  *
- * @param connection where it was said
+ * @param connection from which it came
  * @param frame the call it belongs to; null outside of one
  * @param tag that its replies carry
  * @param depth how many commands it is inside of, through all function calls

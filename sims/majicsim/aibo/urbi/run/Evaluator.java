@@ -14,7 +14,7 @@ import majicsim.aibo.urbi.value.Operators;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** Gives expressions their values on behalf of one command; all it changes are the names that take an event's arguments. */
+/** Gives expressions their values for one command; the only variables it changes are those that take an event's arguments. */
 public final class Evaluator implements Expr.Evaluation {
     /** Stands before each index in the name of a variable. */
     private static final String INDEX = "__";

@@ -24,7 +24,7 @@ public final class Functions {
          *
          * @param arguments as many as the program gave
          * @return its value
-         * @throws Failure if it makes no sense with them; the program is told
+         * @throws Failure if they do not fit; the program gets its message
          */
         Value call(List<Value> arguments) throws Failure;
     }
@@ -35,10 +35,10 @@ public final class Functions {
         /**
          * Starts one call.
          *
-         * @param context on whose behalf
+         * @param context in which it runs
          * @param arguments as many as it takes
          * @return what is to be stepped until it ends; nothing has happened yet
-         * @throws Failure if it makes no sense with them; the program is told
+         * @throws Failure if they do not fit; the program gets its message
          */
         Task start(Context context, List<Value> arguments) throws Failure;
     }
@@ -57,7 +57,7 @@ public final class Functions {
     /**
      * Adds a function of the server's or the hardware's own that gives its value at once.
      *
-     * @param name by which every connection knows it
+     * @param name under which every connection calls it
      * @param function what it does
      */
     public void builtIn(String name, BuiltIn function) {
@@ -67,7 +67,7 @@ public final class Functions {
     /**
      * Adds a function of the server's or the hardware's own that takes time.
      *
-     * @param name by which every connection knows it
+     * @param name under which every connection calls it
      * @param arity how many arguments it takes
      * @param function what it does
      */

@@ -5,7 +5,7 @@ import java.util.Set;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.MemoryLimits;
 
-/** What is known of tags beyond the commands that carry them: those that are blocked or frozen (URBI sheet, section 7). */
+/** The tags that are blocked or frozen, whether commands carry them or not (URBI sheet, section 7). */
 public final class Tags {
     private final Set<String> blocked = new HashSet<>();
     private final Set<String> frozen = new HashSet<>();

@@ -7,7 +7,7 @@ import java.util.List;
  * still while it is frozen.
  */
 public abstract class Task {
-    /** On whose behalf it runs. */
+    /** The context in which it runs. */
     protected final Context context;
 
     private double startMs = Double.NaN;
@@ -17,7 +17,7 @@ public abstract class Task {
     /**
      * Something to be stepped.
      *
-     * @param context on whose behalf
+     * @param context in which it runs
      */
     protected Task(Context context) {
         this.context = context;
@@ -48,13 +48,13 @@ public abstract class Task {
         return false;
     }
 
-    /** Called once when it ends, by itself or killed; what it holds must be let go. */
+    /** Called once when it ends, by itself or killed; it must release what it holds. */
     protected void ended() {}
 
     /**
-     * Called when its time stands still or goes on.
+     * Called when it is frozen or thawed.
      *
-     * @param frozen true when it stands still from now on
+     * @param frozen true when it is frozen from now on
      */
     protected void halted(boolean frozen) {}
 
@@ -88,7 +88,7 @@ public abstract class Task {
         }
     }
 
-    /** Nothing inside it lives on: a function may return while something in it runs. */
+    /** Ends what runs inside it too: a function may return while something in it runs. */
     private void finish() {
         over = true;
         List.copyOf(parts()).forEach(Task::kill);

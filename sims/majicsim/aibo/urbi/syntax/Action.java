@@ -4,7 +4,7 @@ import java.util.List;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** A command that does one thing: an answer, an assignment, a word to the server (URBI sheet, sections 5 to 9). */
+/** A command that does one thing: an answer, an assignment, an order to the server (URBI sheet, sections 5 to 9). */
 public sealed interface Action extends Statement {
     /**
      * One method for each kind of these commands.
@@ -119,7 +119,7 @@ public sealed interface Action extends Statement {
         }
     }
 
-    /** A command of one word, such as {@code ping}. */
+    /** A command that is a single word, such as {@code ping}. */
     record Command(String word) implements Action {
         @Override
         public <R> R accept(Statement.Visitor<R> visitor) {

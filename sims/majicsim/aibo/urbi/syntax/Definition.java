@@ -3,7 +3,7 @@ package majicsim.aibo.urbi.syntax;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A command that makes a name known or forgets it (URBI sheet, section 10). */
+/** A command that defines a name or removes it (URBI sheet, section 10). */
 public sealed interface Definition extends Statement {
     /**
      * One method for each kind of these commands.

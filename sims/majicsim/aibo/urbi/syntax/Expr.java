@@ -33,7 +33,7 @@ public sealed interface Expr {
         return List.of();
     }
 
-    /** Whether its value is the same whenever it is asked for. */
+    /** Whether its value is always the same. */
     default boolean isConstant() {
         return !parts().isEmpty() && parts().stream().allMatch(Expr::isConstant);
     }
@@ -123,7 +123,7 @@ public sealed interface Expr {
         }
     }
 
-    /** A function call. Two calls that read alike are still two: they are told apart by identity. */
+    /** A function call. Calls are compared by identity: two with the same text are still two. */
     record Call(Name function, List<Expr> parts) implements Expr {
         @Override
         public boolean isConstant() {

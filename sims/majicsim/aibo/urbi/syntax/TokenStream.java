@@ -2,7 +2,7 @@ package majicsim.aibo.urbi.syntax;
 
 import java.util.List;
 
-/** The tokens of one command, read from the front; it also keeps the tree from growing deeper than a stack can walk. */
+/** The tokens of one command, read from the front; it also limits the depth of the tree to what the stack allows. */
 final class TokenStream {
     private static final int MAX_DEPTH = 1000;
 

@@ -10,7 +10,7 @@ public final class Failure extends Exception {
     private final transient List<String> lines;
 
     private Failure(List<String> lines) {
-        // Programs that fail do so every cycle, and nobody looks at where in the kernel: no stack trace is taken.
+        // Programs that fail do so every cycle, and the place in the kernel is never shown: no stack trace is taken.
         super(String.join("; ", lines), null, false, false);
         this.lines = lines;
     }
@@ -18,7 +18,7 @@ public final class Failure extends Exception {
     /**
      * An error inside an expression: the kernel adds that the evaluation failed.
      *
-     * @param lines what it says before
+     * @param lines the lines before
      * @return to be thrown
      */
     public static Failure inExpression(String... lines) {

@@ -71,7 +71,7 @@ public sealed interface Value {
     }
 
     /**
-     * What it says, where a text is wanted.
+     * Its text, where a text is required.
      *
      * @return the text as it was written
      * @throws Failure if it is none

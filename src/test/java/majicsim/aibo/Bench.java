@@ -124,7 +124,7 @@ final class Bench {
             received.writeBytes(message);
         }
 
-        /** What a test has not taken, nobody has read. */
+        /** The bytes that a test has not taken. */
         @Override
         public int unsent() {
             return received.size();

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Commands to a group: what runs in place of them tells of its end, not the command itself (URBI sheet, section 21). */
+/** Commands to a group: what runs in place of them reports its end, not the command itself (URBI sheet, section 21). */
 class BroadcastTest {
     private final Bench bench = Bench.exact();
     private final Bench.Client client = bench.client();

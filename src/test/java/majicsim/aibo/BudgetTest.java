@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What programs may use of the server, and what it says when they want more (URBI sheet, sections 2 and 11). */
+/** What programs may use of the server, and its answer when they exceed that (URBI sheet, sections 2 and 11). */
 class BudgetTest {
     private final Bench bench = Bench.exact();
     private final Bench.Client client = bench.client();

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The full captures of the real kernel against the simulator, when {@code -Dmajic.captures} says where they are. */
+/** The full captures of the real kernel against the simulator, from the folder that {@code -Dmajic.captures} names. */
 class CaptureReplayTest {
     /** What is not sent, and why: the rest of the captures must agree. */
     private static final Map<String, String> OUT_OF_SUBSET = Map.ofEntries(

@@ -18,7 +18,7 @@ record FramingLine(String sent, String received) {
         return new FramingLine(unescape(matcher.group(1)), received);
     }
 
-    /** The capture shows only the first bytes of a very long line; nothing can be said from there on. */
+    /** The capture shows only the first bytes of a very long line; nothing can be compared from there on. */
     boolean isCut() {
         return sent.length() >= 100;
     }

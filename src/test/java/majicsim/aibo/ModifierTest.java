@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What may stand behind an assignment (URBI sheet, section 6); plain variables, so that no motor has a say. */
+/** What may stand behind an assignment (URBI sheet, section 6); plain variables, so that no motor plays a part. */
 class ModifierTest {
     private final Bench bench = Bench.exact();
     private final Bench.Client client = bench.client();

@@ -73,7 +73,7 @@ final class UrbiClient implements AutoCloseable {
         return new Message(matcher.group(2), body);
     }
 
-    /** Closes the half of the connection on which it speaks. */
+    /** Closes the half of the connection on which it sends. */
     void endSending() throws IOException {
         socket.shutdownOutput();
     }

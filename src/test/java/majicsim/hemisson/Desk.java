@@ -51,7 +51,7 @@ public final class Desk implements Line {
         return all.endsWith("␍␊") ? all.substring(0, all.length() - 2) : all;
     }
 
-    /** Time goes by in lab steps; returns what was said meanwhile. */
+    /** Lets time pass in lab steps; returns what was received meanwhile. */
     public String after(double seconds) {
         for (long i = Math.round(seconds / STEP_SECONDS); i > 0; i--) {
             world.step(STEP_SECONDS);
@@ -60,7 +60,7 @@ public final class Desk implements Line {
         return take();
     }
 
-    /** Time goes by in one small step, finer than the lab's. */
+    /** Lets time pass in one small step, finer than the lab's. */
     public String tick(double seconds) {
         robot.step(seconds);
         return take();

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The clients that others have written come one after the other to the same port, and half of them go without a word. */
+/** Clients like those of other projects come one after the other to the same port, and half of them go without CLOSE. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class AgainAndAgainTest {
     private static final int SESSIONS = 40;

@@ -89,7 +89,7 @@ final class AriaClient implements VendorClient {
         }
     }
 
-    /** Comes to rest before it dies; a robot left driving would drive on at the next client's first word. */
+    /** Stops the robot before it ends; a moving robot would move on at the next client's first packet. */
     @Override
     public void vanish() throws IOException {
         client.write(Hex.concat(StandClient.packet(VEL, 0), StandClient.packet(RVEL, 0)));

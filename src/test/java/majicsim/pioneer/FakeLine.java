@@ -36,7 +36,7 @@ public final class FakeLine implements Line {
         return open;
     }
 
-    /** The messages since this was last asked. */
+    /** The messages since the last call. */
     public List<byte[]> take() {
         List<byte[]> taken = List.copyOf(messages);
         messages.clear();

@@ -41,7 +41,7 @@ public final class Rig {
         robot.connected(line);
     }
 
-    /** Exact, in the middle of the room, looking along x; nobody has shaken hands. */
+    /** Exact, in the middle of the room, looking along x; no client has shaken hands. */
     public static Rig silent() {
         return new Rig(new Pose(0, 0, 0), Noise.exact(), PioneerRobot.STANDARD_MODEL);
     }
@@ -71,7 +71,7 @@ public final class Rig {
         return command(1, 1);
     }
 
-    /** The client goes without a word and another one comes. */
+    /** The client goes without CLOSE and another one comes. */
     public Rig reconnect() {
         robot.disconnected(line);
         line = new FakeLine();
@@ -115,7 +115,7 @@ public final class Rig {
         return this;
     }
 
-    /** Lets lab time pass without a word from the client. */
+    /** Lets lab time pass without a packet from the client. */
     public Rig step(double seconds) {
         for (long left = Math.round(seconds / STEP_SECONDS); left > 0; left--) {
             world.step(STEP_SECONDS);

@@ -122,7 +122,7 @@ final class StandClient {
         return wire;
     }
 
-    /** Gone without a word; what the robot's end notices of it, it has noticed when this returns. */
+    /** Disconnects without CLOSE; when this returns, the robot's end has noticed what it can notice. */
     void vanish() throws IOException {
         receive();
         taken.accept(received);

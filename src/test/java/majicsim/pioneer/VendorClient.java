@@ -2,7 +2,7 @@ package majicsim.pioneer;
 
 import java.io.IOException;
 
-/** One session of somebody's client, in pieces. */
+/** One session of another project's client, in pieces. */
 interface VendorClient {
     void connect() throws IOException;
 

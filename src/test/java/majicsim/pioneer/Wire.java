@@ -15,7 +15,7 @@ interface Wire {
     /** Changes the speed of a serial line. */
     default void baud(int bitsPerSecond) {}
 
-    /** The client is gone, without a word to the robot. */
+    /** The client is gone without CLOSE. */
     void vanish() throws IOException;
 
     /** Whether the robot's end notices that the client is gone; that of a serial line does not. */

@@ -169,7 +169,7 @@ class LineTimingTest {
         assertThat(kind.after(0.02)).endsWith("␍␊␍␊e,00,00␍␊e,00,00␍␊");
     }
 
-    /** Whether the robot still hears after a command whose first character was sent so long after the CR of the one before. */
+    /** Whether the robot still receives after a command whose first character was sent so long after the CR of the one before. */
     private static boolean survives(String command, double laterMs) {
         Desk desk = new Desk(TRUE_RECEIVER);
         desk.say(command + "␍");
@@ -185,7 +185,7 @@ class LineTimingTest {
         return ticksUntil(desk, command.equals("Z") ? "com␍␊␍␊" : "␍␊") - arrivedMs;
     }
 
-    /** Until something was heard that ends as said. */
+    /** Until the received text ends as given. */
     private static double ticksUntil(Desk desk, String end) {
         String heard = "";
         int ticks = 0;

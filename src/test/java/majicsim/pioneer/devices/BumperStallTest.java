@@ -87,7 +87,7 @@ class BumperStallTest {
         assertThat(Rig.open().config().numbers()).containsEntry("FRONTBUMPS", 0);
     }
 
-    /** Touches the leftmost front segment from the side, where it is in nobody's way. */
+    /** Touches the leftmost front segment from the side, where it blocks nothing. */
     private Body bumpBesideTheFront() {
         return bump(150, SIDE_MM + RADIUS_MM, -90);
     }

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** GRIPPER, GRIPPERVAL and what SIP and packet 0xE0 say of it (ARCOS sheet 11.5). */
+/** GRIPPER, GRIPPERVAL and what SIP and packet 0xE0 report of it (ARCOS sheet 11.5). */
 class GripperTest {
     private static final int GRIPPER = 33;
     private static final int GRIPPERVAL = 36;

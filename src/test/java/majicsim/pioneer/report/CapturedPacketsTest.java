@@ -15,7 +15,7 @@ import majicsim.pioneer.session.Handshake;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 
-/** Packets of the ARCOS sheet's appendix A, encoded again from what they say. */
+/** Packets of the ARCOS sheet's appendix A, encoded again from their contents. */
 class CapturedPacketsTest {
     private static final PioneerModel P3DX = PioneerModel.of("p3dx");
     private static final SipTail IDLE =
@@ -70,7 +70,7 @@ class CapturedPacketsTest {
                 08 15 10 09 FB 08 0A DB 07 0B E2 07 0C 14 09 0D 85 0C 0E 08 10 0F 23 10
                 00 00 00 FF FF 82 00 00 6A FF 00 00 00 00 81 00 26 9E
                 """);
-        captured[3] = 0x33; // the vendor's simulator says 0x32 even when it moves, and the checksum goes with it
+        captured[3] = 0x33; // the vendor's simulator sends 0x32 even when it moves, and the checksum goes with it
         assertThat(Arrays.copyOf(packet, packet.length - 2)).isEqualTo(Arrays.copyOf(captured, captured.length - 2));
     }
 

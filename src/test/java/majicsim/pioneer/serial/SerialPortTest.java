@@ -11,7 +11,7 @@ import majicsim.pioneer.packet.Hex;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** The plug at the robot's side, where a real controller knows of no connection (ARCOS sheet 5.1, 15). */
+/** The plug at the robot's side, where a real controller has no notion of a connection (ARCOS sheet 5.1, 15). */
 class SerialPortTest {
     private static final byte[] HANDS = Hex.bytes("FA FB 03 00 00 00 FA FB 03 01 00 01 FA FB 03 02 00 02");
     private static final byte[] RADIO_NOISE = Hex.bytes("57 4D 53 32 0D");

@@ -25,7 +25,7 @@ class ReceivingFuzzTest {
     /** Out of it leads only the reset button. */
     private static final int MAINTENANCE = 255;
 
-    /** Longer than a controller that was reset is deaf, and than half a packet waits. */
+    /** Longer than a controller receives nothing after a reset, and than half a packet waits. */
     private static final double RESTART_S = 1.1;
 
     @FuzzTest
