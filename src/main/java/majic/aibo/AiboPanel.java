@@ -1,6 +1,7 @@
 package majic.aibo;
 
 import java.util.List;
+import java.util.function.Function;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import majic.bot.MajicBot;
@@ -43,7 +44,8 @@ final class AiboPanel extends NewsPanel {
             "accelY",
             "accelZ");
 
-    private final transient MajicAibo bot;
+    private final transient MajicBot bot;
+    private final transient Dog dog;
     private final DogDrawing drawing;
     private final transient CameraPanel camera = new CameraPanel();
     private final transient Spectator spectator;
@@ -51,12 +53,13 @@ final class AiboPanel extends NewsPanel {
     private final BodyPanel body = new BodyPanel();
     private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
 
-    private AiboPanel(MajicAibo bot) {
+    private AiboPanel(MajicBot bot, Dog dog, Function<Spectator.Audience, Spectator> spectators) {
         super(bot);
         this.bot = bot;
-        this.drawing = new DogDrawing(bot.dog());
-        this.head = new HeadPanel(bot);
-        this.spectator = bot.spectator(camera);
+        this.dog = dog;
+        this.drawing = new DogDrawing(dog);
+        this.head = new HeadPanel(bot, dog.senses());
+        this.spectator = spectators.apply(camera);
         JPanel controls = controls();
         add(drawing);
         add(camera.view());
@@ -75,9 +78,14 @@ final class AiboPanel extends NewsPanel {
         return controls;
     }
 
-    /** Makes the panel; on the event dispatch thread. */
-    static JComponent create(MajicAibo bot) {
-        AiboPanel panel = new AiboPanel(bot);
+    /**
+     * Makes the panel; on the event dispatch thread.
+     *
+     * @param dog what is drawn
+     * @param spectators makes what asks for the pictures that the panel shows
+     */
+    static JComponent create(MajicBot bot, Dog dog, Function<Spectator.Audience, Spectator> spectators) {
+        AiboPanel panel = new AiboPanel(bot, dog, spectators);
         panel.refreshOnNews();
         return panel;
     }
@@ -92,7 +100,7 @@ final class AiboPanel extends NewsPanel {
         boolean connected = bot.isConnected();
         camera.refresh();
         head.refresh();
-        body.refresh(bot.dog().senses(), connected);
+        body.refresh(dog.senses(), connected);
         readings.show(bot, bot.isConnected());
         drawing.setEnabled(connected);
         drawing.repaint();

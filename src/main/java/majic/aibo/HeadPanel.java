@@ -4,6 +4,7 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.JPanel;
+import majic.bot.MajicBot;
 import majic.panel.ReachSlider;
 import net.miginfocom.swing.MigLayout;
 
@@ -11,13 +12,15 @@ import net.miginfocom.swing.MigLayout;
 final class HeadPanel extends JPanel {
     private static final long serialVersionUID = 1;
 
-    private final transient MajicAibo bot;
+    private final transient MajicBot bot;
+    private final transient Senses senses;
     private final transient Grip grip;
     private final transient Map<Joint, ReachSlider> sliders = new EnumMap<>(Joint.class);
 
-    HeadPanel(MajicAibo bot) {
+    HeadPanel(MajicBot bot, Senses senses) {
         super(new MigLayout("insets 0, wrap 1, fillx, gap 0 1, novisualpadding", "[grow, fill]"));
         this.bot = bot;
+        this.senses = senses;
         this.grip = new Grip(bot);
         setOpaque(false);
         add(Joint.HEAD_PAN);
@@ -42,7 +45,6 @@ final class HeadPanel extends JPanel {
     void refresh() {
         boolean usable = bot.isConnected() && bot.place().isPresent();
         sliders.forEach((joint, slider) -> {
-            Senses senses = bot.dog().senses();
             slider.setEnabled(usable);
             slider.show(
                     words(senses.number(joint.sensor())),

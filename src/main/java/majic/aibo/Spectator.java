@@ -24,7 +24,7 @@ final class Spectator {
     }
 
     private final Watch watch;
-    private final Supplier<@Nullable AiboSession> session;
+    private final Supplier<@Nullable UrbiConnection> connection;
     private final Audience audience;
     private final Camera camera;
     private final Tags tags = new Tags();
@@ -33,11 +33,11 @@ final class Spectator {
     /**
      * A spectator who does not look yet.
      *
-     * @param session what is connected now; null while nothing is
+     * @param connection the one for sensors and settings that is open now; null while none is
      */
-    Spectator(Watch watch, Supplier<@Nullable AiboSession> session, Audience audience) {
+    Spectator(Watch watch, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
         this.watch = watch;
-        this.session = session;
+        this.connection = connection;
         this.audience = audience;
         this.camera = new Camera(watch);
     }
@@ -63,52 +63,51 @@ final class Spectator {
 
         private void run() {
             while (!over) {
-                AiboSession open = session.get();
-                if (open == null) {
+                UrbiConnection on = connection.get();
+                if (on == null) {
                     audience.miss("not connected");
-                    watch.await(() -> over || session.get() != null, Signal.FOR_EVER);
+                    watch.await(() -> over || connection.get() != null, Signal.FOR_EVER);
                 } else {
-                    look(open);
+                    look(on);
                 }
             }
         }
 
-        private void look(AiboSession open) {
-            UrbiConnection on = open.links().sensors();
+        private void look(UrbiConnection on) {
             String tag = tags.next();
             try {
                 on.send(Lamps.order(tag, on.dialect()));
-                while (sees(open)) {
-                    picture(open, on);
+                while (sees(on)) {
+                    picture(on);
                 }
                 on.send(Lamps.stop(tag));
             } catch (BotException e) {
-                watch.await(() -> !sees(open), AFTER_FAILURE_S);
+                watch.await(() -> !sees(on), AFTER_FAILURE_S);
             }
         }
 
-        private boolean sees(AiboSession open) {
-            return !over && session.get() == open;
+        private boolean sees(UrbiConnection on) {
+            return !over && connection.get() == on;
         }
 
-        private void picture(AiboSession open, UrbiConnection on) {
+        private void picture(UrbiConnection on) {
             long askedNanos = watch.time().nanos();
             try {
-                UrbiValue picture = camera.next(on, () -> !sees(open));
+                UrbiValue picture = camera.next(on, () -> !sees(on));
                 if (picture != null) {
                     long nanos = watch.time().nanos();
                     audience.see(picture, rate.arrived(nanos));
                     double tookS = (nanos - askedNanos) / 1e9;
-                    pause(open, Math.max(tookS, LEAST_PERIOD_S - tookS));
+                    pause(on, Math.max(tookS, LEAST_PERIOD_S - tookS));
                 }
             } catch (UrbiRefusal e) {
                 audience.miss(String.valueOf(e.getMessage()));
-                pause(open, AFTER_FAILURE_S);
+                pause(on, AFTER_FAILURE_S);
             }
         }
 
-        private void pause(AiboSession open, double seconds) {
-            watch.await(() -> !sees(open), seconds);
+        private void pause(UrbiConnection on, double seconds) {
+            watch.await(() -> !sees(on), seconds);
         }
     }
 }
