@@ -14,8 +14,8 @@ final class Lamps {
     private static final String SIGN = "_lamp";
     private static final Pattern TAG = Pattern.compile("\\w+" + SIGN + "(\\d{1,2})");
     private static final int PERIOD_MS = 480;
-    private static final List<String> DEVICES = Stream.concat(LightParameters.all().stream(), Stream.of("earL", "earR"))
-            .toList();
+    private static final List<String> DEVICES =
+            Stream.concat(LedNames.all().stream(), Stream.of("earL", "earR")).toList();
 
     private final Map<String, Double> amounts = new ConcurrentHashMap<>();
 

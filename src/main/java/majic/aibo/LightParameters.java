@@ -2,8 +2,6 @@ package majic.aibo;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -12,10 +10,6 @@ import majic.driver.ParameterTheme;
 
 /** The 26 LEDs, alone and in groups (URBI sheet 13). None of it moves the dog. */
 final class LightParameters implements ParameterTheme<Dialect> {
-    private static final List<String> FACE =
-            IntStream.rangeClosed(1, 14).mapToObj(led -> "ledF" + led).toList();
-    private static final List<String> BACK_COLOUR = List.of("ledBFC", "ledBMC", "ledBRC");
-    private static final List<String> BACK_WHITE = List.of("ledBFW", "ledBMW", "ledBRW");
     private static final List<String> PLACES = List.of("front", "middle", "rear");
 
     private final Access access;
@@ -26,20 +20,13 @@ final class LightParameters implements ParameterTheme<Dialect> {
         this.access = access;
     }
 
-    /** All there are, in the order of the list parameter. */
-    static List<String> all() {
-        return Stream.of(FACE, BACK_COLOUR, BACK_WHITE, List.of("ledHC", "ledHW", "modeR", "modeG", "modeB", "ledWIFI"))
-                .flatMap(List::stream)
-                .toList();
-    }
-
     @Override
     public void describe(ParameterTable table, Dialect dialect) {
-        FACE.forEach(led -> describe(table, led, "brightness of this LED of the face"));
+        LedNames.FACE.forEach(led -> describe(table, led, "brightness of this LED of the face"));
         for (int place = 0; place < PLACES.size(); place++) {
             String where = "brightness of the back's %s LED, " + PLACES.get(place);
-            describe(table, BACK_COLOUR.get(place), String.format(where, "coloured"));
-            describe(table, BACK_WHITE.get(place), String.format(where, "white"));
+            describe(table, LedNames.BACK_COLOUR.get(place), String.format(where, "coloured"));
+            describe(table, LedNames.BACK_WHITE.get(place), String.format(where, "white"));
         }
         describeSwitch(table, "ledHC", "the head's coloured LED");
         describeSwitch(table, "ledHW", "the head's white LED");
@@ -47,10 +34,11 @@ final class LightParameters implements ParameterTheme<Dialect> {
         describeSwitch(table, "modeG", "green in the mode indicator");
         describeSwitch(table, "modeB", "blue in the mode indicator");
         describeSwitch(table, "ledWIFI", "the LED of the wireless network");
-        describeGroup(table, "ledF", FACE, "the face's LEDs");
-        describeGroup(table, "ledBC", BACK_COLOUR, "the back's coloured LEDs from the front");
-        describeGroup(table, "ledBW", BACK_WHITE, "the back's white LEDs from the front");
-        describeGroup(table, "leds", all(), "all 26 LEDs: face, back coloured, back white, head, mode, wireless");
+        describeGroup(table, "ledF", LedNames.FACE, "the face's LEDs");
+        describeGroup(table, "ledBC", LedNames.BACK_COLOUR, "the back's coloured LEDs from the front");
+        describeGroup(table, "ledBW", LedNames.BACK_WHITE, "the back's white LEDs from the front");
+        describeGroup(
+                table, "leds", LedNames.all(), "all 26 LEDs: face, back coloured, back white, head, mode, wireless");
         table.add(Parameter.onOff("light", "lights the face, to find out which robot this is"), () -> Value.onOff(lit))
                 .writes(values -> light(values.get(0).isYes()));
     }
@@ -73,8 +61,8 @@ final class LightParameters implements ParameterTheme<Dialect> {
         }
         table.add(list, access.askedAll(values(leds), Unit.NONE)).writes(values -> {
             if (values.size() == 1) {
-                access.tell(List.of(
-                        Access.toGroup(Access.assign(group, values.get(0).number()))));
+                access.tell(List.of(UrbiCommands.toGroup(
+                        UrbiCommands.assign(group, values.get(0).number()))));
             } else {
                 put(leds, values);
             }
@@ -95,7 +83,7 @@ final class LightParameters implements ParameterTheme<Dialect> {
         for (int index = 0; index < values.size(); index++) {
             Value value = values.get(index);
             if (!(value instanceof Value.Unknown)) {
-                commands.add(Access.assign(leds.get(index) + ".val", value.number()));
+                commands.add(UrbiCommands.assign(leds.get(index) + ".val", value.number()));
             }
         }
         access.tell(commands);
@@ -107,10 +95,10 @@ final class LightParameters implements ParameterTheme<Dialect> {
             return;
         }
         if (on) {
-            former = access.ask(values(FACE), amount -> Value.of(amount, Unit.NONE));
-            access.tell(List.of(Access.toGroup("ledF = 1")));
+            former = access.ask(values(LedNames.FACE), amount -> Value.of(amount, Unit.NONE));
+            access.tell(List.of(UrbiCommands.toGroup("ledF = 1")));
         } else {
-            put(FACE, former);
+            put(LedNames.FACE, former);
         }
         lit = on;
     }

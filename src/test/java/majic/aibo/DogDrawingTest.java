@@ -53,7 +53,7 @@ class DogDrawingTest {
     }
 
     static Stream<String> lamps() {
-        return Stream.concat(LightParameters.all().stream(), Stream.of("earL", "earR"));
+        return Stream.concat(LedNames.all().stream(), Stream.of("earL", "earR"));
     }
 
     @ParameterizedTest
