@@ -85,7 +85,7 @@ final class Access {
         AiboSession open = session.get();
         UrbiConnection on = open.links().sensors();
         Ask ask = new Ask(tags.next(), Ask.Expects.END);
-        on.send(ask, ask.tag() + "+end: " + together(commands) + ";");
+        on.send(ask, ask.tag() + "+end: " + UrbiCommands.together(commands) + ";");
         if (!Patience.isAllowed()) {
             return;
         }
@@ -98,23 +98,5 @@ final class Access {
         if (!ask.isDone()) {
             throw new UrbiRefusal("the dog did not do it within " + Value.plain(ANSWER_S) + " s");
         }
-    }
-
-    /** Commands that set out in the same cycle and end when all have (URBI sheet 3). */
-    static String together(List<String> commands) {
-        return commands.size() == 1 ? commands.get(0) : "{ " + String.join(" & ", commands) + " }";
-    }
-
-    /**
-     * A command that a server passes on to all members of a group, such that it ends once under its own tag. Without the
-     * braces a 1.0 kernel reports an end for each member, some or all of them under the tag {@code __system__} (URBI sheet 21).
-     */
-    static String toGroup(String command) {
-        return "{ " + command + " }";
-    }
-
-    /** An assignment; the value is a plain number. */
-    static String assign(String variable, double amount) {
-        return variable + " = " + Dialect.number(amount);
     }
 }

@@ -130,7 +130,7 @@ final class AiboLinks implements UrbiConnection.Owner {
     private void stopQuietly(UrbiConnection last) {
         all().stream().filter(connection -> connection != last).forEach(UrbiConnection::abort);
         try {
-            last.send(Runner.STOP_GAITS);
+            last.send(UrbiCommands.STOP_GAITS);
         } catch (LinkLost e) {
             LOG.log(Level.DEBUG, "no stop could be sent over a broken connection", e);
         }

@@ -14,7 +14,7 @@ final class AiboParameters {
 
     AiboParameters(ParameterTable table, Dog dog, Access access, Volume volume) {
         this.table = table;
-        Limbs limbs = new Limbs(access);
+        Limbs limbs = new Limbs(dog.senses(), access::open);
         this.themes = List.of(
                 new RangeParameters(dog),
                 new BodyParameters(access),

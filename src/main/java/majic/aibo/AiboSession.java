@@ -227,7 +227,7 @@ final class AiboSession {
     private String lastWords() {
         Running running = runner.current();
         String own = running == null ? "" : " " + running.stopCommands();
-        return Runner.STOP_GAITS + own + sweep.halt() + " " + guard.stop() + " " + poll.stop()
+        return UrbiCommands.STOP_GAITS + own + sweep.halt() + " " + guard.stop() + " " + poll.stop()
                 + microphone.stopCommand() + " ";
     }
 

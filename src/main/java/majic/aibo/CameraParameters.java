@@ -63,6 +63,6 @@ final class CameraParameters implements ParameterTheme<Dialect> {
     }
 
     private void tell(String field, double amount) {
-        access.tell(List.of(Access.assign("camera." + field, amount)));
+        access.tell(List.of(UrbiCommands.assign("camera." + field, amount)));
     }
 }

@@ -37,13 +37,13 @@ final class EarParameters implements ParameterTheme<Dialect> {
     private void describe(ParameterTable table, String ear, String help) {
         table.add(Parameter.onOff(ear, help), access.asked(ear + ".val", amount -> Value.onOff(amount > 0)))
                 .moves((values, motion) -> limbs.perform(
-                        List.of(Access.assign(ear + ".val", values.get(0).number())), 0, motion));
+                        List.of(UrbiCommands.assign(ear + ".val", values.get(0).number())), 0, motion));
     }
 
     private void flick(List<Value> values, Motion motion) {
         List<String> commands = new ArrayList<>();
         for (int index = 0; index < values.size(); index++) {
-            commands.add(Access.assign(
+            commands.add(UrbiCommands.assign(
                     EARS.get(index) + ".val", Math.rint(values.get(index).number())));
         }
         limbs.perform(commands, 0, motion);

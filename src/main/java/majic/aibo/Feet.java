@@ -103,7 +103,7 @@ final class Feet {
             layDown(motion);
         }
         layingFailed = false;
-        Running switching = session.runner().command(session.links().motion(), Access.toGroup("motors off"));
+        Running switching = session.runner().command(session.links().motion(), UrbiCommands.toGroup("motors off"));
         perform(motion, switching, POWER_S);
         dog.senses().assumeMotors(false, switching.endedMs());
     }

@@ -3,6 +3,7 @@ package majic.aibo;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import majic.bot.Motion;
 
@@ -18,13 +19,15 @@ final class Limbs {
 
     private static final double ARRIVED_DEG = 1;
 
-    private final Access access;
+    private final Senses senses;
+    private final Supplier<AiboSession> session;
 
     /** Quick, but not the jerk of a bare assignment. */
     private volatile double degPerSec = 120;
 
-    Limbs(Access access) {
-        this.access = access;
+    Limbs(Senses senses, Supplier<AiboSession> session) {
+        this.senses = senses;
+        this.session = session;
     }
 
     /** How fast joints turn that were given no time, deg/s. */
@@ -43,11 +46,11 @@ final class Limbs {
      * @param givenMs how long it is to take; what the longest way takes if empty
      */
     void turn(Map<Joint, Double> targets, OptionalDouble givenMs, Motion motion) {
-        AiboSession open = access.open();
+        AiboSession open = session.get();
         open.feet().power(motion);
         double ms = Math.rint(givenMs.orElseGet(() -> usualMs(targets)));
         List<String> commands = targets.entrySet().stream()
-                .map(target -> Access.assign(target.getKey().urbiName() + ".val", target.getValue()) + " time:"
+                .map(target -> UrbiCommands.assign(target.getKey().urbiName() + ".val", target.getValue()) + " time:"
                         + Dialect.number(ms))
                 .toList();
         prepare(open, targets, motion);
@@ -67,13 +70,13 @@ final class Limbs {
 
     /** Has parts of the dog moved by commands that end by themselves. */
     void perform(List<String> commands, double seconds, Motion motion) {
-        AiboSession open = access.open();
+        AiboSession open = session.get();
         open.awaitFree(motion);
         perform(open, commands, seconds, motion);
     }
 
     private static void perform(AiboSession open, List<String> commands, double seconds, Motion motion) {
-        Running running = open.runner().command(open.links().sensors(), Access.together(commands));
+        Running running = open.runner().command(open.links().sensors(), UrbiCommands.together(commands));
         open.feet().perform(motion, running, seconds + LATE_S);
     }
 
@@ -85,11 +88,11 @@ final class Limbs {
     }
 
     private double way(Joint joint, double target) {
-        return Math.abs(target - access.senses().number(joint.sensor()).orElse(0.0));
+        return Math.abs(target - senses.number(joint.sensor()).orElse(0.0));
     }
 
     private boolean hasArrived(Map.Entry<Joint, Double> target) {
-        double measured = access.senses().number(target.getKey().sensor()).orElse(target.getValue());
+        double measured = senses.number(target.getKey().sensor()).orElse(target.getValue());
         return Math.abs(measured - target.getValue()) < ARRIVED_DEG;
     }
 }

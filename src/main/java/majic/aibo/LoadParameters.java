@@ -32,7 +32,7 @@ final class LoadParameters implements ParameterTheme<Dialect> {
     }
 
     private void stiffen(Joint joint, String variable, double load, Motion motion) {
-        limbs.perform(List.of(Access.assign(variable, load)), 0, motion);
+        limbs.perform(List.of(UrbiCommands.assign(variable, load)), 0, motion);
         if (joint.isInALeg()) {
             access.open().dog().setAfoot(false);
         }

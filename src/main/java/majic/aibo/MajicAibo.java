@@ -59,7 +59,7 @@ public final class MajicAibo extends MajicBot {
         new CalibrationParameters(dog.calibration(), this::learn).describe(table());
         add(CalibrateCommand.of(new Lesson(this::session, this::stride, this::learn)));
         add(new RawCommand(access).command());
-        add(new PlayCommand(new Speaker(this::session, volume)).command());
+        add(new PlayCommand(new Speaker(() -> session().links().sensors(), volume)).command());
         add(new RecordCommand(this::session).command());
     }
 
@@ -171,17 +171,22 @@ public final class MajicAibo extends MajicBot {
 
     @Override
     public @Nullable JComponent display() {
-        return AiboPanel.create(this);
+        return AiboPanel.create(this, dog, this::spectator);
     }
 
-    /** What the panel draws from. */
+    /** What is known of the dog. */
     Dog dog() {
         return dog;
     }
 
-    /** Somebody who looks at the dog through it, not yet looking. */
+    /** Makes what asks the dog for pictures and LEDs, not asking yet. */
     Spectator spectator(Spectator.Audience audience) {
-        return new Spectator(new Watch(time(), changes()), () -> isConnected() ? session : null, audience);
+        return new Spectator(new Watch(time(), changes()), this::openSensors, audience);
+    }
+
+    private @Nullable UrbiConnection openSensors() {
+        AiboSession open = session;
+        return isConnected() && open != null ? open.links().sensors() : null;
     }
 
     /** What there is while it is connected. */

@@ -12,9 +12,6 @@ import org.jspecify.annotations.Nullable;
  * anything; whether it has hit what it was meant for is found out afterwards, see {@link Running#pursue}. Thread-safe.
  */
 final class Runner {
-    /** The stick's own tags inside of its gaits; this ends the walks of all clients (URBI sheet 15, 19). */
-    static final String STOP_GAITS = "stop walk, stop turn,";
-
     private static final double CONFIRM_S = 5;
     private static final double AGAIN_S = 0.1;
 
@@ -110,13 +107,13 @@ final class Runner {
     void halt(String further) {
         Running running = current.get();
         if (running == null) {
-            links.stop().send(STOP_GAITS + further);
+            links.stop().send(UrbiCommands.STOP_GAITS + further);
         } else {
             running.requestStop();
             if (running.piece() == null) {
                 dog.setAfoot(false);
             }
-            links.stop().send(STOP_GAITS + running.stopCommands() + further);
+            links.stop().send(UrbiCommands.STOP_GAITS + running.stopCommands() + further);
         }
     }
 
@@ -143,7 +140,7 @@ final class Runner {
     void pursue() {
         Running running = current.get();
         if (running != null && running.isStopRequested()) {
-            running.pursue(links.stop(), tags, STOP_GAITS);
+            running.pursue(links.stop(), tags, UrbiCommands.STOP_GAITS);
         }
     }
 

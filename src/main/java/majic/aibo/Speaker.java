@@ -24,20 +24,20 @@ final class Speaker {
     private static final double LATE_S = 5;
     private static final double LONGEST_OF_STICK_S = 120;
 
-    private final Supplier<AiboSession> session;
+    private final Supplier<UrbiConnection> connection;
     private final Volume volume;
     private final Tags tags = new Tags();
     private final AtomicBoolean busy = new AtomicBoolean();
 
-    Speaker(Supplier<AiboSession> session, Volume volume) {
-        this.session = session;
+    Speaker(Supplier<UrbiConnection> connection, Volume volume) {
+        this.connection = connection;
         this.volume = volume;
     }
 
     /** Sends a sound over and waits for its end. */
     void play(SpeakerSound sound, Motion motion) {
         alone(() -> {
-            UrbiConnection on = session.get().links().sensors();
+            UrbiConnection on = connection.get();
             awaitQuiet(on, motion, OTHERS_S);
             for (int from = 0; from < sound.length(); ) {
                 int end = sound.endOfPiece(from);
@@ -58,7 +58,7 @@ final class Speaker {
      */
     boolean playOfStick(String file, Motion motion) {
         return alone(() -> {
-            UrbiConnection on = session.get().links().sensors();
+            UrbiConnection on = connection.get();
             awaitQuiet(on, motion, OTHERS_S);
             Ask ask = new Ask(tags.next(), Ask.Expects.END);
             on.send(ask, ask.tag() + "+end: speaker.play(\"" + file + "\"),");
