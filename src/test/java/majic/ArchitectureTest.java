@@ -34,7 +34,9 @@ class ArchitectureTest {
             majic.driver              : majic.bot majic.link majic.time
             majic.panel               : majic.bot
             majic.panel.map           : majic.bot majic.panel
-            majic.aibo                : majic.bot majic.driver majic.link majic.time majic.team majic.panel
+            majic.aibo                : majic.bot majic.driver majic.link majic.time majic.team majic.panel \
+                                        majic.aibo.urbi
+            majic.aibo.urbi           : majic.bot majic.driver majic.link majic.time
             majic.pioneer             : majic.bot majic.link majic.time majic.pioneer.arcos majic.pioneer.panel \
                                         majic.pioneer.parameters majic.pioneer.session majic.pioneer.state
             majic.pioneer.arcos       :

@@ -1,5 +1,11 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiCommands;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleFunction;

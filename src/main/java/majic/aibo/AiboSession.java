@@ -1,5 +1,15 @@
 package majic.aibo;
 
+import majic.aibo.urbi.AiboLinks;
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.DogClock;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiCommands;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.Watch;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.bot.BotException;

@@ -8,7 +8,7 @@ import majic.bot.MajicBot;
 /** The Sony Aibo ERS-7 with URBI on its stick. */
 public final class AiboType implements BotType {
     /** The port an URBI server listens at (URBI sheet 2). */
-    static final int PORT = 54_000;
+    public static final int PORT = 54_000;
 
     /** Made by the service loader. */
     public AiboType() {}

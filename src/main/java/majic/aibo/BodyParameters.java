@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiValue;
 import java.util.List;
 import majic.bot.BotException;
 import majic.bot.Motion;

@@ -1,5 +1,11 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.Watch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiCommands;
 import java.util.List;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;

@@ -1,5 +1,12 @@
 package majic.aibo;
 
+import majic.aibo.urbi.AiboLinks;
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.DogClock;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.Watch;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import org.jspecify.annotations.Nullable;

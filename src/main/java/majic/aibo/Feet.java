@@ -1,5 +1,9 @@
 package majic.aibo;
 
+import majic.aibo.urbi.UrbiCommands;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;

@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 

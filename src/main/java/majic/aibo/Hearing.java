@@ -1,5 +1,9 @@
 package majic.aibo;
 
+import majic.aibo.urbi.DogClock;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.Watch;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.Arrays;

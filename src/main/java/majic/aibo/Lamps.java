@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;

@@ -1,5 +1,10 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiValue;
 import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.Map;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiCommands;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;

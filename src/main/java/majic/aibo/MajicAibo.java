@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.Watch;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;

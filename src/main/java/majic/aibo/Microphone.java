@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiMessage;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicInteger;

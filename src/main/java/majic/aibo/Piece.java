@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Ask;
+
+
 /**
  * One piece of a gait: how much it is to cover, and by the server's clock how much of it the dog has done. Safe from any
  * thread.

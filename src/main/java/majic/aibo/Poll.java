@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiMessage;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Collectors;

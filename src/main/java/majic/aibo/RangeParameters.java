@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Dialect;
 import java.util.Optional;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;

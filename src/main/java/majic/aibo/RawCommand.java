@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.urbi.RawText;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiText;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
 import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
 import majic.bot.BotException;

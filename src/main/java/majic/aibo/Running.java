@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.urbi.UrbiValue;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;

@@ -1,5 +1,10 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicBoolean;

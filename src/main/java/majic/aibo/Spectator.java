@@ -1,5 +1,10 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.Watch;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.time.Signal;

@@ -1,5 +1,10 @@
 package majic.aibo;
 
+import majic.aibo.urbi.AiboLinks;
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.DogClock;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.Watch;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;

@@ -1,5 +1,11 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.Unanswered;
+import majic.aibo.urbi.UrbiDecoder;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.urbi.Watch;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -23,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * in what arrives. Its clock steps, unless a test has threads that no such clock knows of. Here stands what a test sets and sees; {@link ScriptedLine} is a connection,
  * {@link ScriptedCommands} what comes of a command, {@link ScriptedErrands} what then goes on.
  */
-final class ScriptedDog implements AutoCloseable {
+public final class ScriptedDog implements AutoCloseable {
     private final ServerSocket server = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
     private final @Nullable TestClock clock;
     private final TimeSource time;
@@ -86,12 +87,12 @@ final class ScriptedDog implements AutoCloseable {
     private final Map<Integer, Trouble> troubles = new ConcurrentHashMap<>();
     private int accepted;
 
-    ScriptedDog() throws IOException {
+    public ScriptedDog() throws IOException {
         this(true);
     }
 
     /** One that lives by the system's clock, as windows and stuck threads do. */
-    static ScriptedDog inRealTime() throws IOException {
+    public static ScriptedDog inRealTime() throws IOException {
         return new ScriptedDog(false);
     }
 
@@ -137,7 +138,7 @@ final class ScriptedDog implements AutoCloseable {
         troubles.put(connection, trouble);
     }
 
-    String address() {
+    public String address() {
         return "//127.0.0.1:" + server.getLocalPort();
     }
 
@@ -151,7 +152,7 @@ final class ScriptedDog implements AutoCloseable {
     }
 
     /** Where a part of a driver waits that lives by its clock. */
-    Watch watch() {
+    public Watch watch() {
         return new Watch(time, time.signal());
     }
 
@@ -174,12 +175,12 @@ final class ScriptedDog implements AutoCloseable {
     }
 
     /** Every command so far, in the order of arrival. */
-    List<String> received() {
+    public List<String> received() {
         return List.copyOf(received);
     }
 
     /** The commands with a word in them; those about the pace of its legs only if it is named. */
-    List<String> received(String word) {
+    public List<String> received(String word) {
         return received.stream()
                 .filter(command -> command.contains(word) && !command.contains("every"))
                 .filter(command -> word.contains("speed") || !command.contains("speed"))
@@ -187,7 +188,7 @@ final class ScriptedDog implements AutoCloseable {
     }
 
     /** Waits until a command with a word in it has come; for ever, so tests have a time-out. */
-    void awaitReceived(String word) {
+    public void awaitReceived(String word) {
         try {
             news.await(() -> !received(word).isEmpty(), Signal.FOR_EVER);
         } catch (InterruptedException e) {
@@ -232,7 +233,7 @@ final class ScriptedDog implements AutoCloseable {
     }
 
     /** Reads nothing more on one of the connections, which come in the order stop, sensors, motion. */
-    void stopReading(int connection) {
+    public void stopReading(int connection) {
         lines.get(connection).stopReading();
     }
 

@@ -1,5 +1,9 @@
 package majic.aibo;
 
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.Watch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 

@@ -1,0 +1,183 @@
+package majic.aibo.urbi;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.link.Link;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The three connections to one dog: one for motion, one for sensors and settings, one for stopping alone, so that a stop
+ * never waits behind anything. If one breaks, all end: what has not gone out is thrown away, lest a walk reach the dog
+ * late, and a stop is sent over what is left.
+ */
+public final class AiboLinks implements UrbiConnection.Owner {
+    private static final Logger LOG = System.getLogger(AiboLinks.class.getName());
+    private static final int OPEN_TIMEOUT_MS = 4000;
+    private static final double IDENT_TIMEOUT_S = 4;
+    private static final double GOODBYE_S = 1;
+
+    private final Watch watch;
+    private final UrbiConnection motion;
+    private final UrbiConnection sensors;
+    private final UrbiConnection stop;
+    private final Consumer<UrbiMessage> listener;
+    private final Consumer<LinkLost> whenLost;
+    private @Nullable String brokenBecause;
+    private boolean opened;
+
+    public AiboLinks(Supplier<Link> link, Watch watch, Consumer<UrbiMessage> listener, Consumer<LinkLost> whenLost) {
+        this.watch = watch;
+        this.listener = listener;
+        this.whenLost = whenLost;
+        Function<String, UrbiConnection> make = purpose -> new UrbiConnection(purpose, link.get(), this, watch);
+        this.motion = make.apply("motion");
+        this.sensors = make.apply("sensors");
+        this.stop = make.apply("stop");
+    }
+
+    public UrbiConnection motion() {
+        return motion;
+    }
+
+    public UrbiConnection sensors() {
+        return sensors;
+    }
+
+    public UrbiConnection stop() {
+        return stop;
+    }
+
+    /** Opens all three and waits until the dog has introduced itself on each. Leaves nothing open when it throws. */
+    public void open() {
+        try {
+            for (UrbiConnection connection : all()) {
+                open(connection);
+            }
+        } catch (BotException e) {
+            abort();
+            throw e;
+        }
+    }
+
+    private void open(UrbiConnection connection) {
+        try {
+            connection.open(OPEN_TIMEOUT_MS);
+            watch.await(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
+        } catch (IOException e) {
+            throw new BotException(
+                    refusal(e.getMessage() + "; is the dog on, in the network, and URBI on its stick?"), e);
+        }
+        if (connection.isEnded()) {
+            throw new BotException(
+                    refusal("the dog closed the connection at once; are there too many clients connected to it?"));
+        }
+        if (!connection.isIdentified()) {
+            throw new BotException(refusal("something answers there, but not as an URBI server within "
+                    + (int) IDENT_TIMEOUT_S + " s; is this the dog, and is 54000 the right port?"));
+        }
+    }
+
+    /** A dog that has introduced itself before is no wrong address: it has too little room. */
+    private String refusal(String otherwise) {
+        long granted = all().stream().filter(UrbiConnection::isIdentified).count();
+        return granted == 0
+                ? otherwise
+                : "the dog grants only " + granted + " of the three connections that it takes to drive and stop it; "
+                        + "end other programs that use it, or restart it";
+    }
+
+    /** From now on a broken connection is news; one that broke before is an error here. */
+    public void announceOpened() {
+        synchronized (this) {
+            opened = brokenBecause == null;
+        }
+        if (!opened) {
+            throw new BotException("the connection broke while it was being set up: " + brokenBecause);
+        }
+    }
+
+    @Override
+    public void heard(UrbiMessage message) {
+        listener.accept(message);
+    }
+
+    @Override
+    public void broken(UrbiConnection connection, String why) {
+        boolean tell;
+        synchronized (this) {
+            if (brokenBecause != null) {
+                return;
+            }
+            brokenBecause = why;
+            tell = opened;
+        }
+        stopQuietly(connection == stop ? sensors : stop);
+        if (tell) {
+            whenLost.accept(new LinkLost("connection lost: " + why));
+        }
+        watch.changes().raise();
+    }
+
+    /** Throws away what has not gone out yet but where a stop may still reach the dog, and sends that. */
+    private void stopQuietly(UrbiConnection last) {
+        all().stream().filter(connection -> connection != last).forEach(UrbiConnection::abort);
+        try {
+            last.send(UrbiCommands.STOP_GAITS);
+        } catch (LinkLost e) {
+            LOG.log(Level.DEBUG, "no stop could be sent over a broken connection", e);
+        }
+        last.close();
+    }
+
+    /** Ends everything at once. */
+    public void abort() {
+        all().forEach(UrbiConnection::abort);
+    }
+
+    /** Sends the last words on the stop connection, quits on all, and closes; takes a second at most. */
+    public void close(String lastWords) {
+        all().forEach(UrbiConnection::leave);
+        AtomicInteger left = new AtomicInteger(all().size());
+        for (UrbiConnection connection : all()) {
+            String words = connection == stop ? lastWords + " quit;" : "quit;";
+            watch.time()
+                    .thread("aibo goodbye", () -> sayGoodbye(connection, words, left))
+                    .start();
+        }
+        try {
+            watch.await(() -> left.get() == 0, GOODBYE_S);
+        } finally {
+            abortUnless(left.get() == 0);
+        }
+    }
+
+    private void sayGoodbye(UrbiConnection connection, String words, AtomicInteger left) {
+        try {
+            connection.send(words);
+        } catch (LinkLost e) {
+            LOG.log(Level.DEBUG, "no goodbye over a broken connection", e);
+        } finally {
+            connection.close();
+            left.decrementAndGet();
+            watch.changes().raise();
+        }
+    }
+
+    private void abortUnless(boolean allClosed) {
+        if (!allClosed) {
+            abort();
+        }
+    }
+
+    private List<UrbiConnection> all() {
+        return List.of(stop, sensors, motion);
+    }
+}

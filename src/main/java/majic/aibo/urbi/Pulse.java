@@ -1,0 +1,55 @@
+package majic.aibo.urbi;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds out whether a connection still reaches the dog that says nothing by itself, so that a stop connection that died
+ * in silence is not noticed by the stop that needed it. One ping at a time (URBI sheet 9). Used by the keeper's thread.
+ */
+public final class Pulse {
+    private static final double PERIOD_S = 1;
+
+    /** An engine that takes two seconds to answer is slow, not dead. */
+    private static final double PATIENCE_S = 5;
+
+    private final UrbiConnection connection;
+    private final Tags tags;
+    private final Watch watch;
+    private final DogClock clock;
+    private @Nullable Ask ping;
+    private long sentNanos;
+
+    public Pulse(UrbiConnection connection, Tags tags, Watch watch, DogClock clock) {
+        this.connection = connection;
+        this.tags = tags;
+        this.watch = watch;
+        this.clock = clock;
+        this.sentNanos = watch.time().nanos();
+    }
+
+    public UrbiConnection connection() {
+        return connection;
+    }
+
+    /** Pings when it is time; false when the dog has owed an answer for too long. */
+    public boolean beats() {
+        double seconds = watch.time().secondsSince(sentNanos);
+        Ask open = ping;
+        if (open != null && !open.isDone()) {
+            return seconds <= PATIENCE_S;
+        }
+        if (open != null && open.failure() == null) {
+            clock.answered(open.doneMs(), sentNanos);
+        }
+        if (seconds >= PERIOD_S) {
+            sentNanos = watch.time().nanos();
+            ping = connection.ping(tags);
+        }
+        return true;
+    }
+
+    /** Why the connection counts as dead. */
+    public static String silence() {
+        return "no answer from the dog for " + (int) PATIENCE_S + " s";
+    }
+}

@@ -1,0 +1,233 @@
+package majic.aibo.urbi;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.function.Consumer;
+import majic.bot.LinkLost;
+import majic.driver.LinkHandler;
+import majic.driver.LinkReader;
+import majic.link.Link;
+
+/**
+ * One connection to an URBI server: writes commands, hands each answer to whoever asked, and everything else to its
+ * owner. Commands of one connection run in order, so each purpose has its own. Safe from any thread.
+ */
+public final class UrbiConnection {
+    private static final Logger LOG = System.getLogger(UrbiConnection.class.getName());
+
+    /** The largest binary that fits with its header into the server's queue of 32 KiB (URBI sheet 2). */
+    public static final int LARGEST_BINARY = 24 * 1024;
+
+    /** Who hears what nobody asked for. Called on the reader's thread. */
+    public interface Owner {
+        /** A message that answers no command. */
+        void heard(UrbiMessage message);
+
+        /** The connection broke; called once, never after {@link #leave}. */
+        void broken(UrbiConnection connection, String why);
+    }
+
+    private final String purpose;
+    private final Link link;
+    private final Owner owner;
+    private final Watch watch;
+    private final Unanswered unanswered = new Unanswered();
+    private volatile boolean identified;
+    private volatile boolean ended;
+    private volatile boolean leaving;
+    private volatile Dialect dialect = Dialect.V1_0;
+    private volatile long lastTimeMs;
+
+    public UrbiConnection(String purpose, Link link, Owner owner, Watch watch) {
+        this.purpose = purpose;
+        this.link = link;
+        this.owner = owner;
+        this.watch = watch;
+    }
+
+    /** Opens the link and starts to listen. */
+    public void open(int timeoutMs) throws IOException {
+        link.open(timeoutMs);
+        new LinkReader<>(link, "the dog closed it", new Messages()).start("aibo " + purpose + " reader");
+    }
+
+    /** What the server says. */
+    private final class Messages implements LinkHandler<UrbiMessage> {
+        private final UrbiReader reader = new UrbiReader(watch.time());
+
+        @Override
+        public void decode(byte[] bytes, int count, Consumer<UrbiMessage> messages) {
+            logIncoming(bytes, count);
+            reader.read(bytes, count).forEach(messages);
+        }
+
+        @Override
+        public void received(UrbiMessage message) {
+            handle(message);
+        }
+
+        @Override
+        public void ended(IOException cause) {
+            ended = true;
+            watch.changes().raise();
+            breakDown(String.valueOf(cause.getMessage()));
+        }
+    }
+
+    private void handle(UrbiMessage message) {
+        lastTimeMs = Math.max(lastTimeMs, message.timeMs());
+        Ask answered = unanswered.answer(message, dialect);
+        if (answered != null) {
+            raiseIfDone(answered);
+        } else if (message.tag().equals("ident")) {
+            identified = true;
+            watch.changes().raise();
+        } else {
+            handleUnasked(message);
+        }
+    }
+
+    private void handleUnasked(UrbiMessage message) {
+        if (message.tag().equals("start") && message.body() instanceof UrbiMessage.Info line) {
+            dialect = Dialect.of(line.text(), dialect);
+        }
+        owner.heard(message);
+    }
+
+    private void raiseIfDone(Ask ask) {
+        if (ask.isDone()) {
+            watch.changes().raise();
+        }
+    }
+
+    /** Expects nothing more for a command. */
+    public void forget(Ask ask) {
+        unanswered.remove(ask);
+    }
+
+    /**
+     * Writes commands, in one piece.
+     *
+     * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws UrbiRefusal if they are too long or harmful; nothing was sent
+     */
+    public void send(String commands) {
+        Forbidden.check(commands);
+        transmit(commands);
+    }
+
+    private void transmit(String commands) {
+        LOG.log(Level.TRACE, "{0} > {1}", purpose, commands);
+        write((commands + "\n").getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    /**
+     * Assigns a binary to a variable. It has neither tag nor flag, and its bytes follow the separator at once, for
+     * anything else makes the server read them as a program (URBI sheet 12). Nobody hears of its end.
+     *
+     * @param variable such as {@code speaker.val}
+     * @param format what the server is to know of the bytes, such as {@code raw 1 16000 16 1}
+     * @param bytes at most {@value #LARGEST_BINARY}
+     * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws UrbiRefusal if it is too long or harmful; nothing was sent
+     */
+    public void upload(String variable, String format, byte[] bytes) {
+        String header = variable + " = BIN " + bytes.length + " " + format + ";";
+        Forbidden.check(header);
+        if (bytes.length > LARGEST_BINARY) {
+            throw new UrbiRefusal("the dog takes " + LARGEST_BINARY + " bytes at once, not " + bytes.length);
+        }
+        LOG.log(Level.TRACE, "{0} > {1}…", purpose, header);
+        byte[] start = header.getBytes(StandardCharsets.ISO_8859_1);
+        byte[] message = Arrays.copyOf(start, start.length + bytes.length);
+        System.arraycopy(bytes, 0, message, start.length, bytes.length);
+        write(message);
+    }
+
+    private void write(byte[] message) {
+        try {
+            link.write(message);
+        } catch (IOException e) {
+            breakDown(String.valueOf(e.getMessage()));
+            throw new LinkLost("connection lost: " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Writes commands of which one is tagged with the ask's tag.
+     *
+     * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws UrbiRefusal if they are too long or harmful; nothing was sent, and nothing is expected
+     */
+    public Ask send(Ask ask, String commands) {
+        Forbidden.check(commands);
+        unanswered.add(ask);
+        transmit(commands);
+        return ask;
+    }
+
+    /** Asks for a value; it comes under a tag of its own. Throws as {@link #send} does. */
+    public Ask ask(Tags tags, String expression) {
+        Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
+        return send(ask, dialect.labelled(ask.tag(), expression) + ";");
+    }
+
+    /** Asks for a sign of life: it tells that all that went out before has arrived (URBI sheet 9). Throws as {@link #send} does. */
+    public Ask ping(Tags tags) {
+        Ask pong = new Ask(tags.next(), Ask.Expects.PONG);
+        return send(pong, pong.tag() + ": ping;");
+    }
+
+    private void breakDown(String why) {
+        boolean first;
+        synchronized (this) {
+            first = !leaving;
+            leaving = true;
+        }
+        if (first) {
+            owner.broken(this, why);
+        }
+    }
+
+    /** Says that the end of this connection will be no surprise. */
+    synchronized void leave() {
+        leaving = true;
+    }
+
+    void close() {
+        leave();
+        link.close();
+    }
+
+    /** Closes and throws away what has not gone out yet, so that no command reaches the dog late. */
+    public void abort() {
+        leave();
+        link.abort();
+    }
+
+    boolean isIdentified() {
+        return identified;
+    }
+
+    public boolean isEnded() {
+        return ended;
+    }
+
+    public Dialect dialect() {
+        return dialect;
+    }
+
+    /** The newest time stamp of the server, ms. */
+    public long lastTimeMs() {
+        return lastTimeMs;
+    }
+
+    private void logIncoming(byte[] chunk, int count) {
+        if (LOG.isLoggable(Level.TRACE)) {
+            LOG.log(Level.TRACE, "{0} < {1}", purpose, new String(chunk, 0, count, StandardCharsets.ISO_8859_1));
+        }
+    }
+}

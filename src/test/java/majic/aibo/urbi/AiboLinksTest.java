@@ -1,0 +1,29 @@
+package majic.aibo.urbi;
+
+import majic.aibo.AiboType;
+import majic.aibo.ScriptedDog;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import majic.bot.BotException;
+import majic.link.Links;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class AiboLinksTest {
+    @Test
+    void whatIsClosedWhileItConnectsConnectsNoFurther() throws IOException {
+        try (ScriptedDog dog = new ScriptedDog()) {
+            Watch watch = dog.watch();
+            AiboLinks links =
+                    new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
+
+            links.close("stop walk;");
+
+            assertThatThrownBy(links::open).isInstanceOf(BotException.class);
+            assertThat(dog.received()).isEmpty();
+        }
+    }
+}
