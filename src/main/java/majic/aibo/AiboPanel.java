@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
 import java.util.List;
 import java.util.function.Function;
 import javax.swing.JComponent;

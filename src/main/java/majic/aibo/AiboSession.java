@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.AiboLinks;
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.DogClock;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;

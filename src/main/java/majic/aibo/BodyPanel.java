@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.body.Attitude;
+import majic.aibo.body.Senses;
+import majic.aibo.body.Sensor;
 import java.util.Optional;
 import java.util.OptionalInt;
 import javax.swing.JLabel;

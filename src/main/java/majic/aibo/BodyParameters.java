@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.body.Posture;
+import majic.aibo.body.Senses;
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiValue;
 import java.util.List;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.body.Calibration;
+import majic.aibo.body.Gait;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Range;

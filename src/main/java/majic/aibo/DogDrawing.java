@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;

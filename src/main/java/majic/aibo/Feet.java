@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Posture;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;

@@ -1,5 +1,10 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Limb;
+import majic.aibo.body.Sensor;
+import majic.aibo.body.Skeleton;
+import majic.aibo.body.Spot;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.util.List;

@@ -1,5 +1,9 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
+import majic.aibo.body.Skeleton;
+import majic.aibo.body.Spot;
 import java.awt.Color;
 import majic.panel.Ink;
 

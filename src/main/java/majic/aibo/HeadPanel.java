@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.body.Joint;
+import majic.aibo.body.Senses;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;

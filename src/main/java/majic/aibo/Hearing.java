@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;

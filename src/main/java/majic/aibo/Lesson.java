@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.body.Calibration;
+import majic.aibo.body.Gait;
+import majic.aibo.body.Stride;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.body.Joint;
+import majic.aibo.body.Senses;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
 import java.util.List;

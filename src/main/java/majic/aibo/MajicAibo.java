@@ -1,5 +1,11 @@
 package majic.aibo;
 
+import majic.aibo.body.Calibration;
+import majic.aibo.body.Dog;
+import majic.aibo.body.Gait;
+import majic.aibo.body.Paces;
+import majic.aibo.body.Piece;
+import majic.aibo.body.Stride;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.Watch;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.body.Spot;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiMessage;

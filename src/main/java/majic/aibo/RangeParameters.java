@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Senses;
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;
 import java.util.Optional;
 import majic.bot.Parameter;

@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Piece;
+import majic.aibo.body.Stride;
 import majic.aibo.urbi.AiboLinks;
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.body.Piece;
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.body.Senses;
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;

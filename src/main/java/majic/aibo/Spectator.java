@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.body.Lamps;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.body.Spot;
 import java.util.function.ToDoubleFunction;
 
 /** Where the drawn dog is looked at from; lengths in mm. */

@@ -1,5 +1,9 @@
 package majic.aibo;
 
+import majic.aibo.body.Dog;
+import majic.aibo.body.Gait;
+import majic.aibo.body.Piece;
+import majic.aibo.body.Stride;
 import java.util.Objects;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;

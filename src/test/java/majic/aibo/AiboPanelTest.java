@@ -1,5 +1,8 @@
 package majic.aibo;
 
+import majic.aibo.body.Calibration;
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.UrbiValue;
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,5 +1,10 @@
 package majic.aibo;
 
+import majic.aibo.body.Calibration;
+import majic.aibo.body.Dog;
+import majic.aibo.body.Joint;
+import majic.aibo.body.LedNames;
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;

@@ -1,10 +1,10 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import java.util.Arrays;
 import java.util.List;
 
 /** What the driver asks the dog for again and again, with the expression that reads it (URBI sheet 13). */
-enum Sensor {
+public enum Sensor {
     NEAR("distanceNear.val", Rate.FAST),
     FAR("distance.val", Rate.FAST),
     CHEST("distanceChest.val", Rate.FAST),
@@ -44,7 +44,7 @@ enum Sensor {
     POSTURE("robot.MyguessPosition()", Rate.RARE);
 
     /** How often. */
-    enum Rate {
+    public enum Rate {
         /** What a moving dog is stopped by: twice the dog's cycle of 32 ms. */
         FAST(64),
         /** What people look at. */
@@ -58,11 +58,11 @@ enum Sensor {
             this.periodMs = periodMs;
         }
 
-        int periodMs() {
+        public int periodMs() {
             return periodMs;
         }
 
-        List<Sensor> sensors() {
+        public List<Sensor> sensors() {
             return Arrays.stream(Sensor.values())
                     .filter(sensor -> sensor.rate == this)
                     .toList();
@@ -77,7 +77,7 @@ enum Sensor {
         this.rate = rate;
     }
 
-    String expression() {
+    public String expression() {
         return expression;
     }
 
@@ -86,7 +86,7 @@ enum Sensor {
     }
 
     /** The part of a tag that names it. */
-    String tagName() {
+    public String tagName() {
         return "s" + ordinal();
     }
 }

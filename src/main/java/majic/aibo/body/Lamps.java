@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiMessage;
@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** How brightly the dog's LEDs shine and whether its ears are flicked, while somebody looks. Thread-safe. */
-final class Lamps {
+public final class Lamps {
     private static final String SIGN = "_lamp";
     private static final Pattern TAG = Pattern.compile("\\w+" + SIGN + "(\\d{1,2})");
     private static final int PERIOD_MS = 480;
@@ -23,19 +23,19 @@ final class Lamps {
     private final Map<String, Double> amounts = new ConcurrentHashMap<>();
 
     /** The order that makes the dog tell them, until {@link #stop}. */
-    static String order(String tag, Dialect dialect) {
+    public static String order(String tag, Dialect dialect) {
         String readings = DEVICES.stream()
                 .map(device -> dialect.labelled(tag + SIGN + DEVICES.indexOf(device), device + ".val"))
                 .collect(Collectors.joining(" & "));
         return tag + ": every(" + PERIOD_MS + ") { " + readings + " },";
     }
 
-    static String stop(String tag) {
+    public static String stop(String tag) {
         return "stop " + tag + ",";
     }
 
     /** Takes a message if it speaks of one of them; tells whether it does. */
-    boolean hear(UrbiMessage message) {
+    public boolean hear(UrbiMessage message) {
         Matcher tag = TAG.matcher(message.tag());
         int index = tag.matches() ? Integer.parseInt(tag.group(1)) : DEVICES.size();
         if (index >= DEVICES.size()) {
@@ -55,7 +55,7 @@ final class Lamps {
     }
 
     /** How brightly an LED shines, 0 to 1; 1 for an ear that is flicked; empty if the dog has not told. */
-    Optional<Double> amount(String device) {
+    public Optional<Double> amount(String device) {
         return Optional.ofNullable(amounts.get(device));
     }
 }

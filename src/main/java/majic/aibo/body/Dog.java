@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
@@ -7,7 +7,7 @@ import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
 
 /** What is known of the dog: its readings, what is around it, where it is. Outlives a connection. Thread-safe. */
-final class Dog {
+public final class Dog {
     private final Calibration calibration;
     private final Senses senses = new Senses();
     private final Lamps lamps = new Lamps();
@@ -19,40 +19,40 @@ final class Dog {
     private volatile boolean afoot;
     private volatile long serverMs;
 
-    Dog(Calibration calibration) {
+    public Dog(Calibration calibration) {
         this.calibration = calibration;
     }
 
-    Calibration calibration() {
+    public Calibration calibration() {
         return calibration;
     }
 
-    Senses senses() {
+    public Senses senses() {
         return senses;
     }
 
-    Lamps lamps() {
+    public Lamps lamps() {
         return lamps;
     }
 
-    InfraRed infraRed() {
+    public InfraRed infraRed() {
         return infraRed;
     }
 
-    LegSpeed legSpeed() {
+    public LegSpeed legSpeed() {
         return legSpeed;
     }
 
-    DeadReckoning reckoning() {
+    public DeadReckoning reckoning() {
         return reckoning;
     }
 
     /** Whether it was brought to its feet and nothing has been done since that could have changed that. */
-    boolean isAfoot() {
+    public boolean isAfoot() {
         return afoot && senses.motorsOn().orElse(true);
     }
 
-    void setAfoot(boolean stands) {
+    public void setAfoot(boolean stands) {
         afoot = stands;
         if (stands) {
             infraRed.standing();
@@ -60,7 +60,7 @@ final class Dog {
     }
 
     /** Forgets what an earlier connection said. */
-    void forgetReadings() {
+    public void forgetReadings() {
         senses.clear();
         lamps.clear();
         surroundings.clear();
@@ -68,17 +68,17 @@ final class Dog {
     }
 
     /** A connection was lost in the midst of a motion; these commands would end what may still go on. */
-    void leave(String commands) {
+    public void leave(String commands) {
         leftovers.set(commands);
     }
 
     /** What ends whatever a lost connection has left going on, to be sent by the next one; empty if there is nothing. */
-    Optional<String> takeLeftovers() {
+    public Optional<String> takeLeftovers() {
         return Optional.ofNullable(leftovers.getAndSet(null));
     }
 
     /** A set of fast readings is complete, by the server's clock at this time. */
-    void sensed(long atServerMs) {
+    public void sensed(long atServerMs) {
         serverMs = atServerMs;
         Pose pose = reckoning.at(atServerMs);
         double pan = senses.number(Sensor.HEAD_PAN).orElse(0.0);
@@ -87,12 +87,12 @@ final class Dog {
     }
 
     /** The nearest thing in the way ahead, mm from the hull; empty if there is none. */
-    Optional<Double> frontMm() {
+    public Optional<Double> frontMm() {
         return surroundings.frontMm(reckoning.at(serverMs));
     }
 
     /** What it shares with all robots, while it walks a piece or none. */
-    BotState state(@Nullable Piece piece, boolean moving, long nowNanos) {
+    public BotState state(@Nullable Piece piece, boolean moving, long nowNanos) {
         double pace = piece == null ? 0 : piece.unitsPerSecond();
         boolean walks = piece != null && piece.gait().isWalk();
         return new BotState(reckoning.at(serverMs), walks ? pace : 0, walks ? 0 : pace, moving, nowNanos);

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import majic.aibo.urbi.Dialect;
 import java.util.Arrays;
@@ -6,7 +6,7 @@ import java.util.List;
 import majic.bot.Range;
 
 /** The 18 joints with the angles that they can take, degrees (URBI sheet 13). */
-enum Joint {
+public enum Joint {
     NECK("neck", Sensor.NECK, -79, 2, "how far the neck is bowed; 0 is upright"),
     HEAD_PAN("headPan", Sensor.HEAD_PAN, -91, 91, "where the head looks, left positive"),
     HEAD_TILT("headTilt", Sensor.HEAD_TILT, -16, 44, "how far the head is raised"),
@@ -64,33 +64,33 @@ enum Joint {
     }
 
     /** As the dog and the user call it. */
-    String urbiName() {
+    public String urbiName() {
         return urbiName;
     }
 
     /** What measures it. */
-    Sensor sensor() {
+    public Sensor sensor() {
         return sensor;
     }
 
     /** The angles that a generation of sticks allows; beyond them the dog clips without a word (URBI sheet 6). */
-    Range range(Dialect dialect) {
+    public Range range(Dialect dialect) {
         return switch (dialect) {
             case V1_0 -> range;
             case V1_5 -> rangeOf15;
         };
     }
 
-    String help() {
+    public String help() {
         return help;
     }
 
-    boolean isInALeg() {
+    public boolean isInALeg() {
         return urbiName.startsWith("leg");
     }
 
     /** All joints whose names begin so, in the order in which people count them. */
-    static List<Joint> named(String beginning) {
+    public static List<Joint> named(String beginning) {
         return Arrays.stream(values())
                 .filter(joint -> joint.urbiName.startsWith(beginning))
                 .toList();

@@ -1,21 +1,21 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
 
 /** Where the dog should be by what it was told; it has no odometry (URBI sheet 15). Thread-safe. */
-final class DeadReckoning {
+public final class DeadReckoning {
     private Pose settled = Pose.START;
     private @Nullable Piece walking;
 
     /** A piece begins where the last one ended. */
-    synchronized void begin(Piece piece) {
+    public synchronized void begin(Piece piece) {
         settle(Long.MAX_VALUE);
         walking = piece;
     }
 
     /** The piece under way is over. */
-    synchronized void end() {
+    public synchronized void end() {
         settle(Long.MAX_VALUE);
     }
 

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import java.util.Optional;
 
@@ -9,9 +9,9 @@ import java.util.Optional;
  * @param pitchDeg nose up positive, −90 to 90
  * @param rollDeg right side down positive, −180 to 180
  */
-record Attitude(double pitchDeg, double rollDeg) {
+public record Attitude(double pitchDeg, double rollDeg) {
     /** As the sensors tell it now; empty before they have. */
-    static Optional<Attitude> of(Senses senses) {
+    public static Optional<Attitude> of(Senses senses) {
         Optional<Double> x = senses.number(Sensor.ACCEL_X);
         Optional<Double> y = senses.number(Sensor.ACCEL_Y);
         Optional<Double> z = senses.number(Sensor.ACCEL_Z);

@@ -1,7 +1,7 @@
-package majic.aibo;
+package majic.aibo.body;
 
 /** The four legs: where they join the body, and the sensors of their joints and paws. */
-enum Limb {
+public enum Limb {
     LEFT_FORE(1, 1, Sensor.LEG_LF1, Sensor.LEG_LF2, Sensor.LEG_LF3, Sensor.PAW_LF),
     RIGHT_FORE(1, -1, Sensor.LEG_RF1, Sensor.LEG_RF2, Sensor.LEG_RF3, Sensor.PAW_RF),
     LEFT_HIND(-1, 1, Sensor.LEG_LH1, Sensor.LEG_LH2, Sensor.LEG_LH3, Sensor.PAW_LH),
@@ -29,7 +29,7 @@ enum Limb {
     }
 
     /** What feels the ground. */
-    Sensor paw() {
+    public Sensor paw() {
         return paw;
     }
 
@@ -44,7 +44,7 @@ enum Limb {
      * @param middle elbow or knee
      * @param foot its lowest joint
      */
-    record Bones(Spot top, Spot middle, Spot foot) {}
+    public record Bones(Spot top, Spot middle, Spot foot) {}
 
     /** Where the bones are, in the body's frame. Fore legs bend their elbows to the rear, hind legs their knees ahead. */
     Bones bones(Senses senses) {

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -10,27 +10,27 @@ import majic.bot.Settings;
  * How long this very dog takes for a millimetre or a degree at the usual pace of its legs. Kept in the user's settings
  * under {@code aibo.HOST.forward}, {@code .backward} (ms per mm), {@code .left}, {@code .right} (ms per degree).
  */
-final class Calibration {
+public final class Calibration {
     /** What a factor may be, times the usual one or that part of it; anything else is a slip of the pen. */
     private static final double MOST_TIMES_USUAL = 4;
 
     private final Settings settings;
     private final String keyStem;
 
-    Calibration(Settings settings, String host) {
+    public Calibration(Settings settings, String host) {
         this.settings = settings;
         this.keyStem = "aibo." + host + ".";
     }
 
     /** Milliseconds for one mm or one degree of a gait at the usual pace. */
-    double msPerUnit(Gait gait) {
+    public double msPerUnit(Gait gait) {
         return settings.get(keyStem + gait.key())
                 .flatMap(text -> plausible(text, gait))
                 .orElse(gait.usualMsPerUnit());
     }
 
     /** What a factor may be. */
-    static Range range(Gait gait) {
+    public static Range range(Gait gait) {
         return new Range(gait.usualMsPerUnit() / MOST_TIMES_USUAL, gait.usualMsPerUnit() * MOST_TIMES_USUAL);
     }
 
@@ -39,17 +39,17 @@ final class Calibration {
      *
      * @throws BotException if it could not be kept for the next start
      */
-    void keep(Gait gait, double msPerUnit) {
+    public void keep(Gait gait, double msPerUnit) {
         settings.put(keyStem + gait.key(), String.format(Locale.ROOT, "%.3f", msPerUnit));
     }
 
     /** A gait at the usual pace of the legs. */
-    Stride stride(Gait gait) {
+    public Stride stride(Gait gait) {
         return stride(gait, Stride.USUAL_CYCLE_MS);
     }
 
     /** A gait at a speed in mm/s or deg/s, positive, or as near to it as the dog's legs can do. */
-    Stride strideAt(Gait gait, double unitsPerSecond) {
+    public Stride strideAt(Gait gait, double unitsPerSecond) {
         double cycleMs = Stride.USUAL_CYCLE_MS * stride(gait).unitsPerSecond() / unitsPerSecond;
         Range possible = new Range(Stride.FASTEST_CYCLE_MS, Stride.SLOWEST_CYCLE_MS);
         return stride(gait, (int) Math.round(possible.clamp(cycleMs)));

@@ -1,10 +1,10 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import java.util.Arrays;
 import java.util.List;
 
 /** The postures that functions of the stick bring the dog into (URBI sheet 15). */
-enum Posture {
+public enum Posture {
     STAND("stand"),
     SIT("sit"),
     LAY("lay"),
@@ -19,11 +19,11 @@ enum Posture {
         this.function = function;
     }
 
-    static List<String> words() {
+    public static List<String> words() {
         return Arrays.stream(values()).map(posture -> posture.function).toList();
     }
 
-    static Posture of(String word) {
+    public static Posture of(String word) {
         return Arrays.stream(values())
                 .filter(posture -> posture.function.equals(word))
                 .findFirst()
@@ -31,7 +31,7 @@ enum Posture {
     }
 
     /** The call that makes the dog take it. */
-    String call() {
+    public String call() {
         return "robot." + function + "()";
     }
 }

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 /**
  * A point of the dog's body, or the way from one to another. Immutable.
@@ -7,9 +7,9 @@ package majic.aibo;
  * @param y mm to its left
  * @param z mm up
  */
-record Spot(double x, double y, double z) {
+public record Spot(double x, double y, double z) {
     /** The point that lies by another one's coordinates further on. */
-    Spot plus(Spot way) {
+    public Spot plus(Spot way) {
         return new Spot(x + way.x, y + way.y, z + way.z);
     }
 
@@ -28,7 +28,7 @@ record Spot(double x, double y, double z) {
     }
 
     /** Turned about an axis ahead, so that what hangs down goes to the left. */
-    Spot spread(double degrees) {
+    public Spot spread(double degrees) {
         double cos = Math.cos(Math.toRadians(degrees));
         double sin = Math.sin(Math.toRadians(degrees));
         return new Spot(x, y * cos - z * sin, y * sin + z * cos);

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 /**
  * A gait at a pace. Immutable.
@@ -7,7 +7,7 @@ package majic.aibo;
  * @param cycleMs how long the legs take for one cycle; the stick's usual is {@value #USUAL_CYCLE_MS} (URBI sheet 15)
  * @param msPerUnit how long this dog takes for a mm or a degree at that pace
  */
-record Stride(Gait gait, int cycleMs, double msPerUnit) {
+public record Stride(Gait gait, int cycleMs, double msPerUnit) {
     static final int USUAL_CYCLE_MS = 1000;
 
     /** The fastest cycle that is known to have carried a real dog (URBI sheet 15, "Calibration"); above it feet slip. */
@@ -17,12 +17,12 @@ record Stride(Gait gait, int cycleMs, double msPerUnit) {
     static final int SLOWEST_CYCLE_MS = 2500;
 
     /** How fast it goes, mm/s or deg/s, always positive. */
-    double unitsPerSecond() {
+    public double unitsPerSecond() {
         return 1000 / msPerUnit;
     }
 
     /** How long it would take for a mm or a degree if its legs went at the usual pace. */
-    double usualMsPerUnit() {
+    public double usualMsPerUnit() {
         return msPerUnit * USUAL_CYCLE_MS / cycleMs;
     }
 

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import majic.aibo.urbi.Ask;
 
@@ -7,9 +7,9 @@ import majic.aibo.urbi.Ask;
  * One piece of a gait: how much it is to cover, and by the server's clock how much of it the dog has done. Safe from any
  * thread.
  */
-final class Piece {
+public final class Piece {
     /** The longest time the dog is ever told to walk, ms: so long it would walk on if all links fell silent. */
-    static final double LONGEST_MS = 2000;
+    public static final double LONGEST_MS = 2000;
 
     /** What the dog's clock may be off when it tells begin and end: two cycles and something (URBI sheet 15). */
     private static final double SLACK_MS = 100;
@@ -20,19 +20,19 @@ final class Piece {
     private final Ask ask;
 
     /** Covers an amount, mm or degrees, always positive. */
-    Piece(Stride stride, double amount, Ask ask) {
+    public Piece(Stride stride, double amount, Ask ask) {
         this.stride = stride;
         this.amount = amount;
         this.durationMs = amount * stride.msPerUnit();
         this.ask = ask;
     }
 
-    Gait gait() {
+    public Gait gait() {
         return stride.gait();
     }
 
     /** How long it is to last, ms. */
-    double durationMs() {
+    public double durationMs() {
         return durationMs;
     }
 
@@ -42,22 +42,22 @@ final class Piece {
     }
 
     /** What to ask the dog for. */
-    String call() {
+    public String call() {
         return gait().call(Math.round(durationMs));
     }
 
     /** What it has covered at a time of the server's clock, mm or degrees with sign. */
-    double coveredAt(long serverMs) {
+    public double coveredAt(long serverMs) {
         return gait().sign() * amount * shareAt(serverMs);
     }
 
     /** What it has covered in all, once it is over. */
-    double covered() {
+    public double covered() {
         return coveredAt(Long.MAX_VALUE);
     }
 
     /** Whether the dog ended it before its time, as far as it told its begin and its end. */
-    boolean isCutShort() {
+    public boolean isCutShort() {
         return ask.isDone() && ask.beganMs() >= 0 && ask.doneMs() - ask.beganMs() < durationMs - SLACK_MS;
     }
 

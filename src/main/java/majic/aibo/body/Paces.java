@@ -1,10 +1,10 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import majic.bot.BotProfile;
 import majic.bot.Range;
 
 /** What a dog's calibration makes of its size and pace, and of the pace that somebody wishes. Immutable. */
-final class Paces {
+public final class Paces {
     /** Half of 319 × 180 mm around the turning centre, with the corners. */
     private static final double BODY_MM = 183;
 
@@ -12,11 +12,11 @@ final class Paces {
 
     private final Calibration calibration;
 
-    Paces(Calibration calibration) {
+    public Paces(Calibration calibration) {
         this.calibration = calibration;
     }
 
-    BotProfile profile() {
+    public BotProfile profile() {
         return new BotProfile(
                 BODY_MM,
                 bothWays(Gait.FORWARD, Gait.BACKWARD),
@@ -42,7 +42,7 @@ final class Paces {
      * @param wished what was set, mm/s or deg/s
      * @param usual what stands there when nobody has
      */
-    Stride stride(Gait gait, double wished, double usual) {
+    public Stride stride(Gait gait, double wished, double usual) {
         return wished == usual ? calibration.stride(gait) : calibration.strideAt(gait, wished);
     }
 }

@@ -1,9 +1,9 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import java.util.Arrays;
 
 /** The four things the stick's gaits can do; each lasts for the milliseconds it is given (URBI sheet 15). */
-enum Gait {
+public enum Gait {
     /** Straight ahead. */
     FORWARD("walk", 1, "forward", 12.0),
     /** Straight back. */
@@ -26,24 +26,24 @@ enum Gait {
     }
 
     /** The gait that covers a signed distance. */
-    static Gait walking(double mm) {
+    public static Gait walking(double mm) {
         return mm < 0 ? BACKWARD : FORWARD;
     }
 
     /** The gait that covers a signed angle. */
-    static Gait turning(double degrees) {
+    public static Gait turning(double degrees) {
         return degrees < 0 ? RIGHT : LEFT;
     }
 
     /** The gait with a name. */
-    static Gait of(String key) {
+    public static Gait of(String key) {
         return Arrays.stream(values())
                 .filter(gait -> gait.key.equals(key))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("no gait: " + key));
     }
 
-    boolean isWalk() {
+    public boolean isWalk() {
         return this == FORWARD || this == BACKWARD;
     }
 
@@ -52,7 +52,7 @@ enum Gait {
     }
 
     /** How it is called in the settings and in messages. */
-    String key() {
+    public String key() {
         return key;
     }
 
@@ -72,7 +72,7 @@ enum Gait {
     }
 
     /** What it means that the dog has complained of a call. */
-    static String refusal(String failure) {
+    public static String refusal(String failure) {
         return failure.contains("function") || failure.contains("robot.")
                 ? "the stick in the dog has no such gait (" + failure + ")"
                 : "the dog refuses: " + failure;

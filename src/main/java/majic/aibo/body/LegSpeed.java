@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Dialect;
@@ -14,14 +14,14 @@ import java.util.Set;
  * The variables on the dog that hold the pace of its legs. All its clients share them, so they are put back as they were
  * found. Outlives a connection: what one that broke could not put back, the next one does. Thread-safe.
  */
-final class LegSpeed {
+public final class LegSpeed {
     private static final Gait[] ONE_FOR_EACH_VARIABLE = {Gait.FORWARD, Gait.LEFT};
 
     private final Map<Gait, Ask> found = new EnumMap<>(Gait.class);
     private final Set<String> changed = new HashSet<>();
 
     /** Asks how they stand, on a connection; waits for nothing. */
-    synchronized void look(UrbiConnection connection, Tags tags) {
+    public synchronized void look(UrbiConnection connection, Tags tags) {
         for (Gait gait : ONE_FOR_EACH_VARIABLE) {
             if (changed.contains(gait.paceVariable())) {
                 continue;
@@ -31,13 +31,13 @@ final class LegSpeed {
     }
 
     /** What sets the pace for a piece of a gait, to be sent right before it: another client may have changed it. */
-    synchronized String order(Stride stride) {
+    public synchronized String order(Stride stride) {
         changed.add(stride.gait().paceVariable());
         return stride.order();
     }
 
     /** What puts them back, where they were changed and the dog has told how they were. */
-    synchronized String restore() {
+    public synchronized String restore() {
         StringBuilder commands = new StringBuilder();
         found.forEach((gait, ask) -> {
             if (changed.contains(gait.paceVariable())

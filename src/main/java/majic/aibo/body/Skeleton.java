@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -9,7 +9,7 @@ import java.util.Map;
  * Where the parts of the dog are, reckoned from its measured joints, with the dog set on the ground: x ahead of its
  * middle, y left, z up from the floor, mm. Joints that were not read are taken to stand. Lengths are rounded. Immutable.
  */
-final class Skeleton {
+public final class Skeleton {
     private static final Spot NECK_FOOT = new Spot(72, 0, 22);
     private static final Spot NECK = new Spot(0, 0, 76);
     private static final Spot TAIL_FOOT = new Spot(-92, 0, 34);
@@ -27,7 +27,7 @@ final class Skeleton {
     private final Map<Limb, Limb.Bones> legs = new EnumMap<>(Limb.class);
     private final Contact contact;
 
-    Skeleton(Senses senses) {
+    public Skeleton(Senses senses) {
         this.senses = senses;
         List<Spot> touching = new ArrayList<>(BELLY);
         for (Limb limb : Limb.values()) {
@@ -45,27 +45,27 @@ final class Skeleton {
     }
 
     /** A point of the body's own frame, whose origin is the middle between the four shoulders. */
-    Spot body(Spot own) {
+    public Spot body(Spot own) {
         return contact.onGround(own);
     }
 
-    Limb.Bones leg(Limb limb) {
+    public Limb.Bones leg(Limb limb) {
         Limb.Bones bones = legs.getOrDefault(limb, limb.bones(senses));
         return new Limb.Bones(body(bones.top()), body(bones.middle()), body(bones.foot()));
     }
 
-    Spot neckFoot() {
+    public Spot neckFoot() {
         return body(NECK_FOOT);
     }
 
     /** A point of the head's own frame, whose origin is the joint that the head turns and nods about. */
-    Spot head(Spot own) {
+    public Spot head(Spot own) {
         Spot turned = own.raised(angle(Sensor.HEAD_TILT)).panned(angle(Sensor.HEAD_PAN));
         return body(NECK_FOOT.plus(NECK.plus(turned).raised(angle(Sensor.NECK))));
     }
 
     /** A point of the jaw's own frame, whose origin is its hinge at a place of the head. */
-    Spot jaw(Spot hinge, Spot own) {
+    public Spot jaw(Spot hinge, Spot own) {
         return head(hinge.plus(own.raised(senses.number(Sensor.MOUTH).orElse(-3.0))));
     }
 
@@ -74,7 +74,7 @@ final class Skeleton {
     }
 
     /** A point along the tail, 0 at the body, 1 at the tip; it is a little bent. */
-    Spot tail(double share) {
+    public Spot tail(double share) {
         double raised = TAIL_MOUNT_DEG + senses.number(Sensor.TAIL_TILT).orElse(2.0) + 15 * share;
         Spot way = new Spot(TAIL.x() * share, 0, 0).raised(-raised).panned(-angle(Sensor.TAIL_PAN));
         return body(TAIL_FOOT.plus(way));

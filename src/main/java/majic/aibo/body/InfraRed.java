@@ -1,10 +1,10 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import java.util.Optional;
 import java.util.stream.Stream;
 
 /** The three distance sensors, from the dog's centimetres to what they mean (URBI sheet 13). */
-final class InfraRed {
+public final class InfraRed {
     /** A reading this close to the end of a sensor's range means that it sees nothing. */
     private static final double END_CM = 0.5;
 
@@ -24,7 +24,7 @@ final class InfraRed {
     }
 
     /** What a sensor sees, mm from the sensor; empty if nothing is in its range or it has not been read. */
-    Optional<Double> rangeMm(Sensor sensor) {
+    public Optional<Double> rangeMm(Sensor sensor) {
         double endCm = switch (sensor) {
             case NEAR -> NEAR_END_CM;
             case FAR -> FAR_END_CM;
@@ -35,14 +35,14 @@ final class InfraRed {
     }
 
     /** What the two sensors in the head see where it looks, mm; the nearer of both counts. */
-    Optional<Double> headMm() {
+    public Optional<Double> headMm() {
         return Stream.of(rangeMm(Sensor.NEAR), rangeMm(Sensor.FAR))
                 .flatMap(Optional::stream)
                 .min(Double::compare);
     }
 
     /** What the chest sees that cannot be the floor, mm; nothing before the dog has stood. */
-    Optional<Double> chestMm() {
+    public Optional<Double> chestMm() {
         double floor = floorCm;
         return rangeMm(Sensor.CHEST).filter(mm -> mm < NEARER_THAN_FLOOR * floor * MM_PER_CM);
     }
@@ -53,7 +53,7 @@ final class InfraRed {
     }
 
     /** Whether the head's sensors have ever told anything. */
-    boolean isKnown() {
+    public boolean isKnown() {
         return senses.number(Sensor.NEAR).isPresent()
                 || senses.number(Sensor.FAR).isPresent();
     }

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiMessage;

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.body;
 
 import majic.aibo.urbi.UrbiValue;
 import java.util.Map;
@@ -9,7 +9,7 @@ import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /** The newest reading of every sensor. Thread-safe. */
-final class Senses {
+public final class Senses {
     private static final double STIFF = 0.5;
 
     /** The scripts on the stick take more than this as pressed (URBI sheet 13). */
@@ -20,18 +20,18 @@ final class Senses {
     private volatile long switchedMs;
 
     /** Takes a reading that carried a time stamp of the dog's. */
-    void put(Sensor sensor, UrbiValue value, long stampMs) {
+    public void put(Sensor sensor, UrbiValue value, long stampMs) {
         if (sensor != Sensor.LEG_LOAD || stampMs >= switchedMs) {
             readings.put(sensor, value);
         }
     }
 
-    void refuse(Sensor sensor, String why) {
+    public void refuse(Sensor sensor, String why) {
         refusals.put(sensor, why);
     }
 
     /** The motors were switched at a time of the dog's clock: so it is until a later reading says otherwise. */
-    void assumeMotors(boolean on, long atMs) {
+    public void assumeMotors(boolean on, long atMs) {
         switchedMs = atMs;
         readings.put(Sensor.LEG_LOAD, new UrbiValue.Num(on ? 1 : 0));
     }
@@ -43,40 +43,40 @@ final class Senses {
     }
 
     /** Whether the dog has answered for a sensor, with a reading or that it has none. */
-    boolean isAnswered(Sensor sensor) {
+    public boolean isAnswered(Sensor sensor) {
         return readings.containsKey(sensor) || refusals.containsKey(sensor);
     }
 
     /** A reading that is a finite number. */
-    Optional<Double> number(Sensor sensor) {
+    public Optional<Double> number(Sensor sensor) {
         return readings.get(sensor) instanceof UrbiValue.Num number && Double.isFinite(number.amount())
                 ? Optional.of(number.amount())
                 : Optional.empty();
     }
 
     /** A reading as people see it, scaled from the dog's unit. */
-    Value value(Sensor sensor, double scale, Unit unit) {
+    public Value value(Sensor sensor, double scale, Unit unit) {
         return number(sensor).map(amount -> Value.of(amount * scale, unit)).orElseGet(() -> unknown(sensor));
     }
 
     /** Why there is no reading. */
-    Value unknown(Sensor sensor) {
+    public Value unknown(Sensor sensor) {
         return Value.unknown(refusals.getOrDefault(sensor, "no reading yet"));
     }
 
     /** What the dog takes its posture for; null before it said so. */
-    @Nullable
+    public @Nullable
     String posture() {
         return readings.get(Sensor.POSTURE) instanceof UrbiValue.Str guess ? guess.text() : null;
     }
 
     /** Whether the legs are stiff; empty while it is not known. */
-    Optional<Boolean> motorsOn() {
+    public Optional<Boolean> motorsOn() {
         return number(Sensor.LEG_LOAD).map(load -> load > STIFF);
     }
 
     /** Whether a touch sensor or button is pressed, a paw on the ground. */
-    boolean isPressed(Sensor sensor) {
+    public boolean isPressed(Sensor sensor) {
         boolean button = switch (sensor) {
             case HEAD_TOUCH, BACK_FRONT, BACK_MIDDLE, BACK_REAR -> false;
             default -> true;
@@ -85,16 +85,16 @@ final class Senses {
     }
 
     /** Whether something presses on the front of the dog, where it would run into things. */
-    boolean isBumped() {
+    public boolean isBumped() {
         return isPressed(Sensor.CHIN) || isPressed(Sensor.HEAD_TOUCH);
     }
 
-    boolean isOnItsBack() {
+    public boolean isOnItsBack() {
         return number(Sensor.ACCEL_Z).orElse(-9.8) > 0;
     }
 
     /** Why a dog that walks must not walk on, as half a sentence; null if nothing is known. */
-    @Nullable
+    public @Nullable
     String unfit() {
         if (isOnItsBack()) {
             return "the dog has fallen on its back";
