@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.session.AiboSession;
 import majic.aibo.urbi.UrbiValue;
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.session.AiboSession;
 import majic.aibo.body.Posture;
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;

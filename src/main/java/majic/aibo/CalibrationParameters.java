@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.session.Lesson;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
 import majic.bot.Parameter;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.session.Limbs;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
 import java.util.ArrayList;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.session.Limbs;
 import majic.aibo.body.Joint;
 import majic.aibo.urbi.Dialect;
 import java.util.EnumMap;

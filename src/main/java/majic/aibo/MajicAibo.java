@@ -1,5 +1,9 @@
 package majic.aibo;
 
+import majic.aibo.session.AiboSession;
+import majic.aibo.session.Lesson;
+import majic.aibo.session.Running;
+import majic.aibo.session.Walker;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Gait;

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.session.AiboSession;
+import majic.aibo.session.Running;
 import majic.aibo.urbi.RawText;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiText;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.session.AiboSession;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;

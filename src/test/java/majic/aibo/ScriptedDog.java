@@ -68,7 +68,7 @@ public final class ScriptedDog implements AutoCloseable {
     volatile double aliveMs = Double.MAX_VALUE;
 
     /** How often its guard has ended a walk. */
-    final AtomicInteger guardEnded = new AtomicInteger();
+    public final AtomicInteger guardEnded = new AtomicInteger();
 
     /** How much later than others a connection delivers, from the first walk on it. */
     volatile long latenessMs;
@@ -156,7 +156,7 @@ public final class ScriptedDog implements AutoCloseable {
         return new Watch(time, time.signal());
     }
 
-    TestClock clock() {
+    public TestClock clock() {
         return Objects.requireNonNull(clock);
     }
 
@@ -223,7 +223,7 @@ public final class ScriptedDog implements AutoCloseable {
         return errands.hasBegun("walk");
     }
 
-    boolean isWalking() {
+    public boolean isWalking() {
         return errands.isUnderWay("walk");
     }
 

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * The order by which the dog sends what it hears, one block of 32 ms each cycle (URBI sheet 8, 13). It runs out by itself
  * on the dog, should nobody be left to end it. Safe from any thread.
  */
-final class Microphone {
+public final class Microphone {
     private static final Logger LOG = System.getLogger(Microphone.class.getName());
 
     private final UrbiConnection on;
@@ -41,7 +41,7 @@ final class Microphone {
      * @param longestMs when the dog is to end it by itself
      * @throws BotException if somebody listens already
      */
-    void start(Consumer<UrbiMessage> hearer, long longestMs) {
+    public void start(Consumer<UrbiMessage> hearer, long longestMs) {
         String tag = stem + count.incrementAndGet();
         if (!ear.compareAndSet(null, new Ear(tag, hearer))) {
             throw new BotException("the dog is being recorded already; it makes one recording at a time");
@@ -50,7 +50,7 @@ final class Microphone {
     }
 
     /** Ends it on the dog; what is on its way still goes nowhere. */
-    void stop() {
+    public void stop() {
         ear.set(null);
         try {
             on.send(stopCommand());

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Joint;
 import majic.aibo.body.Senses;
@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import majic.bot.Motion;
 
 /** Moves joints, and waits until they are where they were told to be. Only ever on behalf of a motion. */
-final class Limbs {
+public final class Limbs {
     private static final double LEAST_MS = 100;
 
     /** A slow engine tells the end two seconds late. */
@@ -29,17 +29,17 @@ final class Limbs {
     /** Quick, but not the jerk of a bare assignment. */
     private volatile double degPerSec = 120;
 
-    Limbs(Senses senses, Supplier<AiboSession> session) {
+    public Limbs(Senses senses, Supplier<AiboSession> session) {
         this.senses = senses;
         this.session = session;
     }
 
     /** How fast joints turn that were given no time, deg/s. */
-    double degPerSec() {
+    public double degPerSec() {
         return degPerSec;
     }
 
-    void setDegPerSec(double newDegPerSec) {
+    public void setDegPerSec(double newDegPerSec) {
         degPerSec = newDegPerSec;
     }
 
@@ -49,7 +49,7 @@ final class Limbs {
      * @param targets the angles, degrees
      * @param givenMs how long it is to take; what the longest way takes if empty
      */
-    void turn(Map<Joint, Double> targets, OptionalDouble givenMs, Motion motion) {
+    public void turn(Map<Joint, Double> targets, OptionalDouble givenMs, Motion motion) {
         AiboSession open = session.get();
         open.feet().power(motion);
         double ms = Math.rint(givenMs.orElseGet(() -> usualMs(targets)));
@@ -73,7 +73,7 @@ final class Limbs {
     }
 
     /** Has parts of the dog moved by commands that end by themselves. */
-    void perform(List<String> commands, double seconds, Motion motion) {
+    public void perform(List<String> commands, double seconds, Motion motion) {
         AiboSession open = session.get();
         open.awaitFree(motion);
         perform(open, commands, seconds, motion);

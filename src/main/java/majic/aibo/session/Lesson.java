@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
@@ -15,7 +15,7 @@ import majic.bot.Range;
 import majic.bot.Unit;
 
 /** How the dog is taught its pace: it walks or turns for a known time, and somebody measures how far it came. */
-final class Lesson implements CalibrateCommand.Pupil {
+public final class Lesson implements CalibrateCommand.Pupil {
     /** About a metre. */
     private static final int WALK_S = 12;
 
@@ -28,13 +28,13 @@ final class Lesson implements CalibrateCommand.Pupil {
 
     /** Who takes a new factor over. */
     @FunctionalInterface
-    interface Learner {
+    public interface Learner {
         /** Keeps the milliseconds for one mm or one degree of a gait at the usual pace of the legs. */
         void learn(Gait gait, double msPerUnit);
     }
 
     /** Goes in the stride that moves have now; what is learned holds for every pace. */
-    Lesson(Supplier<AiboSession> session, Function<Gait, Stride> stride, Learner learner) {
+    public Lesson(Supplier<AiboSession> session, Function<Gait, Stride> stride, Learner learner) {
         this.session = session;
         this.stride = stride;
         this.learner = learner;

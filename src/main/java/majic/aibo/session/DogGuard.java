@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.urbi.AiboLinks;
 import majic.aibo.urbi.Ask;
@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * what the dog's own clock shows when the renewal goes out: one that arrives late says so and renews nothing. While
  * nothing of ours walks it is disarmed, so that it ends nobody else's walk.
  */
-final class DogGuard {
+public final class DogGuard {
     private static final Logger LOG = System.getLogger(DogGuard.class.getName());
     private static final int PATIENCE_MS = 1500;
 
@@ -71,7 +71,7 @@ final class DogGuard {
     }
 
     /** Arms it, or renews it: to be sent before anything walks. It then stays armed for as long as one renewal holds. */
-    synchronized void renew() {
+    public synchronized void renew() {
         if (installed) {
             armed = true;
             renewedNanos = watch.time().nanos();

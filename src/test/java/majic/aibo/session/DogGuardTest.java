@@ -1,5 +1,7 @@
-package majic.aibo;
+package majic.aibo.session;
 
+import majic.aibo.AiboType;
+import majic.aibo.ScriptedDog;
 import majic.aibo.urbi.AiboLinks;
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.DogClock;

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * at its speed as far as the legs can, in short pieces, each begun when the one before has ended, as long as somebody
  * drives. What goes wrong ends it, and is said when it is renewed. Nothing here waits.
  */
-final class Driving {
+public final class Driving {
     private static final double PIECE_MS = 600;
 
     /** A drive is renewed more often; one that is older ends, and does not go on when it is renewed later, seconds. */
@@ -44,7 +44,7 @@ final class Driving {
      *
      * @throws MotionFailed if this drive has gone wrong since it was last renewed; the dog was told to stop
      */
-    void drive(double mmPerSec, double degPerSec) {
+    public void drive(double mmPerSec, double degPerSec) {
         Stride stride = choose(mmPerSec, degPerSec);
         if (hasLapsed()) {
             fail(LATE);

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.Tags;
@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * Lets the head look left and right while the dog walks ahead, because the infra-red beams are far narrower than the
  * dog. Only ever started by a motion that somebody asked for. Never makes a stop wait.
  */
-final class HeadSweep {
+public final class HeadSweep {
     /** There and back again. */
     static final double PERIOD_S = 2;
 
@@ -33,7 +33,7 @@ final class HeadSweep {
      * Where the head looks when it does not sweep, degrees to the left. A head that is still on its way back from a
      * sweep goes no further, for on the dog the older of two movements would end where it likes.
      */
-    void home(double degrees) {
+    public void home(double degrees) {
         homeDeg = degrees;
         String tag = homing.getAndSet(null);
         if (tag != null) {

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Dog;
 import majic.aibo.body.Piece;
@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * The one thing that the dog is doing, and its end. A stop goes out on the stop connection at once, without looking at
  * anything; whether it has hit what it was meant for is found out afterwards, see {@link Running#pursue}. Thread-safe.
  */
-final class Runner {
+public final class Runner {
     private static final double CONFIRM_S = 5;
     private static final double AGAIN_S = 0.1;
 
@@ -41,7 +41,7 @@ final class Runner {
     }
 
     /** What the dog does now; null if nothing that it was told. */
-    @Nullable
+    public @Nullable
     Running current() {
         return current.get();
     }
@@ -55,7 +55,7 @@ final class Runner {
     }
 
     /** Makes any other command that ends by itself, to be started. */
-    Running command(UrbiConnection on, String commands) {
+    public Running command(UrbiConnection on, String commands) {
         return command(on, tag -> commands);
     }
 
@@ -127,7 +127,7 @@ final class Runner {
     }
 
     /** Waits until the dog has executed the stop and what it was doing has ended. */
-    void confirm() {
+    public void confirm() {
         Running running = current.get();
         Ask pong = links.stop().ping(tags);
         BooleanSupplier stands =

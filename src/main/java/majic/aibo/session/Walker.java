@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Dog;
 import majic.aibo.body.Gait;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * Walks a distance or turns an angle: one piece of a gait after the other, none longer than two seconds, each begun when
  * the dog has told the end of the one before. Used for one motion.
  */
-final class Walker {
+public final class Walker {
     /** A slow engine answers two seconds late, and a gait may last two cycles longer than told. */
     private static final double LATE_S = 3;
 
@@ -24,14 +24,14 @@ final class Walker {
     private final Motion motion;
     private double covered;
 
-    Walker(AiboSession session, Motion motion) {
+    public Walker(AiboSession session, Motion motion) {
         this.session = session;
         this.dog = session.dog();
         this.motion = motion;
     }
 
     /** Covers an amount, mm or degrees, always positive; tells how much it was, with the gait's sign. */
-    double cover(Stride stride, double amount) {
+    public double cover(Stride stride, double amount) {
         motion.pause(0);
         if (motion.guardReached() || amount == 0) {
             return 0;

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Dog;
 import majic.aibo.body.Sensor;
@@ -23,14 +23,14 @@ import majic.time.Patience;
 import org.jspecify.annotations.Nullable;
 
 /** Everything that lives from one connect to the end of the connection. */
-final class AiboSession {
+public final class AiboSession {
     private static final double FIRST_READINGS_S = 4;
 
     /** As long as it takes to make sure that a stop has hit with an engine that is two seconds late. */
     private static final double FREE_S = 5;
 
     /** What the session tells its robot. Called on reader and keeper threads. */
-    interface Robot {
+    public interface Robot {
         /** A set of readings is in. */
         void sensed();
 
@@ -58,7 +58,7 @@ final class AiboSession {
     private final Driving driving;
     private volatile @Nullable Vigil vigil;
 
-    AiboSession(Supplier<Link> link, Watch watch, Dog dog, Robot robot) {
+    public AiboSession(Supplier<Link> link, Watch watch, Dog dog, Robot robot) {
         this.watch = watch;
         this.dog = dog;
         this.robot = robot;
@@ -76,7 +76,7 @@ final class AiboSession {
     }
 
     /** Connects, sets up guard and readings; moves nothing. Leaves nothing open when it throws. */
-    void open() {
+    public void open() {
         links.open();
         try {
             dog.takeLeftovers().ifPresent(links.stop()::send);
@@ -106,11 +106,11 @@ final class AiboSession {
         hearing.listenAnew();
     }
 
-    Watch watch() {
+    public Watch watch() {
         return watch;
     }
 
-    AiboLinks links() {
+    public AiboLinks links() {
         return links;
     }
 
@@ -118,31 +118,31 @@ final class AiboSession {
         return clock;
     }
 
-    Runner runner() {
+    public Runner runner() {
         return runner;
     }
 
-    DogGuard guard() {
+    public DogGuard guard() {
         return guard;
     }
 
-    HeadSweep sweep() {
+    public HeadSweep sweep() {
         return sweep;
     }
 
-    Microphone microphone() {
+    public Microphone microphone() {
         return microphone;
     }
 
-    Feet feet() {
+    public Feet feet() {
         return feet;
     }
 
-    Driving driving() {
+    public Driving driving() {
         return driving;
     }
 
-    Dog dog() {
+    public Dog dog() {
         return dog;
     }
 
@@ -152,12 +152,12 @@ final class AiboSession {
     }
 
     /** Says something to the person. */
-    void say(String message) {
+    public void say(String message) {
         robot.say(message);
     }
 
     /** Has somebody hear, on the readers' threads, all that is neither a reading nor an answer; what it returns ends it. */
-    Runnable listen(Consumer<UrbiMessage> hearer) {
+    public Runnable listen(Consumer<UrbiMessage> hearer) {
         return hearing.listen(hearer);
     }
 
@@ -166,7 +166,7 @@ final class AiboSession {
      *
      * @throws UrbiRefusal if the dog gives none, or the thread may not wait for it
      */
-    UrbiValue ask(UrbiConnection on, String expression, double seconds) {
+    public UrbiValue ask(UrbiConnection on, String expression, double seconds) {
         if (!Patience.isAllowed()) {
             throw new UrbiRefusal("the dog tells it only when asked");
         }
@@ -185,7 +185,7 @@ final class AiboSession {
     }
 
     /** Waits until the dog has ended what it did before this motion. */
-    void awaitFree(Motion motion) {
+    public void awaitFree(Motion motion) {
         motion.check();
         if (!watch.await(() -> runner.current() == null, FREE_S)) {
             throw new MotionFailed("the dog has not ended what it did before");
@@ -194,7 +194,7 @@ final class AiboSession {
     }
 
     /** Sends the stop for everything that moves. */
-    void halt() {
+    public void halt() {
         driving.forget();
         runner.halt(sweep.halt());
     }
@@ -203,13 +203,13 @@ final class AiboSession {
      * Sends that stop on the stop connection while a command may be stuck on another. The sweep is not taken for ended,
      * for a command that begins it may be on its way.
      */
-    void haltAhead() {
+    public void haltAhead() {
         driving.forget();
         runner.halt(sweep.stopCommand());
     }
 
     /** The duties that come round ten times a second, on the keeper's thread. */
-    void tend() {
+    public void tend() {
         Vigil watching = vigil;
         if (watching != null) {
             watching.tend();
@@ -230,7 +230,7 @@ final class AiboSession {
     }
 
     /** Stops, says goodbye, closes. */
-    void close() {
+    public void close() {
         driving.forget();
         links.close(lastWords() + dog.legSpeed().restore());
     }

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Dog;
 import majic.aibo.body.Posture;
@@ -15,7 +15,7 @@ import majic.bot.MotionFailed;
 import org.jspecify.annotations.Nullable;
 
 /** Gets the dog onto its feet before it walks, with its motors on, and into other postures. */
-final class Feet {
+public final class Feet {
     private static final Set<String> DOWN = Set.of("sit", "lay");
     private static final Set<String> FALLEN = Set.of("side", "back");
     private static final Set<String> UP = Set.of("stand", "sit");
@@ -87,7 +87,7 @@ final class Feet {
     }
 
     /** Switches the motors on where they are off; what moves a joint needs no more. */
-    void power(Motion motion) {
+    public void power(Motion motion) {
         session.awaitFree(motion);
         if (!dog.senses().motorsOn().orElse(false)) {
             notice.accept("switches the dog's motors on");
@@ -101,7 +101,7 @@ final class Feet {
      * Lays the dog down where it is up, then lets its joints go loose. A dog that did not lie down keeps its motors on, for
      * it would fall; who asks for it once more gets it.
      */
-    void loosen(Motion motion) {
+    public void loosen(Motion motion) {
         session.awaitFree(motion);
         dog.setAfoot(false);
         boolean mayFall = dog.senses().motorsOn().orElse(true) && !LOW.contains(posture());
@@ -129,7 +129,7 @@ final class Feet {
     }
 
     /** Brings it into a posture by one of the stick's functions. */
-    void take(Posture posture, Motion motion) {
+    public void take(Posture posture, Motion motion) {
         power(motion);
         dog.setAfoot(false);
         layingFailed = false;
@@ -138,7 +138,7 @@ final class Feet {
     }
 
     /** What the dog takes its posture for; "unknown" also if it cannot tell. */
-    String posture() {
+    public String posture() {
         try {
             return session.ask(session.links().motion(), "robot.MyguessPosition()", GUESS_S)
                             instanceof UrbiValue.Str guess
@@ -150,7 +150,7 @@ final class Feet {
     }
 
     /** Does one thing to its end, whatever the guard says: half risen is no way to stay. */
-    void perform(Motion motion, Running running, double seconds) {
+    public void perform(Motion motion, Running running, double seconds) {
         motion.send(() -> session.runner().start(running, () -> true));
         BooleanSupplier over = () -> running.isOver() || !stillGoes(motion);
         boolean ended = session.watch().await(over, seconds);

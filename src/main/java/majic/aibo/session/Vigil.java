@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.urbi.AiboLinks;
 import majic.aibo.urbi.DogClock;

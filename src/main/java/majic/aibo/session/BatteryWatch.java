@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import java.util.function.Consumer;
 import majic.bot.LinkLost;

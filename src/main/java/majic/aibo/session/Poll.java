@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;

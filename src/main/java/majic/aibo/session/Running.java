@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.session;
 
 import majic.aibo.body.Piece;
 import majic.aibo.urbi.Ask;
@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * Something that moves the dog and that it was told to do: a piece of a gait, a posture, a timed joint. There is never
  * more than one. Safe from any thread.
  */
-final class Running {
+public final class Running {
     private final UrbiConnection on;
     private final Ask ask;
     private final String commands;
@@ -30,7 +30,7 @@ final class Running {
     }
 
     /** Says that nobody knows what it makes the dog do. */
-    Running unknown() {
+    public Running unknown() {
         unknown = true;
         return this;
     }
@@ -70,7 +70,7 @@ final class Running {
         return ask.isDone();
     }
 
-    @Nullable
+    public @Nullable
     Piece piece() {
         return piece;
     }
