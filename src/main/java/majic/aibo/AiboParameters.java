@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.sound.Volume;
 import majic.aibo.session.Limbs;
 import majic.aibo.body.Dog;
 import majic.aibo.urbi.Dialect;

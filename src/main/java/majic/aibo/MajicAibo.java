@@ -1,5 +1,9 @@
 package majic.aibo;
 
+import majic.aibo.sound.PlayCommand;
+import majic.aibo.sound.RecordCommand;
+import majic.aibo.sound.Speaker;
+import majic.aibo.sound.Volume;
 import majic.aibo.session.AiboSession;
 import majic.aibo.session.Lesson;
 import majic.aibo.session.Running;

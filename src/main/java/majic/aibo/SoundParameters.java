@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.sound.Volume;
 import majic.aibo.urbi.Dialect;
 import java.util.List;
 import majic.bot.Parameter;

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.sound.Sounds;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 

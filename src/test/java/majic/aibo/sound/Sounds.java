@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -13,11 +13,11 @@ import javax.sound.sampled.AudioInputStream;
 import javax.sound.sampled.AudioSystem;
 
 /** WAV files for tests, by the Java library and by hand. */
-final class Sounds {
+public final class Sounds {
     private Sounds() {}
 
     /** What the Java library makes of raw bytes. */
-    static byte[] wav(AudioFormat format, byte[] bytes) {
+    public static byte[] wav(AudioFormat format, byte[] bytes) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         long frames = bytes.length / format.getFrameSize();
         try {
@@ -32,7 +32,7 @@ final class Sounds {
     }
 
     /** So many seconds of 16 bits on one channel, each sample made of its index. */
-    static byte[] wav(int rateHz, double seconds) {
+    public static byte[] wav(int rateHz, double seconds) {
         ByteBuffer bytes = ByteBuffer.allocate(2 * (int) (rateHz * seconds)).order(ByteOrder.LITTLE_ENDIAN);
         for (int index = 0; bytes.hasRemaining(); index++) {
             bytes.putShort((short) (index * 7919));

@@ -1,19 +1,19 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 /**
  * How loud sounds are that are sent over. The dog has no setting for that (URBI sheet 13), so their samples are made
  * smaller before they go out. Safe from any thread.
  */
-final class Volume {
-    static final double FULL_PERCENT = 100;
+public final class Volume {
+    public static final double FULL_PERCENT = 100;
 
     private volatile double percent = FULL_PERCENT;
 
-    double percent() {
+    public double percent() {
         return percent;
     }
 
-    void set(double newPercent) {
+    public void set(double newPercent) {
         percent = newPercent;
     }
 

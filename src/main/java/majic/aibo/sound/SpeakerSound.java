@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 import java.util.Arrays;
 

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;
@@ -18,7 +18,7 @@ import majic.bot.Motion;
  * end of the former (URBI sheet 12), so a stop has to outlast one piece at most, and nothing that moves waits for it.
  * Waits as a motion does, so a stop ends it at once. Safe from any thread.
  */
-final class Speaker {
+public final class Speaker {
     private static final Logger LOG = System.getLogger(Speaker.class.getName());
     private static final double ANSWER_S = 4;
     private static final double LOOK_AGAIN_S = 0.032;
@@ -34,7 +34,7 @@ final class Speaker {
     private final Tags tags = new Tags();
     private final AtomicBoolean busy = new AtomicBoolean();
 
-    Speaker(Supplier<UrbiConnection> connection, Volume volume) {
+    public Speaker(Supplier<UrbiConnection> connection, Volume volume) {
         this.connection = connection;
         this.volume = volume;
     }

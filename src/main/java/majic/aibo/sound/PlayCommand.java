@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 import java.util.List;
 import java.util.Locale;
@@ -11,17 +11,17 @@ import majic.bot.Unit;
 import majic.bot.Value;
 
 /** Plays a WAV file of this computer, or where there is none of that name, one on the dog's stick. */
-final class PlayCommand {
+public final class PlayCommand {
     private static final Pattern NAME_ON_STICK = Pattern.compile("[A-Za-z0-9_-]{1,40}(\\.[wW][aA][vV])?");
     private static final double LONGEST_S = 60;
 
     private final Speaker speaker;
 
-    PlayCommand(Speaker speaker) {
+    public PlayCommand(Speaker speaker) {
         this.speaker = speaker;
     }
 
-    BotCommand command() {
+    public BotCommand command() {
         return new BotCommand(
                 "play",
                 List.of(Parameter.text("file", "a WAV file here, or the name of one on the stick")),

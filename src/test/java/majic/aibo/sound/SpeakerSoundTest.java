@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 import majic.aibo.urbi.UrbiConnection;
 import static org.assertj.core.api.Assertions.assertThat;

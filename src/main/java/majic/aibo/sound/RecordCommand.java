@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 import majic.aibo.session.AiboSession;
 import java.util.List;
@@ -12,18 +12,18 @@ import majic.bot.Unit;
 import majic.bot.Value;
 
 /** Records what the dog's microphone hears into a WAV file of this computer. */
-final class RecordCommand {
+public final class RecordCommand {
     private static final double LONGEST_S = 60;
     private static final double QUIET_S = 2;
     private static final PcmFormat NOTHING_YET = new PcmFormat(2, 16_000, 16, PcmFormat.Coding.SIGNED);
 
     private final Supplier<AiboSession> session;
 
-    RecordCommand(Supplier<AiboSession> session) {
+    public RecordCommand(Supplier<AiboSession> session) {
         this.session = session;
     }
 
-    BotCommand command() {
+    public BotCommand command() {
         return new BotCommand(
                 "record",
                 List.of(

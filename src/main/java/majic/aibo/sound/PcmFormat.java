@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 /**
  * How uncompressed sound is laid out in bytes, little-endian. Immutable.

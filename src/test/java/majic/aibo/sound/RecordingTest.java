@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.sound;
 
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
