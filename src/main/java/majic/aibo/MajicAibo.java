@@ -1,5 +1,9 @@
 package majic.aibo;
 
+import majic.aibo.parameters.Access;
+import majic.aibo.parameters.AiboParameters;
+import majic.aibo.parameters.CalibrationParameters;
+import majic.aibo.parameters.RawCommand;
 import majic.aibo.sound.PlayCommand;
 import majic.aibo.sound.RecordCommand;
 import majic.aibo.sound.Speaker;

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.parameters;
 
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;

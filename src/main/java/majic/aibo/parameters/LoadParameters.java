@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.parameters;
 
 import majic.aibo.session.Limbs;
 import majic.aibo.body.Joint;

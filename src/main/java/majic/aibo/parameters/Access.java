@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.parameters;
 
 import majic.aibo.session.AiboSession;
 import majic.aibo.body.Senses;
@@ -20,7 +20,7 @@ import majic.bot.Value;
 import majic.time.Patience;
 
 /** The way from a parameter to the dog: what it reports anyway, questions, and orders whose end it tells. Thread-safe. */
-final class Access {
+public final class Access {
     /** A slow engine takes two seconds to answer. */
     private static final double ANSWER_S = 4;
 
@@ -30,7 +30,7 @@ final class Access {
     private final Senses senses;
     private final Supplier<AiboSession> session;
 
-    Access(Senses senses, Supplier<AiboSession> session) {
+    public Access(Senses senses, Supplier<AiboSession> session) {
         this.senses = senses;
         this.session = session;
     }

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.parameters;
 
 import majic.aibo.sound.Volume;
 import majic.aibo.session.Limbs;
@@ -12,11 +12,11 @@ import majic.driver.ParameterTheme;
  * The parameters of an Aibo besides those that every robot has, theme by theme in the order in which people read them.
  * Distances are in mm, angles in degrees. Before a dog was met they are those of URBI 1.0.
  */
-final class AiboParameters {
+public final class AiboParameters {
     private final ParameterTable table;
     private final List<ParameterTheme<Dialect>> themes;
 
-    AiboParameters(ParameterTable table, Dog dog, Access access, Volume volume) {
+    public AiboParameters(ParameterTable table, Dog dog, Access access, Volume volume) {
         this.table = table;
         Limbs limbs = new Limbs(dog.senses(), access::open);
         this.themes = List.of(
@@ -32,7 +32,7 @@ final class AiboParameters {
     }
 
     /** Describes what a dog with a stick of this generation has. */
-    void describe(Dialect dialect) {
+    public void describe(Dialect dialect) {
         table.renew(fresh -> themes.forEach(theme -> theme.describe(fresh, dialect)));
     }
 }

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.parameters;
 
 import majic.aibo.body.LedNames;
 import majic.aibo.urbi.Dialect;

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.parameters;
 
 import majic.aibo.body.Dog;
 import majic.aibo.body.Senses;

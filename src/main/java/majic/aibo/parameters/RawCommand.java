@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.parameters;
 
 import majic.aibo.session.AiboSession;
 import majic.aibo.session.Running;
@@ -17,17 +17,17 @@ import majic.bot.Parameter;
  * Passes a command to the dog as it was typed, for what there is no other word for. It may move the dog, so it belongs to
  * whoever moves it. It runs as a block with a tag, so that its end is heard and a stop ends whatever it does.
  */
-final class RawCommand {
+public final class RawCommand {
     private static final double LONGEST_S = 30;
     private static final Set<String> NO_ANSWERS = Set.of("start", "ident", "power");
 
     private final Access access;
 
-    RawCommand(Access access) {
+    public RawCommand(Access access) {
         this.access = access;
     }
 
-    BotCommand command() {
+    public BotCommand command() {
         return new BotCommand(
                         "urbi",
                         List.of(Parameter.text("text", "as the dog's manual has it")),

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.parameters;
 
 import majic.aibo.session.Lesson;
 import majic.aibo.body.Calibration;
@@ -10,16 +10,16 @@ import majic.bot.Unit;
 import majic.bot.Value;
 
 /** The four factors as parameters, for those who know them already: another computer has measured the same dog. */
-final class CalibrationParameters {
+public final class CalibrationParameters {
     private final Calibration calibration;
     private final Lesson.Learner learner;
 
-    CalibrationParameters(Calibration calibration, Lesson.Learner learner) {
+    public CalibrationParameters(Calibration calibration, Lesson.Learner learner) {
         this.calibration = calibration;
         this.learner = learner;
     }
 
-    void describe(ParameterTable table) {
+    public void describe(ParameterTable table) {
         for (Gait gait : Gait.values()) {
             Range range = Calibration.range(gait);
             String unit = gait.isWalk() ? "mm" : "degree";
