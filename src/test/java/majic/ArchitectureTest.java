@@ -35,14 +35,15 @@ class ArchitectureTest {
             majic.panel               : majic.bot
             majic.panel.map           : majic.bot majic.panel
             majic.aibo                : majic.bot majic.driver majic.link majic.time majic.team majic.panel \
-                                        majic.aibo.body majic.aibo.parameters majic.aibo.session majic.aibo.sound \
-                                        majic.aibo.urbi
+                                        majic.aibo.body majic.aibo.panel majic.aibo.parameters majic.aibo.session \
+                                        majic.aibo.sound majic.aibo.urbi
             majic.aibo.urbi           : majic.bot majic.driver majic.link majic.time
             majic.aibo.body           : majic.bot majic.aibo.urbi
             majic.aibo.session        : majic.bot majic.link majic.time majic.aibo.body majic.aibo.urbi
             majic.aibo.sound          : majic.bot majic.time majic.aibo.session majic.aibo.urbi
             majic.aibo.parameters     : majic.bot majic.driver majic.time majic.aibo.body majic.aibo.session \
                                         majic.aibo.sound majic.aibo.urbi
+            majic.aibo.panel          : majic.bot majic.panel majic.team majic.time majic.aibo.body majic.aibo.urbi
             majic.pioneer             : majic.bot majic.link majic.time majic.pioneer.arcos majic.pioneer.panel \
                                         majic.pioneer.parameters majic.pioneer.session majic.pioneer.state
             majic.pioneer.arcos       :

@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import majic.aibo.panel.AiboPanel;
+import majic.aibo.panel.Spectator;
 import majic.aibo.parameters.Access;
 import majic.aibo.parameters.AiboParameters;
 import majic.aibo.parameters.CalibrationParameters;

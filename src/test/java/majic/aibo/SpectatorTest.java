@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import majic.aibo.panel.Spectator;
 import majic.aibo.urbi.UrbiValue;
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;

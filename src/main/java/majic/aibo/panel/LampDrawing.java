@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import java.awt.Color;
 import java.awt.Graphics2D;

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import majic.aibo.body.Dog;
 import majic.aibo.body.Sensor;

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import majic.aibo.body.Lamps;
 import majic.aibo.urbi.Tags;
@@ -16,12 +16,12 @@ import org.jspecify.annotations.Nullable;
  * a thread of its own while it looks, for no other may wait for a picture. Readings go first: after each picture the
  * connection is left to them for at least as long as the picture took. Thread-safe.
  */
-final class Spectator {
+public final class Spectator {
     private static final double LEAST_PERIOD_S = 0.1;
     private static final double AFTER_FAILURE_S = 1;
 
     /** Who sees what comes. Called on the spectator's thread; may take its time. */
-    interface Audience {
+    public interface Audience {
         /** A picture came. */
         void see(UrbiValue picture, double perSecond);
 
@@ -41,7 +41,7 @@ final class Spectator {
      *
      * @param connection the one for sensors and settings that is open now; null while none is
      */
-    Spectator(Watch watch, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
+    public Spectator(Watch watch, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
         this.watch = watch;
         this.connection = connection;
         this.audience = audience;
@@ -49,7 +49,7 @@ final class Spectator {
     }
 
     /** Begins or ends looking. Never waits. */
-    synchronized void look(boolean whether) {
+    public synchronized void look(boolean whether) {
         Look last = current;
         if (whether && last == null) {
             Look begun = new Look();

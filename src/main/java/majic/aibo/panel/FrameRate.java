@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import java.util.ArrayDeque;
 import java.util.Deque;

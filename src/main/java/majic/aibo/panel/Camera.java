@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;

@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Dog;

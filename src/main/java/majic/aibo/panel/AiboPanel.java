@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import majic.aibo.body.Dog;
 import java.util.List;
@@ -16,7 +16,7 @@ import net.miginfocom.swing.MigLayout;
  * Shows one dog: what its camera sees, the dog itself with all that moves, shines and can be touched, and its readings.
  * The sliders of the head move it; nothing else sends it anything but questions.
  */
-final class AiboPanel extends NewsPanel {
+public final class AiboPanel extends NewsPanel {
     private static final long serialVersionUID = 1;
 
     /** What the camera sees is worth as much of the width. */
@@ -85,7 +85,7 @@ final class AiboPanel extends NewsPanel {
      * @param dog what is drawn
      * @param spectators makes what asks for the pictures that the panel shows
      */
-    static JComponent create(MajicBot bot, Dog dog, Function<Spectator.Audience, Spectator> spectators) {
+    public static JComponent create(MajicBot bot, Dog dog, Function<Spectator.Audience, Spectator> spectators) {
         AiboPanel panel = new AiboPanel(bot, dog, spectators);
         panel.refreshOnNews();
         return panel;

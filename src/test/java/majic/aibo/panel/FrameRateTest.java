@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

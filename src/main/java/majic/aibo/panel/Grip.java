@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import majic.bot.BotException;
 import majic.bot.MajicBot;

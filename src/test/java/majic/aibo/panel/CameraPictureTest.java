@@ -1,4 +1,4 @@
-package majic.aibo;
+package majic.aibo.panel;
 
 import majic.aibo.urbi.UrbiValue;
 import static org.assertj.core.api.Assertions.assertThat;
