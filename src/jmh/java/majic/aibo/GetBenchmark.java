@@ -1,7 +1,5 @@
 package majic.aibo;
 
-import majic.aibo.session.AiboSession;
-import majic.aibo.urbi.UrbiValue;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
@@ -9,6 +7,8 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import majic.StandingRobot;
+import majic.aibo.session.AiboSession;
+import majic.aibo.urbi.UrbiValue;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;

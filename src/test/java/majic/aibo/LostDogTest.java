@@ -1,11 +1,11 @@
 package majic.aibo;
 
-import majic.aibo.session.AiboSession;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
+import majic.aibo.session.AiboSession;
 import majic.bot.LinkLost;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

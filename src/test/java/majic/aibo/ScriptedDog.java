@@ -1,6 +1,5 @@
 package majic.aibo;
 
-import majic.aibo.urbi.Watch;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -12,6 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.TestClock;
+import majic.aibo.urbi.Watch;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
 import majic.time.Signal;

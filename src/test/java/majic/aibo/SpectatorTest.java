@@ -1,13 +1,13 @@
 package majic.aibo;
 
-import majic.aibo.panel.Spectator;
-import majic.aibo.urbi.UrbiValue;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
+import majic.aibo.panel.Spectator;
+import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;

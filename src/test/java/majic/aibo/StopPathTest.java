@@ -1,12 +1,12 @@
 package majic.aibo;
 
-import majic.aibo.urbi.UrbiConnection;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
+import majic.aibo.urbi.UrbiConnection;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.time.Signal;

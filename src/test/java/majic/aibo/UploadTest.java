@@ -1,9 +1,5 @@
 package majic.aibo;
 
-import majic.aibo.urbi.UrbiConnection;
-import majic.aibo.urbi.UrbiMessage;
-import majic.aibo.urbi.UrbiRefusal;
-import majic.aibo.urbi.Watch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -14,6 +10,10 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.Watch;
 import majic.bot.LinkLost;
 import majic.link.Links;
 import majic.time.TimeSource;

@@ -1,6 +1,5 @@
 package majic.aibo.urbi;
 
-import majic.aibo.AiboType;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
@@ -10,6 +9,7 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
 import majic.StandingRobot;
+import majic.aibo.AiboType;
 import majic.link.Links;
 import majic.time.TimeSource;
 import org.openjdk.jmh.annotations.Benchmark;

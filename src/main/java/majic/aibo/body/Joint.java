@@ -1,8 +1,8 @@
 package majic.aibo.body;
 
-import majic.aibo.urbi.Dialect;
 import java.util.Arrays;
 import java.util.List;
+import majic.aibo.urbi.Dialect;
 import majic.bot.Range;
 
 /** The 18 joints with the angles that they can take, degrees (URBI sheet 13). */

@@ -1,8 +1,5 @@
 package majic.aibo.body;
 
-import majic.aibo.urbi.Dialect;
-import majic.aibo.urbi.UrbiMessage;
-import majic.aibo.urbi.UrbiValue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,6 +8,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
 
 /** How brightly the dog's LEDs shine and whether its ears are flicked, while somebody looks. Thread-safe. */
 public final class Lamps {

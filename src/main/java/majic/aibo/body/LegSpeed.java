@@ -1,14 +1,14 @@
 package majic.aibo.body;
 
+import java.util.EnumMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiValue;
-import java.util.EnumMap;
-import java.util.HashSet;
-import java.util.Map;
-import java.util.Set;
 
 /**
  * The variables on the dog that hold the pace of its legs. All its clients share them, so they are put back as they were

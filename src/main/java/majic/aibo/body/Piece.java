@@ -2,7 +2,6 @@ package majic.aibo.body;
 
 import majic.aibo.urbi.Ask;
 
-
 /**
  * One piece of a gait: how much it is to cover, and by the server's clock how much of it the dog has done. Safe from any
  * thread.

@@ -1,9 +1,9 @@
 package majic.aibo.body;
 
-import majic.aibo.urbi.UrbiValue;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import majic.aibo.urbi.UrbiValue;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
@@ -65,8 +65,7 @@ public final class Senses {
     }
 
     /** What the dog takes its posture for; null before it said so. */
-    public @Nullable
-    String posture() {
+    public @Nullable String posture() {
         return readings.get(Sensor.POSTURE) instanceof UrbiValue.Str guess ? guess.text() : null;
     }
 
@@ -94,8 +93,7 @@ public final class Senses {
     }
 
     /** Why a dog that walks must not walk on, as half a sentence; null if nothing is known. */
-    public @Nullable
-    String unfit() {
+    public @Nullable String unfit() {
         if (isOnItsBack()) {
             return "the dog has fallen on its back";
         }

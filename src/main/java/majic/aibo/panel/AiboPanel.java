@@ -1,10 +1,10 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Dog;
 import java.util.List;
 import java.util.function.Function;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import majic.aibo.body.Dog;
 import majic.bot.MajicBot;
 import majic.panel.Aside;
 import majic.panel.Dashboard;

@@ -1,7 +1,5 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Dog;
-import majic.aibo.body.Sensor;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
@@ -11,6 +9,8 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Optional;
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
 import majic.bot.Value;
 import majic.panel.Ink;
 

@@ -1,12 +1,12 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Attitude;
-import majic.aibo.body.Senses;
-import majic.aibo.body.Sensor;
 import java.util.Optional;
 import java.util.OptionalInt;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.aibo.body.Attitude;
+import majic.aibo.body.Senses;
+import majic.aibo.body.Sensor;
 import majic.panel.BatteryIcon;
 import majic.panel.Horizon;
 import majic.panel.Light;

@@ -1,9 +1,9 @@
 package majic.aibo.panel;
 
-import majic.aibo.urbi.UrbiRefusal;
-import majic.aibo.urbi.UrbiValue;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
 import majic.panel.PictureView;
 import org.jspecify.annotations.Nullable;
 

@@ -1,11 +1,11 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Dog;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import javax.swing.JPanel;
+import majic.aibo.body.Dog;
 import majic.panel.Ink;
 
 /**

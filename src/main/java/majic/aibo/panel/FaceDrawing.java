@@ -1,7 +1,5 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Dog;
-import majic.aibo.body.Sensor;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Shape;
@@ -10,6 +8,8 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import java.util.Optional;
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
 import majic.panel.Ink;
 
 /**

@@ -1,13 +1,13 @@
 package majic.aibo.panel;
 
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.util.List;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Limb;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.Skeleton;
 import majic.aibo.body.Spot;
-import java.awt.Color;
-import java.awt.Graphics2D;
-import java.util.List;
 import majic.panel.Ink;
 
 /** The whole dog as one view shows it, with every joint as it was measured; in mm, the ground at 0. */

@@ -1,10 +1,10 @@
 package majic.aibo.panel;
 
+import java.awt.Color;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.Skeleton;
 import majic.aibo.body.Spot;
-import java.awt.Color;
 import majic.panel.Ink;
 
 /** The head with its visor, jaw and ears, its touch sensors and LEDs. */

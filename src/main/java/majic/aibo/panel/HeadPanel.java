@@ -1,11 +1,11 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Joint;
-import majic.aibo.body.Senses;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.JPanel;
+import majic.aibo.body.Joint;
+import majic.aibo.body.Senses;
 import majic.bot.MajicBot;
 import majic.panel.ReachSlider;
 import net.miginfocom.swing.MigLayout;

@@ -1,6 +1,5 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Spot;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
@@ -9,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import majic.aibo.body.Spot;
 import majic.panel.Ink;
 
 /** The parts of the dog as one view shows them, painted from the farthest to the nearest, in mm. */

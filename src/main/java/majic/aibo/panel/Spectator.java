@@ -1,12 +1,12 @@
 package majic.aibo.panel;
 
+import java.util.function.Supplier;
 import majic.aibo.body.Lamps;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.Watch;
-import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;

@@ -1,7 +1,7 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Spot;
 import java.util.function.ToDoubleFunction;
+import majic.aibo.body.Spot;
 
 /** Where the drawn dog is looked at from; lengths in mm. */
 enum View {

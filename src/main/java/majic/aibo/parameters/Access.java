@@ -1,18 +1,18 @@
 package majic.aibo.parameters;
 
-import majic.aibo.session.AiboSession;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.DoubleFunction;
+import java.util.function.Supplier;
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
+import majic.aibo.session.AiboSession;
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
-import java.util.Collections;
-import java.util.List;
-import java.util.function.DoubleFunction;
-import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Unit;

@@ -1,10 +1,10 @@
 package majic.aibo.parameters;
 
-import majic.aibo.sound.Volume;
-import majic.aibo.session.Limbs;
-import majic.aibo.body.Dog;
-import majic.aibo.urbi.Dialect;
 import java.util.List;
+import majic.aibo.body.Dog;
+import majic.aibo.session.Limbs;
+import majic.aibo.sound.Volume;
+import majic.aibo.urbi.Dialect;
 import majic.bot.ParameterTable;
 import majic.driver.ParameterTheme;
 

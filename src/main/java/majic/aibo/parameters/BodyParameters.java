@@ -1,12 +1,12 @@
 package majic.aibo.parameters;
 
-import majic.aibo.session.AiboSession;
+import java.util.List;
 import majic.aibo.body.Posture;
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
+import majic.aibo.session.AiboSession;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiValue;
-import java.util.List;
 import majic.bot.BotException;
 import majic.bot.Motion;
 import majic.bot.Parameter;

@@ -1,8 +1,8 @@
 package majic.aibo.parameters;
 
-import majic.aibo.session.Lesson;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
+import majic.aibo.session.Lesson;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Range;

@@ -1,8 +1,8 @@
 package majic.aibo.parameters;
 
+import java.util.List;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
-import java.util.List;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;

@@ -1,10 +1,10 @@
 package majic.aibo.parameters;
 
+import java.util.ArrayList;
+import java.util.List;
 import majic.aibo.session.Limbs;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
-import java.util.ArrayList;
-import java.util.List;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;

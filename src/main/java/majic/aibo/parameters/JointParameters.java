@@ -1,12 +1,12 @@
 package majic.aibo.parameters;
 
-import majic.aibo.session.Limbs;
-import majic.aibo.body.Joint;
-import majic.aibo.urbi.Dialect;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import majic.aibo.body.Joint;
+import majic.aibo.session.Limbs;
+import majic.aibo.urbi.Dialect;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;

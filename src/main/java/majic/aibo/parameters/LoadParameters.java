@@ -1,10 +1,10 @@
 package majic.aibo.parameters;
 
-import majic.aibo.session.Limbs;
+import java.util.List;
 import majic.aibo.body.Joint;
+import majic.aibo.session.Limbs;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
-import java.util.List;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;

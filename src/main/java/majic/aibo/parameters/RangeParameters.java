@@ -1,10 +1,10 @@
 package majic.aibo.parameters;
 
+import java.util.Optional;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;
-import java.util.Optional;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;

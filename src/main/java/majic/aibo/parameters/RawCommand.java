@@ -1,13 +1,13 @@
 package majic.aibo.parameters;
 
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import majic.aibo.session.AiboSession;
 import majic.aibo.session.Running;
 import majic.aibo.urbi.RawText;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiText;
-import java.util.List;
-import java.util.Set;
-import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.BotCommand;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;

@@ -1,5 +1,7 @@
 package majic.aibo.session;
 
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.AiboLinks;
@@ -12,8 +14,6 @@ import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.Watch;
-import java.util.function.Consumer;
-import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Motion;

@@ -1,5 +1,7 @@
 package majic.aibo.session;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import majic.aibo.urbi.AiboLinks;
 import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.DogClock;
@@ -7,8 +9,6 @@ import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.Watch;
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import org.jspecify.annotations.Nullable;
 
 /**

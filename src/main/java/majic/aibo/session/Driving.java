@@ -1,10 +1,10 @@
 package majic.aibo.session;
 
+import java.util.function.Consumer;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
 import majic.aibo.body.Piece;
 import majic.aibo.body.Stride;
-import java.util.function.Consumer;
 import majic.bot.MotionFailed;
 import org.jspecify.annotations.Nullable;
 

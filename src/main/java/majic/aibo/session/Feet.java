@@ -1,14 +1,14 @@
 package majic.aibo.session;
 
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Posture;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
-import java.util.Set;
-import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;

@@ -1,9 +1,9 @@
 package majic.aibo.session;
 
+import java.util.concurrent.atomic.AtomicReference;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
-import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,11 +1,5 @@
 package majic.aibo.session;
 
-import majic.aibo.body.Dog;
-import majic.aibo.body.Sensor;
-import majic.aibo.urbi.DogClock;
-import majic.aibo.urbi.UrbiMessage;
-import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Watch;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.Arrays;
@@ -14,6 +8,12 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
+import majic.aibo.urbi.DogClock;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.Watch;
 
 /** Sorts what a dog says without being asked anew: readings, battery lines, the rest. Hears on the readers' threads. */
 final class Hearing {

@@ -1,13 +1,13 @@
 package majic.aibo.session;
 
-import majic.aibo.body.Calibration;
-import majic.aibo.body.Gait;
-import majic.aibo.body.Stride;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import majic.aibo.body.Calibration;
+import majic.aibo.body.Gait;
+import majic.aibo.body.Stride;
 import majic.bot.CalibrateCommand;
 import majic.bot.CalibrateCommand.Trial;
 import majic.bot.Motion;

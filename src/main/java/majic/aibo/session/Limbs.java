@@ -1,14 +1,14 @@
 package majic.aibo.session;
 
-import majic.aibo.body.Joint;
-import majic.aibo.body.Senses;
-import majic.aibo.urbi.Dialect;
-import majic.aibo.urbi.UrbiCommands;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import majic.aibo.body.Joint;
+import majic.aibo.body.Senses;
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiCommands;
 import majic.bot.Motion;
 
 /** Moves joints, and waits until they are where they were told to be. Only ever on behalf of a motion. */

@@ -1,13 +1,13 @@
 package majic.aibo.session;
 
-import majic.aibo.urbi.Tags;
-import majic.aibo.urbi.UrbiConnection;
-import majic.aibo.urbi.UrbiMessage;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import majic.aibo.urbi.Tags;
+import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiMessage;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;

@@ -1,12 +1,12 @@
 package majic.aibo.session;
 
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.Collectors;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiMessage;
-import java.util.HashMap;
-import java.util.Map;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /** The standing order by which the dog reports its sensors, and the way back from tags to sensors (URBI sheet 8). */

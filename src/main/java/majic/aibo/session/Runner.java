@@ -1,5 +1,8 @@
 package majic.aibo.session;
 
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Piece;
 import majic.aibo.body.Stride;
@@ -9,9 +12,6 @@ import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.Watch;
-import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.BooleanSupplier;
-import java.util.function.UnaryOperator;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
@@ -41,8 +41,7 @@ public final class Runner {
     }
 
     /** What the dog does now; null if nothing that it was told. */
-    public @Nullable
-    Running current() {
+    public @Nullable Running current() {
         return current.get();
     }
 

@@ -70,8 +70,7 @@ public final class Running {
         return ask.isDone();
     }
 
-    public @Nullable
-    Piece piece() {
+    public @Nullable Piece piece() {
         return piece;
     }
 

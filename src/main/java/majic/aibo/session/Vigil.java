@@ -1,11 +1,11 @@
 package majic.aibo.session;
 
+import java.util.List;
 import majic.aibo.urbi.AiboLinks;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.Pulse;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.Watch;
-import java.util.List;
 
 /** Finds out that a dog no longer says or hears anything. Used by the keeper's thread. */
 final class Vigil {

@@ -1,10 +1,10 @@
 package majic.aibo.session;
 
+import java.util.Objects;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Gait;
 import majic.aibo.body.Piece;
 import majic.aibo.body.Stride;
-import java.util.Objects;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Unit;

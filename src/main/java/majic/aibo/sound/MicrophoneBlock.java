@@ -1,9 +1,9 @@
 package majic.aibo.sound;
 
-import majic.aibo.urbi.UrbiRefusal;
-import majic.aibo.urbi.UrbiValue;
 import java.util.List;
 import java.util.regex.Pattern;
+import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiValue;
 
 /** Reads what the dog says of the blocks of its microphone, which is raw or a WAV file by the version (URBI sheet 12). */
 final class MicrophoneBlock {

@@ -1,9 +1,9 @@
 package majic.aibo.sound;
 
-import majic.aibo.session.AiboSession;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
+import majic.aibo.session.AiboSession;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
 import majic.bot.Motion;

@@ -1,9 +1,9 @@
 package majic.aibo.sound;
 
-import majic.aibo.urbi.UrbiMessage;
-import majic.aibo.urbi.UrbiValue;
 import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 

@@ -98,14 +98,12 @@ public final class Ask {
     }
 
     /** The last value under its tag; a command that an end is expected of may tell one before. */
-    public @Nullable
-    UrbiValue value() {
+    public @Nullable UrbiValue value() {
         return value;
     }
 
     /** What the server complained of; null if it did not. */
-    public @Nullable
-    String failure() {
+    public @Nullable String failure() {
         return failure;
     }
 

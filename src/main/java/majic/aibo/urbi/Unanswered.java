@@ -25,8 +25,7 @@ public final class Unanswered {
     }
 
     /** Hands a message to the command it answers; tells which that was, null if none. */
-    public @Nullable
-    Ask answer(UrbiMessage message, Dialect dialect) {
+    public @Nullable Ask answer(UrbiMessage message, Dialect dialect) {
         Ask ask = addressee(message, dialect);
         if (ask == null) {
             return null;

@@ -1,10 +1,10 @@
 package majic.aibo.body;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
-import static org.assertj.core.api.Assertions.assertThat;
-
 import org.junit.jupiter.api.Test;
 
 class LampsTest {

@@ -1,11 +1,5 @@
 package majic.aibo.body;
 
-import majic.aibo.urbi.Ask;
-import majic.aibo.urbi.Dialect;
-import majic.aibo.urbi.Unanswered;
-import majic.aibo.urbi.UrbiDecoder;
-import majic.aibo.urbi.UrbiMessage;
-import majic.aibo.urbi.UrbiValue;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
@@ -13,6 +7,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.Unanswered;
+import majic.aibo.urbi.UrbiDecoder;
+import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiValue;
 import majic.bot.Unit;
 
 /**

@@ -1,13 +1,13 @@
 package majic.aibo.panel;
 
-import majic.aibo.body.Calibration;
-import majic.aibo.body.Dog;
-import majic.aibo.body.Sensor;
-import majic.aibo.urbi.UrbiValue;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import majic.aibo.body.Calibration;
+import majic.aibo.body.Dog;
+import majic.aibo.body.Sensor;
+import majic.aibo.urbi.UrbiValue;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Test;
 

@@ -1,5 +1,10 @@
 package majic.aibo.panel;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Joint;
@@ -8,11 +13,6 @@ import majic.aibo.body.Sensor;
 import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
-import static org.assertj.core.api.Assertions.assertThat;
-
-import java.awt.image.BufferedImage;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import majic.bot.Settings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

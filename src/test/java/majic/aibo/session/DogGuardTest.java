@@ -1,5 +1,9 @@
 package majic.aibo.session;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.List;
 import majic.aibo.AiboType;
 import majic.aibo.ScriptedDog;
 import majic.aibo.urbi.AiboLinks;
@@ -7,10 +11,6 @@ import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.Watch;
-import static org.assertj.core.api.Assertions.assertThat;
-
-import java.io.IOException;
-import java.util.List;
 import majic.link.Links;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

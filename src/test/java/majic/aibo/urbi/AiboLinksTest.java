@@ -1,11 +1,11 @@
 package majic.aibo.urbi;
 
-import majic.aibo.AiboType;
-import majic.aibo.ScriptedDog;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import majic.aibo.AiboType;
+import majic.aibo.ScriptedDog;
 import majic.bot.BotException;
 import majic.link.Links;
 import org.junit.jupiter.api.Test;

@@ -1,11 +1,11 @@
 package majic.aibo.urbi;
 
-import majic.aibo.AiboType;
-import majic.aibo.ScriptedDog;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import majic.TestClock;
+import majic.aibo.AiboType;
+import majic.aibo.ScriptedDog;
 import majic.link.Links;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
