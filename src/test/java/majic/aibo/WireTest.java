@@ -40,7 +40,7 @@ class WireTest {
                 "legLF1Load | 0.5           | TAG+end: legLF1.load = 0.5",
                 "ears       | 1 0           | TAG+end: { earL.val = 1 & earR.val = 0 }",
                 "ledF3      | 0.25          | TAG+end: ledF3.val = 0.25",
-                "ledBW      | 0.5           | TAG+end: ledBW = 0.5",
+                "ledBW      | 0.5           | TAG+end: { ledBW = 0.5 }",
                 "ledBC      | 0 0.5 1       | TAG+end: { ledBFC.val = 0 & ledBMC.val = 0.5 & ledBRC.val = 1 }",
                 "jpegFactor | 50            | TAG+end: camera.jpegfactor = 50"
             })
