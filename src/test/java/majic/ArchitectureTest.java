@@ -34,9 +34,8 @@ class ArchitectureTest {
             majic.driver              : majic.bot majic.link majic.time
             majic.panel               : majic.bot
             majic.panel.map           : majic.bot majic.panel
-            majic.aibo                : majic.bot majic.driver majic.link majic.time majic.team majic.panel \
-                                        majic.aibo.body majic.aibo.panel majic.aibo.parameters majic.aibo.session \
-                                        majic.aibo.sound majic.aibo.urbi
+            majic.aibo                : majic.bot majic.link majic.time majic.aibo.body majic.aibo.panel \
+                                        majic.aibo.parameters majic.aibo.session majic.aibo.sound majic.aibo.urbi
             majic.aibo.urbi           : majic.bot majic.driver majic.link majic.time
             majic.aibo.body           : majic.bot majic.aibo.urbi
             majic.aibo.session        : majic.bot majic.link majic.time majic.aibo.body majic.aibo.urbi

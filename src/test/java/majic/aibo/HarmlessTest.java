@@ -31,12 +31,13 @@ class HarmlessTest {
         assertThat(literals).noneMatch(literal -> NEVER.matcher(literal).find());
     }
 
-    /** All of the package but the lists of what is refused. */
+    /** All of the packages but the lists of what is refused. */
     private static List<String> literals() throws IOException {
         List<String> literals = new ArrayList<>();
-        try (Stream<Path> files = Files.list(Path.of("src/main/java/majic/aibo"))) {
-            for (Path file :
-                    files.filter(path -> !REFUSALS.contains(path.getFileName())).toList()) {
+        try (Stream<Path> files = Files.walk(Path.of("src/main/java/majic/aibo"))) {
+            for (Path file : files.filter(Files::isRegularFile)
+                    .filter(path -> !REFUSALS.contains(path.getFileName()))
+                    .toList()) {
                 Matcher literal = LITERAL.matcher(Files.readString(file));
                 while (literal.find()) {
                     literals.add(literal.group(1));
