@@ -1,7 +1,6 @@
 /**
- * The Sony Aibo ERS-7 with an URBI memory stick: its URBI client from bytes to commands, and the robot on top of it.
- * Only the robot, its type and its panel are public. Imports nothing of MAJIC's but {@code bot} and {@code link}; Swing
- * stays in the panel.
+ * The Sony Aibo ERS-7 with an URBI memory stick: the robot, its type, and how the packages below are put together.
+ * {@code urbi} is the client, {@code body} what is known of the dog, {@code session} one connection.
  */
 @NullMarked
 package majic.aibo;
