@@ -14,12 +14,14 @@ import java.util.regex.Pattern;
 import majic.act.NoActs;
 import majic.cli.ActCommand;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
 /** The page on behaviours, followed to the letter: its sources compile, and every command on it does what it says. */
+@Tag("jdk")
 @Timeout(120)
 class ActsPageTest {
     private static final Pattern BLOCK = Pattern.compile("```(\\w*)\\R(.*?)```", Pattern.DOTALL);

@@ -8,10 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** A program that only embeds a robot loads no window class and needs none of the program's libraries. */
+@Tag("jdk")
 @Timeout(60)
 class EmbeddingTest {
     @Test

@@ -14,11 +14,13 @@ import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import majic.team.Member;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+@Tag("jdk")
 @Timeout(60)
 class PanelsInLabTest {
 

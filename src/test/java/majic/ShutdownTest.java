@@ -19,6 +19,7 @@ import java.util.stream.Stream;
 import majic.bot.Pose;
 import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -29,6 +30,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** A program of its own that embeds a robot ends or stands still in mid-motion, and the robot is stopped. */
+@Tag("jdk")
 @Timeout(60)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has neither signals nor pseudo-terminals")
 class ShutdownTest {

@@ -22,6 +22,7 @@ import majic.time.Signal;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,6 +30,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** An act has its robots to itself, and whoever stops one of them ends it for all. */
+@Tag("jdk")
 @Timeout(30)
 class ActRunTest implements TeamListener {
     private final SteppedTime time = new SteppedTime();

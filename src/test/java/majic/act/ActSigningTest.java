@@ -19,11 +19,13 @@ import majic.act.file.ActManifest;
 import majic.act.file.BoundedZip;
 import majic.act.file.BoundedZipTest;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A file that was signed names its signer, and is refused once anything in it was changed. */
+@Tag("jdk")
 @Timeout(60)
 class ActSigningTest {
     private static final char[] PASSWORD = "correct horse".toCharArray();

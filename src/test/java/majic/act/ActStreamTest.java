@@ -28,12 +28,14 @@ import majic.act.file.ActTrust;
 import majic.act.file.SerialScan;
 import majic.act.make.ActMaker;
 import majic.bot.Settings;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The object stream of an act whose class MAJIC has loads as it is, with whatever plain values it holds. */
+@Tag("jdk")
 @Timeout(30)
 class ActStreamTest {
     private static final ActTrust NOBODY_ASKED = new ActTrust(Settings.inMemory());

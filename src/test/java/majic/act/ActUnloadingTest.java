@@ -11,11 +11,13 @@ import majic.bot.FakeType;
 import majic.bot.Settings;
 import majic.bot.SteppedTime;
 import majic.time.TimeSource;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** When an act has ended, nothing holds its classes. */
+@Tag("jdk")
 @Timeout(60)
 class ActUnloadingTest {
     private static final String ANYWHERE = Sources.WANDER.replace(".types(\"aibo\").with(\"distanceFront\")", "");

@@ -41,6 +41,7 @@ import majic.act.file.ActTrust;
 import majic.act.file.PlainValues;
 import majic.bot.Settings;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -48,6 +49,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The shapes of the known deserialization attacks, in an act's field and alone: all refused, and nothing of them runs. */
+@Tag("jdk")
 @Timeout(30)
 class HostileStreamsTest {
     private static final AtomicInteger RAN = new AtomicInteger();

@@ -27,6 +27,7 @@ import majic.act.file.ActTrust;
 import majic.act.file.BoundedZipTest;
 import majic.bot.Settings;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,6 +35,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Whatever a file is that is taken for an act, it is refused in one sentence that begins with its name. */
+@Tag("jdk")
 @Timeout(30)
 class OddFilesTest {
     private static final String SCRIPT = "majic.script.ScriptAct";

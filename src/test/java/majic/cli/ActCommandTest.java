@@ -9,12 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import majic.program.Failures;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
 /** The act maker on the command line says what it wrote, or in one sentence why it did not. */
+@Tag("jdk")
 @Timeout(60)
 class ActCommandTest {
     @TempDir

@@ -7,9 +7,11 @@ import majic.bot.Settings;
 import majic.gui.add.AddBotDialog;
 import majic.gui.kit.Surroundings;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+@Tag("jdk")
 @Timeout(60)
 class AddBotWindowTest {
     private static final int SHORT_MS = 300;

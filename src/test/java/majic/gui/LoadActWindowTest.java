@@ -9,11 +9,13 @@ import java.nio.file.Path;
 import majic.team.Owner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A behaviour gets onto a robot by clicks, nothing happens before the last of them, and one click ends it. */
+@Tag("jdk")
 @Timeout(60)
 class LoadActWindowTest {
     @TempDir

@@ -9,11 +9,13 @@ import majic.act.ActDetails;
 import majic.act.file.ActFile;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The window makes what the act maker makes, and says in words why it cannot. */
+@Tag("jdk")
 @Timeout(60)
 class MakeActWindowTest {
     @TempDir

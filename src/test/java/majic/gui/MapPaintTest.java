@@ -19,8 +19,10 @@ import majic.lab.LabAccess.Wall;
 import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+@Tag("jdk")
 class MapPaintTest {
     private static final int WIDTH = 600;
     private static final int HEIGHT = 400;

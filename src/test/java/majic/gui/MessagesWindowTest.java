@@ -5,9 +5,11 @@ import javax.swing.JScrollBar;
 import majic.gui.command.MessageArea;
 import majic.script.Line;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+@Tag("jdk")
 @Timeout(60)
 class MessagesWindowTest {
     private final TestWindow window = TestWindow.open();

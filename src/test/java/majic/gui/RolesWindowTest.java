@@ -7,11 +7,13 @@ import java.nio.file.Path;
 import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A behaviour that asks for further robots gets them from those that fit and are free. */
+@Tag("jdk")
 @Timeout(60)
 class RolesWindowTest {
     @TempDir

@@ -6,9 +6,11 @@ import java.awt.Dialog;
 import java.awt.event.KeyEvent;
 import javax.swing.JButton;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+@Tag("jdk")
 @Timeout(60)
 class StopWindowTest {
     private final TestWindow window = TestWindow.open();

@@ -6,9 +6,11 @@ import javax.swing.JTabbedPane;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+@Tag("jdk")
 @Timeout(60)
 class TeamWindowTest {
     private final TestWindow window = TestWindow.open();

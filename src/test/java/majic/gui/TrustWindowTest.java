@@ -8,11 +8,13 @@ import java.nio.file.Path;
 import majic.act.file.ActFile;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Nothing of an act's code is loaded before the person has seen what it brings and has agreed. */
+@Tag("jdk")
 @Timeout(60)
 class TrustWindowTest {
     @TempDir

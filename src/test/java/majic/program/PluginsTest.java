@@ -14,11 +14,13 @@ import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
 import majic.team.BotFactory;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Robots of other makes, dropped into the plug-ins folder as jars. */
+@Tag("jdk")
 @Timeout(30)
 class PluginsTest {
     private static final String SERVICES = "META-INF/services/majic.bot.BotType";

@@ -10,11 +10,13 @@ import majic.bot.BotListener;
 import majic.bot.FakeBot;
 import majic.bot.MajicBot;
 import majic.time.TimeSource;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The end of the program, asked for from two sides at once: Ctrl-C while "quit" is being obeyed. */
+@Tag("jdk")
 @Timeout(20)
 class ProgramCloseTest {
     private final CountDownLatch closing = new CountDownLatch(1);

@@ -21,6 +21,7 @@ import majic.act.TinyClass;
 import majic.act.make.ActMaker;
 import majic.bot.Settings;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A file brings the code of its act into a session that has never seen it, when the user agrees and not before. */
+@Tag("jdk")
 @Timeout(60)
 class ActFileTest {
     private static final String LOADED = "majic.test.wander";

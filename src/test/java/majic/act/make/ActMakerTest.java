@@ -18,6 +18,7 @@ import majic.act.file.BoundedZip;
 import majic.act.file.BoundedZipTest;
 import majic.act.file.JavaSource;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,6 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The maker takes a source, a class file, a folder or a jar, and says what is wrong with a class that will not do. */
+@Tag("jdk")
 @Timeout(60)
 class ActMakerTest {
     private static final ActDetails DETAILS = ActDetails.named("Wander");

@@ -6,9 +6,11 @@ import java.awt.event.KeyEvent;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+@Tag("jdk")
 @Timeout(60)
 class CommandLineWindowTest {
     private final TestWindow window = TestWindow.open();
