@@ -8,9 +8,9 @@ import java.io.PrintStream;
 import java.nio.charset.Charset;
 import java.util.List;
 import java.util.function.Consumer;
+import majic.log.Line;
 import majic.program.Failures;
 import majic.program.Program;
-import majic.script.Line;
 import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
 

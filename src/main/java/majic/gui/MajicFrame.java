@@ -27,7 +27,7 @@ import majic.gui.kit.Voice;
 import majic.gui.map.MapFeed;
 import majic.gui.map.TeamMap;
 import majic.lab.LabAccess;
-import majic.script.Line;
+import majic.log.Line;
 import majic.script.MajicParser;
 import majic.script.Session;
 import net.miginfocom.swing.MigLayout;

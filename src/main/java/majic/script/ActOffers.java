@@ -8,6 +8,8 @@ import majic.act.Role;
 import majic.act.file.ActFile;
 import majic.act.file.Acts;
 import majic.bot.BotException;
+import majic.log.Line;
+import majic.log.SessionOutput;
 import majic.team.Member;
 
 /**

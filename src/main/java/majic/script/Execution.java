@@ -7,6 +7,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import majic.bot.MotionStopped;
+import majic.log.Line;
 import majic.script.syntax.ScriptException;
 import majic.team.Answer;
 import majic.team.Member;

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
+import majic.log.Line;
 import majic.log.VisibleText;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Parser;

@@ -7,6 +7,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.log.Line;
+import majic.log.SessionOutput;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;

@@ -12,6 +12,7 @@ import majic.act.Role;
 import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
+import majic.log.Line;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.team.Answer;

@@ -11,6 +11,7 @@ import majic.act.RegularFile;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.IoReason;
+import majic.log.Line;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptText;
 import majic.script.syntax.Statement;

@@ -3,6 +3,7 @@ package majic.script;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.BotException;
+import majic.log.Line;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
 import majic.time.TimeSource;

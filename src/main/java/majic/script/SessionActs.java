@@ -17,6 +17,7 @@ import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
+import majic.log.Line;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;

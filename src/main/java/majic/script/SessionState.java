@@ -1,5 +1,6 @@
 package majic.script;
 
+import majic.log.SessionOutput;
 import majic.team.Team;
 
 /**

@@ -12,7 +12,7 @@ import java.util.Deque;
 import java.util.Locale;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import majic.script.Line;
+import majic.log.Line;
 import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
 

@@ -14,10 +14,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.locks.LockSupport;
-import majic.script.Line;
+import majic.log.Line;
+import majic.log.SessionListener;
 import majic.script.MajicParser;
 import majic.script.Session;
-import majic.script.SessionListener;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,7 +3,7 @@ package majic.gui;
 import java.util.stream.IntStream;
 import javax.swing.JScrollBar;
 import majic.gui.command.MessageArea;
-import majic.script.Line;
+import majic.log.Line;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

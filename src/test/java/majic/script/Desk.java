@@ -14,6 +14,7 @@ import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.Settings;
 import majic.bot.SteppedTime;
+import majic.log.Line;
 import majic.log.SessionLog;
 import majic.team.BotFactory;
 import majic.team.Team;

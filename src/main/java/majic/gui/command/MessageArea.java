@@ -9,8 +9,8 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextPane;
 import majic.gui.kit.Edt;
 import majic.gui.kit.Pacer;
-import majic.script.Line;
-import majic.script.SessionListener;
+import majic.log.Line;
+import majic.log.SessionListener;
 
 /**
  * Shows what is said in the session: the newest line below, in view unless somebody has scrolled up. Lines may come from

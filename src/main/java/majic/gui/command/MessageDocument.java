@@ -11,7 +11,7 @@ import javax.swing.text.Style;
 import javax.swing.text.StyleConstants;
 import javax.swing.text.StyleContext;
 import majic.gui.kit.Palette;
-import majic.script.Line;
+import majic.log.Line;
 
 /**
  * The text of the message area: lines marked by kind with a sign in front and a colour, a limited number of them. Used on

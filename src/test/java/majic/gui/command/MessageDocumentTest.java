@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.StyleConstants;
 import majic.gui.kit.Palette;
-import majic.script.Line;
+import majic.log.Line;
 import org.junit.jupiter.api.Test;
 
 class MessageDocumentTest {

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.log;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -7,11 +7,10 @@ import java.util.Locale;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import majic.log.SessionLog;
 import org.jspecify.annotations.Nullable;
 
 /** Writes each line of a session to its log and passes it to all listeners, in one order for all. Thread-safe. */
-final class SessionOutput {
+public final class SessionOutput {
     private static final Logger LOG = System.getLogger(SessionOutput.class.getName());
     private static final long FLUSH_BOUND_MS = 1000;
 
@@ -19,17 +18,17 @@ final class SessionOutput {
     private final List<ListenerThread> listeners = new CopyOnWriteArrayList<>();
     private final Object order = new Object();
 
-    SessionOutput(SessionLog log) {
+    public SessionOutput(SessionLog log) {
         this.log = log;
     }
 
     /** Starts a thread that passes lines to a listener. */
-    void addListener(SessionListener listener) {
+    public void addListener(SessionListener listener) {
         listeners.add(new ListenerThread(listener).start());
     }
 
     /** Ends the listener's thread once all lines so far were passed to it. */
-    void removeListener(SessionListener listener) {
+    public void removeListener(SessionListener listener) {
         for (ListenerThread thread : listeners) {
             if (thread.isFor(listener) && listeners.remove(thread)) {
                 thread.end();
@@ -38,12 +37,12 @@ final class SessionOutput {
     }
 
     /** Runs a task on a listener's thread once all lines so far were passed to it. Returns at once. */
-    void afterwards(SessionListener listener, Runnable task) {
+    public void afterwards(SessionListener listener, Runnable task) {
         listeners.stream().filter(thread -> thread.isFor(listener)).forEach(thread -> thread.afterwards(task));
     }
 
     /** Waits until all listeners have received all lines so far, for one second at most. */
-    void flush() {
+    public void flush() {
         CountDownLatch behind = new CountDownLatch(listeners.size());
         listeners.forEach(thread -> thread.afterwards(behind::countDown));
         try {
@@ -56,7 +55,7 @@ final class SessionOutput {
     }
 
     /** Sends a line to all; never waits. */
-    void say(Line.Kind kind, String text) {
+    public void say(Line.Kind kind, String text) {
         say(kind, text, null);
     }
 
@@ -65,7 +64,7 @@ final class SessionOutput {
      *
      * @param asker the source of the line that this repeats or answers; null if it concerns all
      */
-    void say(Line.Kind kind, String text, @Nullable Object asker) {
+    public void say(Line.Kind kind, String text, @Nullable Object asker) {
         Line line = new Line(kind, text, asker);
         synchronized (order) {
             log.write(kind.name().toLowerCase(Locale.ROOT), line.text());

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.log;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;

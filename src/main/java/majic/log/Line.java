@@ -1,6 +1,5 @@
-package majic.script;
+package majic.log;
 
-import majic.log.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**

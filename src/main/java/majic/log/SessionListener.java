@@ -1,4 +1,4 @@
-package majic.script;
+package majic.log;
 
 /** Hears what is said in a session. */
 @FunctionalInterface
