@@ -5,6 +5,7 @@ import java.util.stream.Collectors;
 import majic.act.ActDetails;
 import majic.act.Role;
 import majic.act.file.ActFile;
+import majic.script.record.SessionRecord;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import majic.bot.BotException;
 import majic.bot.IoReason;
 import majic.log.ParameterLog;
+import majic.script.record.SessionRecord;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;

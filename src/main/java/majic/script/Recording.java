@@ -5,6 +5,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import majic.script.record.RecordedBlock;
+import majic.script.record.RecordedEvent;
+import majic.script.record.ReplayScript;
+import majic.script.record.SessionRecord;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 

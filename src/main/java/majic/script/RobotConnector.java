@@ -9,6 +9,7 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.log.Line;
 import majic.log.SessionOutput;
+import majic.script.record.SessionRecord;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;

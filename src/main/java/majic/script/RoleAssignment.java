@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import majic.act.Role;
 import majic.bot.BotException;
+import majic.script.record.SessionRecord;
 import majic.team.Member;
 
 /** Gives the robots of a line their parts in a behaviour, in the order they are named. */

@@ -12,6 +12,7 @@ import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.IoReason;
 import majic.log.Line;
+import majic.script.record.SessionRecord;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptText;
 import majic.script.syntax.Statement;

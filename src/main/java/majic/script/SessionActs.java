@@ -18,6 +18,7 @@ import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
 import majic.log.Line;
+import majic.script.record.SessionRecord;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;

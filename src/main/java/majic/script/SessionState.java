@@ -1,6 +1,7 @@
 package majic.script;
 
 import majic.log.SessionOutput;
+import majic.script.record.SessionRecord;
 import majic.team.Team;
 
 /**

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.record;
 
 import java.util.Map;
 import java.util.Set;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param finished others that had done what they were told by then, and when they had
  * @param block the block it was done by; null for a line of its own
  */
-record RecordedEvent(
+public record RecordedEvent(
         Kind kind,
         long atNanos,
         String text,

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.record;
 
 import java.math.BigDecimal;
 import java.util.ArrayList;
@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
  * are waited for; otherwise time decides. A motion that was stopped is replayed by time alone, from its beginning to the
  * stop, so that it ends no later than it did.
  */
-final class ReplayScript {
+public final class ReplayScript {
     private static final long NANOS_PER_MS = 1_000_000;
     private static final long SHORTEST_PAUSE_MS = 100;
 
@@ -136,7 +136,7 @@ final class ReplayScript {
     }
 
     /** Robots as a line names them. */
-    static String numbers(Collection<Integer> robots) {
+    public static String numbers(Collection<Integer> robots) {
         return new TreeSet<>(robots).stream().map(String::valueOf).collect(Collectors.joining(","));
     }
 }

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.record;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -25,14 +25,14 @@ import org.jspecify.annotations.Nullable;
  * robots past the script, as stops by button or key and driving by hand. Of these the team tells after they were sent, so
  * recording delays none of them. Thread-safe.
  */
-final class SessionRecord {
+public final class SessionRecord {
     private final Team team;
     private final List<RecordedEvent> events = new ArrayList<>();
     private final Map<Integer, Long> lastAnswerNanos = new HashMap<>();
     private final Map<Integer, Map<Integer, Long>> finishedBeforeHand = new HashMap<>();
     private final Set<Integer> started = new TreeSet<>();
 
-    SessionRecord(Team team) {
+    public SessionRecord(Team team) {
         this.team = team;
         team.addListener(new PastTheScript());
     }
@@ -42,13 +42,13 @@ final class SessionRecord {
     }
 
     /** Keeps that a robot joined. */
-    synchronized void added(String address, int number) {
+    public synchronized void added(String address, int number) {
         String line = "add " + quoted(address) + " as " + number;
         keep(new RecordedEvent(RecordedEvent.Kind.ADD, now(), line, Set.of(number), Set.of(), Map.of(), null));
     }
 
     /** Keeps that a robot was removed at a time, and stopped by that if it was busy. */
-    synchronized void removed(int number, boolean wasBusy, long atNanos) {
+    public synchronized void removed(int number, boolean wasBusy, long atNanos) {
         if (wasBusy) {
             stopped(Set.of(number), atNanos, null);
         }
@@ -64,7 +64,7 @@ final class SessionRecord {
      * @param by the script that gives it; null for a line
      * @param block the block it stands in; null for a line of its own
      */
-    synchronized RecordedEvent command(
+    public synchronized RecordedEvent command(
             String text, Set<Integer> robots, @Nullable Owner by, @Nullable RecordedBlock block) {
         Set<Integer> begins =
                 robots.stream().filter(number -> hasFinished(number, by)).collect(Collectors.toSet());
@@ -73,12 +73,12 @@ final class SessionRecord {
     }
 
     /** Keeps that robots were waited for, as a line says it. */
-    synchronized void waited(String text, Set<Integer> robots, @Nullable RecordedBlock block) {
+    public synchronized void waited(String text, Set<Integer> robots, @Nullable RecordedBlock block) {
         keep(event(RecordedEvent.Kind.WAIT, now(), text, robots, block));
     }
 
     /** Keeps that robots were stopped. */
-    synchronized void stopped(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
+    public synchronized void stopped(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
         RecordedEvent last = events.isEmpty() ? null : events.get(events.size() - 1);
         boolean again = last != null
                 && last.kind() == RecordedEvent.Kind.STOP
@@ -89,7 +89,7 @@ final class SessionRecord {
     }
 
     /** Keeps that the act of robots was ended. */
-    synchronized void calledOff(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
+    public synchronized void calledOff(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
         keep(stop(atNanos, ReplayScript.numbers(robots) + " act off", robots, block));
     }
 
@@ -100,12 +100,12 @@ final class SessionRecord {
     }
 
     /** Begins a block or a file that is run as a script. */
-    synchronized RecordedBlock begin(String text, boolean waits) {
+    public synchronized RecordedBlock begin(String text, boolean waits) {
         return new RecordedBlock(text, now(), waits);
     }
 
     /** Ends a block; {@code completed} tells whether it came to its own end. */
-    synchronized void end(RecordedBlock block, boolean completed) {
+    public synchronized void end(RecordedBlock block, boolean completed) {
         block.end(now(), completed);
     }
 
@@ -115,7 +115,7 @@ final class SessionRecord {
     }
 
     /** Keeps an event in the order of times. Of a block that goes on for ever only the first commands are kept. */
-    synchronized void keep(RecordedEvent event) {
+    public synchronized void keep(RecordedEvent event) {
         if (event.text().isEmpty() || (event.block() != null && !event.block().hasRoom())) {
             return;
         }
@@ -150,7 +150,7 @@ final class SessionRecord {
     }
 
     /** Everything so far, as a script. */
-    List<String> lines() {
+    public List<String> lines() {
         List<RecordedEvent> all;
         synchronized (this) {
             all = List.copyOf(events);
@@ -158,7 +158,7 @@ final class SessionRecord {
         return ReplayScript.of(all);
     }
 
-    void save(Path file) throws IOException {
+    public void save(Path file) throws IOException {
         List<String> all = new ArrayList<>();
         all.add("# A session of MAJIC; \"run FILE\" does it again.");
         all.addAll(lines());
@@ -166,7 +166,7 @@ final class SessionRecord {
     }
 
     /** An address or a file as a script would write it. */
-    static String quoted(String value) {
+    public static String quoted(String value) {
         return value.matches("[^\\s#\"]+") ? value : '"' + value + '"';
     }
 

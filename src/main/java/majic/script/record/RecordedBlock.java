@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.record;
 
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -9,7 +9,7 @@ import java.util.Set;
  * A block or a file of commands that was run in a session. Where it came to its own end, and nothing else was done
  * meanwhile, it stands for its commands in a saved session. Guarded by the lock of its {@link SessionRecord}.
  */
-final class RecordedBlock {
+public final class RecordedBlock {
     private static final int MOST_COMMANDS = 2000;
 
     private final String text;
