@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import majic.act.Role;
 import majic.bot.BotException;
+import majic.script.conditions.Selection;
 import majic.script.syntax.Command;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;

@@ -3,6 +3,8 @@ package majic.script;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import majic.script.conditions.Comparisons;
+import majic.script.conditions.Selection;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;

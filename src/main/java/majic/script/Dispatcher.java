@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.log.Line;
+import majic.script.conditions.Selection;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;

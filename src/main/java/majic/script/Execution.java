@@ -8,6 +8,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import majic.bot.MotionStopped;
 import majic.log.Line;
+import majic.script.conditions.Selection;
 import majic.script.syntax.ScriptException;
 import majic.team.Answer;
 import majic.team.Member;

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import majic.bot.BotException;
+import majic.script.conditions.Selection;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
 import majic.team.Member;

@@ -6,6 +6,7 @@ import java.util.List;
 import majic.bot.BotControl;
 import majic.bot.Checks;
 import majic.bot.Guard;
+import majic.script.conditions.UntilGuard;
 import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Literal;

@@ -5,6 +5,8 @@ import static majic.script.syntax.ScriptException.placed;
 import java.util.Locale;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
+import majic.script.conditions.Comparisons;
+import majic.script.conditions.Selection;
 import majic.script.syntax.CommandParser;
 import majic.script.syntax.Condition;
 import majic.script.syntax.ScriptException;

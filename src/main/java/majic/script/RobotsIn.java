@@ -3,6 +3,7 @@ package majic.script;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import majic.script.conditions.Selection;
 import majic.script.syntax.Statement;
 import majic.script.syntax.Walk;
 import majic.team.Member;

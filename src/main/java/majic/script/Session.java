@@ -11,6 +11,7 @@ import majic.log.Sampling;
 import majic.log.SessionListener;
 import majic.log.SessionLog;
 import majic.log.SessionOutput;
+import majic.script.conditions.Selection;
 import majic.script.record.SessionRecord;
 import majic.team.Answer;
 import majic.team.BotFactory;

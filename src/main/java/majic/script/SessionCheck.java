@@ -1,5 +1,7 @@
 package majic.script;
 
+import majic.script.conditions.Selection;
+
 /**
  * What a command for the session is checked against.
  *

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.conditions;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -18,7 +18,7 @@ import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /** Finds the robots that a script names. */
-final class Selection {
+public final class Selection {
     private final Supplier<List<Member>> all;
     private final IntFunction<Member> byNumber;
     private final @Nullable Member me;
@@ -28,7 +28,7 @@ final class Selection {
      *
      * @param team the robots there are
      */
-    Selection(Team team) {
+    public Selection(Team team) {
         this.all = team::members;
         this.byNumber = team::member;
         this.me = null;
@@ -40,7 +40,7 @@ final class Selection {
      * @param me the robot it runs on
      * @param numbers which robot is meant by a number in it
      */
-    Selection(Member me, Map<Integer, Member> numbers) {
+    public Selection(Member me, Map<Integer, Member> numbers) {
         this.all = () -> Stream.concat(Stream.of(me), numbers.values().stream())
                 .distinct()
                 .toList();
@@ -54,7 +54,7 @@ final class Selection {
      *
      * @throws ScriptException if a robot named by number is not there, or none of those that are chosen
      */
-    List<Member> members(@Nullable Robots robots) {
+    public List<Member> members(@Nullable Robots robots) {
         if (robots == null) {
             return List.of();
         }
@@ -64,7 +64,7 @@ final class Selection {
     }
 
     /** As {@link #members}, leaving out what is not there. */
-    List<Member> present(Robots robots) {
+    public List<Member> present(Robots robots) {
         Set<Member> found = new LinkedHashSet<>();
         for (Robots.Item item : robots.items()) {
             try {

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.conditions;
 
 import java.util.List;
 import majic.bot.BotException;
@@ -10,7 +10,7 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** The condition behind {@code until}, as a driver asks it. */
-final class UntilGuard implements Guard {
+public final class UntilGuard implements Guard {
     private final Condition condition;
     private final ConditionEvaluator readings;
     private final List<MajicBot> others;
@@ -30,7 +30,7 @@ final class UntilGuard implements Guard {
      * @param condition null for none
      * @throws ScriptException if a robot it asks is not there
      */
-    static Guard of(@Nullable Condition condition, Selection selection, Member own) {
+    public static Guard of(@Nullable Condition condition, Selection selection, Member own) {
         return condition == null ? Guard.NEVER : new UntilGuard(condition, selection, own);
     }
 

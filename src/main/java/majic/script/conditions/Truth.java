@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.conditions;
 
 import org.jspecify.annotations.Nullable;
 
@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * @param holds whether it is true; means nothing when undecided
  * @param undecided why it cannot be told; null when it can
  */
-record Truth(boolean holds, @Nullable String undecided) {
+public record Truth(boolean holds, @Nullable String undecided) {
     static final Truth YES = new Truth(true, null);
     static final Truth NO = new Truth(false, null);
 

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.conditions;
 
 import java.util.Locale;
 import majic.bot.BotException;
@@ -17,7 +17,7 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Holds a parameter of one robot against the right-hand side of a comparison. */
-final class Comparisons {
+public final class Comparisons {
     private static final String CLEAR = "clear";
 
     private Comparisons() {}
@@ -28,7 +28,7 @@ final class Comparisons {
      * @param own whose parameters are meant where no robot is named; null where there is none
      * @throws ScriptException if it does not, or a robot is not there
      */
-    static void check(Condition condition, Selection selection, @Nullable Member own) {
+    public static void check(Condition condition, Selection selection, @Nullable Member own) {
         condition.accept(new EachComparison(comparison -> ConditionEvaluator.asked(comparison, selection, own)
                 .forEach(member -> check(comparison, member.bot()))));
     }

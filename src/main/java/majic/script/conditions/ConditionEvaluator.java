@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.conditions;
 
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,7 +14,7 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Finds out what a condition comes to, by asking the robots it speaks of. */
-final class ConditionEvaluator implements Condition.Visitor<Truth> {
+public final class ConditionEvaluator implements Condition.Visitor<Truth> {
     private final Selection selection;
     private final @Nullable Member own;
 
@@ -24,7 +24,7 @@ final class ConditionEvaluator implements Condition.Visitor<Truth> {
      * @param selection finds robots
      * @param own whose parameters are meant where no robot is named; null where there is none
      */
-    ConditionEvaluator(Selection selection, @Nullable Member own) {
+    public ConditionEvaluator(Selection selection, @Nullable Member own) {
         this.selection = selection;
         this.own = own;
     }
@@ -103,7 +103,7 @@ final class ConditionEvaluator implements Condition.Visitor<Truth> {
     }
 
     /** All robots that a condition asks, each once. */
-    static Set<Member> allAsked(Condition condition, Selection selection, @Nullable Member own) {
+    public static Set<Member> allAsked(Condition condition, Selection selection, @Nullable Member own) {
         Set<Member> members = new LinkedHashSet<>();
         condition.accept(new EachComparison(comparison -> members.addAll(asked(comparison, selection, own))));
         return members;
