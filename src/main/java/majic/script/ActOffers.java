@@ -10,6 +10,7 @@ import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.log.Line;
 import majic.log.SessionOutput;
+import majic.script.help.Completion;
 import majic.script.record.SessionRecord;
 import majic.team.Member;
 

@@ -3,6 +3,7 @@ package majic.script;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.Suggestion;
+import majic.script.help.Help;
 import majic.script.syntax.Command;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;

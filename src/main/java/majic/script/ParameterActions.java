@@ -11,6 +11,7 @@ import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.Value;
 import majic.log.Sampling;
+import majic.script.help.Help;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;

@@ -12,6 +12,7 @@ import majic.log.SessionListener;
 import majic.log.SessionLog;
 import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
+import majic.script.help.Completion;
 import majic.script.record.SessionRecord;
 import majic.team.Answer;
 import majic.team.BotFactory;

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.help;
 
 import static java.util.Map.entry;
 
@@ -24,7 +24,7 @@ import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /** The answers to {@code help}, for a robot and for the language. */
-final class Help {
+public final class Help {
     private static final Map<String, String> ROBOT_COMMANDS = new TreeMap<>(Map.of(
             "move", "1 move DISTANCE [until CONDITION]: straight, then stands; negative is backward",
             "turn", "1 turn ANGLE [until CONDITION]: on the spot, left positive, then stands",
@@ -60,7 +60,7 @@ final class Help {
     private Help() {}
 
     /** What {@code help} can be asked about. */
-    static TreeSet<String> topics() {
+    public static TreeSet<String> topics() {
         TreeSet<String> topics = new TreeSet<>(List.of("commands", "robots"));
         topics.addAll(ROBOT_COMMANDS.keySet());
         topics.addAll(SESSION_COMMANDS.keySet());
@@ -69,7 +69,7 @@ final class Help {
     }
 
     /** For the language, or one word of it. */
-    static List<String> of(BotFactory factory, Team team, @Nullable Token topic) {
+    public static List<String> of(BotFactory factory, Team team, @Nullable Token topic) {
         String word = topic == null ? "" : topic.text().toLowerCase(Locale.ROOT);
         return switch (word) {
             case "" -> all();
@@ -107,7 +107,7 @@ final class Help {
     }
 
     /** For one robot, or one parameter or command of it. */
-    static List<String> of(Member member, @Nullable Token topic) {
+    public static List<String> of(Member member, @Nullable Token topic) {
         MajicBot bot = member.bot();
         List<String> lines = new ArrayList<>();
         if (topic == null) {
@@ -164,7 +164,7 @@ final class Help {
         };
     }
 
-    static String noSuchCommand(String word, MajicBot bot) {
+    public static String noSuchCommand(String word, MajicBot bot) {
         if (bot.parameters().stream().anyMatch(parameter -> parameter.name().equalsIgnoreCase(word))) {
             return word + ": a parameter; read it with get, or change it with set";
         }

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.help;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -24,7 +24,7 @@ import majic.team.Member;
 import majic.team.Team;
 
 /** Finds what could stand at the end of a line that is being typed. */
-final class Completion {
+public final class Completion {
     private static final List<String> CONDITION_WORDS = List.of("until", "while", "if", "and", "or", "not", "any");
 
     private final Team team;
@@ -33,14 +33,14 @@ final class Completion {
     private final ActNames acts;
 
     /** The behaviours that could be named on a line. Both read files. */
-    interface ActNames {
+    public interface ActNames {
         List<String> names();
 
         /** Those that can be given to each of some robots, as a line would name them. */
         List<String> namesFor(List<Member> robots);
     }
 
-    Completion(Team team, BotFactory factory, Function<Robots, List<Member>> selection, ActNames acts) {
+    public Completion(Team team, BotFactory factory, Function<Robots, List<Member>> selection, ActNames acts) {
         this.team = team;
         this.factory = factory;
         this.selection = selection;
@@ -48,7 +48,7 @@ final class Completion {
     }
 
     /** Whole words that begin like the last one of the text, sorted. */
-    List<String> complete(String text) {
+    public List<String> complete(String text) {
         int start = text.length();
         while (start > 0 && isPartOfWord(text.charAt(start - 1))) {
             start--;
