@@ -4,6 +4,15 @@ import static majic.script.syntax.ScriptException.placed;
 
 import java.util.List;
 import majic.bot.BotException;
+import majic.script.run.ActRunner;
+import majic.script.run.Actions;
+import majic.script.run.Execution;
+import majic.script.run.RobotAction;
+import majic.script.run.RobotCheck;
+import majic.script.run.Scheduling;
+import majic.script.run.SessionAction;
+import majic.script.run.SessionCheck;
+import majic.script.run.Trait;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.SessionCommand;
@@ -26,7 +35,7 @@ final class ActActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             if (check.readsFiles()) {
                 acts.check(act, check, actions);
             } else {
@@ -35,13 +44,13 @@ final class ActActions {
         }
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             execution.claim(execution.selection().members(act.others()));
             execution.submit(robots, member -> acts.order(act, member, execution, actions));
         }
 
         @Override
-        String replayText(boolean typed) {
+        public String replayText(boolean typed) {
             Literal name = act.name();
             Literal found = new Literal(name.at(), name.value(), acts.replayName(name));
             return new Command.Act(act.at(), found, act.others()).text();
@@ -57,10 +66,10 @@ final class ActActions {
         }
 
         @Override
-        void check(RobotCheck check) {}
+        public void check(RobotCheck check) {}
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             execution.runToEnd(robots, acts::callOff);
         }
     }
@@ -75,10 +84,10 @@ final class ActActions {
         }
 
         @Override
-        void check(SessionCheck check) {}
+        public void check(SessionCheck check) {}
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             acts.list().forEach(execution::answer);
         }
     }
@@ -94,12 +103,12 @@ final class ActActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             placed(trust.act().at(), () -> acts.checkNamed(trust.act().unquoted()));
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             if (execution.isScript()) {
                 throw new BotException("trust: only a person agrees to an act's code, not a script");
             }
@@ -120,12 +129,12 @@ final class ActActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             placed(fileOrHash.at(), () -> acts.checkHash(fileOrHash.unquoted()));
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             execution.answer(acts.trustOff(fileOrHash.unquoted()));
         }
     }

@@ -2,6 +2,12 @@ package majic.script;
 
 import majic.log.ParameterLog;
 import majic.log.Sampling;
+import majic.script.run.ActRunner;
+import majic.script.run.Actions;
+import majic.script.run.RobotAction;
+import majic.script.run.ScriptFiles;
+import majic.script.run.SessionAction;
+import majic.script.run.SessionState;
 import majic.script.syntax.Command;
 import majic.script.syntax.SessionCommand;
 import majic.team.BotFactory;

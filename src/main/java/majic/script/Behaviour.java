@@ -7,6 +7,8 @@ import java.util.Map;
 import majic.act.Role;
 import majic.bot.BotException;
 import majic.script.conditions.Selection;
+import majic.script.run.Actions;
+import majic.script.run.Checker;
 import majic.script.syntax.Command;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;

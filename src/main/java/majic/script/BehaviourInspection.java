@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import majic.bot.BotAddress;
+import majic.script.run.Inspection;
 import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
 import majic.script.syntax.EachComparison;
@@ -84,7 +85,7 @@ final class BehaviourInspection extends Inspection {
     }
 
     @Override
-    void inspect(Condition condition) {
+    public void inspect(Condition condition) {
         inspect(condition, null);
     }
 

@@ -7,6 +7,12 @@ import majic.bot.BotException;
 import majic.bot.IoReason;
 import majic.log.ParameterLog;
 import majic.script.record.SessionRecord;
+import majic.script.run.Execution;
+import majic.script.run.Scheduling;
+import majic.script.run.ScriptFiles;
+import majic.script.run.SessionAction;
+import majic.script.run.SessionCheck;
+import majic.script.run.Trait;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
@@ -26,7 +32,7 @@ final class FileActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             if (check.filesMayAppear()) {
                 return;
             }
@@ -40,7 +46,7 @@ final class FileActions {
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             files.run(file.path(), execution);
         }
     }
@@ -56,12 +62,12 @@ final class FileActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             file.path();
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             save(file, record::save);
             execution.answer("save session " + file.text() + ": done");
         }
@@ -78,12 +84,12 @@ final class FileActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             file.path();
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             if (!execution.isTyped()) {
                 execution.awaitOrders(ParameterActions.LogAction::isLogging);
             }

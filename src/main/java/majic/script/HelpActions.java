@@ -4,6 +4,12 @@ import java.util.List;
 import java.util.Locale;
 import majic.bot.Suggestion;
 import majic.script.help.Help;
+import majic.script.run.Execution;
+import majic.script.run.RobotAction;
+import majic.script.run.RobotCheck;
+import majic.script.run.Scheduling;
+import majic.script.run.SessionAction;
+import majic.script.run.SessionCheck;
 import majic.script.syntax.Command;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
@@ -27,19 +33,19 @@ final class HelpActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             if (topic != null && !check.isCommand(topic.text())) {
                 check.parameter(topic);
             }
         }
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             robots.forEach(member -> Help.of(member, topic).forEach(execution::answer));
         }
 
         @Override
-        String replayText(boolean typed) {
+        public String replayText(boolean typed) {
             return "";
         }
     }
@@ -58,7 +64,7 @@ final class HelpActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             if (topic != null && !Help.topics().contains(topic.text().toLowerCase(Locale.ROOT))) {
                 throw new ScriptException(
                         topic, topic.text() + ": no help on that" + Suggestion.didYouMean(topic.text(), Help.topics()));
@@ -66,7 +72,7 @@ final class HelpActions {
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             Help.of(factory, team, topic).forEach(execution::answer);
         }
     }
@@ -80,10 +86,10 @@ final class HelpActions {
         }
 
         @Override
-        void check(SessionCheck check) {}
+        public void check(SessionCheck check) {}
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             quit.run();
         }
     }

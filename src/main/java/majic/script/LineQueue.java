@@ -3,6 +3,7 @@ package majic.script;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Consumer;
+import majic.script.run.Trait;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 

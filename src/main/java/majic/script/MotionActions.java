@@ -7,6 +7,11 @@ import majic.bot.BotControl;
 import majic.bot.Checks;
 import majic.bot.Guard;
 import majic.script.conditions.UntilGuard;
+import majic.script.run.Execution;
+import majic.script.run.RobotAction;
+import majic.script.run.RobotCheck;
+import majic.script.run.Scheduling;
+import majic.script.run.Trait;
 import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Literal;
@@ -31,7 +36,7 @@ final class MotionActions {
         abstract Object move(BotControl robot, Guard until);
 
         @Override
-        final void run(Execution execution, List<Member> robots) {
+        public final void run(Execution execution, List<Member> robots) {
             execution.submit(robots, member -> order(member, execution));
         }
 
@@ -54,7 +59,7 @@ final class MotionActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             checkUntil(check);
             if (!check.limitMayChange()) {
                 placed(distance.at(), () -> Checks.move(check.bot(), number(distance)));
@@ -76,7 +81,7 @@ final class MotionActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             placed(angle.at(), () -> Checks.turn(number(angle)));
             checkUntil(check);
         }
@@ -102,7 +107,7 @@ final class MotionActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             double seconds = drive.seconds().orElse(DRIVE_S);
             placed(
                     drive.speed().at(),
@@ -123,10 +128,10 @@ final class MotionActions {
         }
 
         @Override
-        void check(RobotCheck check) {}
+        public void check(RobotCheck check) {}
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             execution.stop(robots);
         }
     }

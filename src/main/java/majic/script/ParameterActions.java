@@ -12,6 +12,11 @@ import majic.bot.Parameter;
 import majic.bot.Value;
 import majic.log.Sampling;
 import majic.script.help.Help;
+import majic.script.run.Execution;
+import majic.script.run.RobotAction;
+import majic.script.run.RobotCheck;
+import majic.script.run.Scheduling;
+import majic.script.run.Trait;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
@@ -34,12 +39,12 @@ final class ParameterActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             get.parameters().forEach(check::readable);
         }
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             if (get.now()) {
                 execution.runNow(robots, this::order);
             } else {
@@ -59,7 +64,7 @@ final class ParameterActions {
 
         /** A typed reading was taken at once. */
         @Override
-        String replayText(boolean typed) {
+        public String replayText(boolean typed) {
             return new Command.Get(get.at(), get.parameters(), typed || get.now()).text();
         }
     }
@@ -81,7 +86,7 @@ final class ParameterActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             if (!check.parameter(parameter).writable()) {
                 throw new ScriptException(parameter, parameter.text() + ": can be read but not set");
             }
@@ -89,7 +94,7 @@ final class ParameterActions {
         }
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             execution.submit(robots, this::order);
         }
 
@@ -117,7 +122,7 @@ final class ParameterActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             log.parameters().forEach(check::readable);
             double seconds = log.period().value().number();
             if (seconds < SHORTEST_PERIOD_S || seconds > LONGEST_PERIOD_S) {
@@ -128,7 +133,7 @@ final class ParameterActions {
         }
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             execution.readBeside(robots, this::order);
         }
 
@@ -156,10 +161,10 @@ final class ParameterActions {
         }
 
         @Override
-        void check(RobotCheck check) {}
+        public void check(RobotCheck check) {}
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             Function<Member, Order> order = member -> new Order(text(), false, robot -> {
                 sampling.stop(member);
                 return List.of(text() + ": done");
@@ -180,7 +185,7 @@ final class ParameterActions {
         }
 
         @Override
-        void check(RobotCheck check) {
+        public void check(RobotCheck check) {
             if (!check.isCommand(word.text())) {
                 throw new ScriptException(word, Help.noSuchCommand(word.text(), check.bot()));
             }
@@ -189,7 +194,7 @@ final class ParameterActions {
         }
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             execution.submit(robots, this::order);
         }
 

@@ -10,6 +10,7 @@ import majic.bot.MajicBot;
 import majic.log.Line;
 import majic.log.SessionOutput;
 import majic.script.record.SessionRecord;
+import majic.script.run.SessionState;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;

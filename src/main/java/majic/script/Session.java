@@ -14,6 +14,8 @@ import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
 import majic.script.help.Completion;
 import majic.script.record.SessionRecord;
+import majic.script.run.Actions;
+import majic.script.run.SessionState;
 import majic.team.Answer;
 import majic.team.BotFactory;
 import majic.team.Member;

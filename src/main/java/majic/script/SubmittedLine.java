@@ -1,6 +1,8 @@
 package majic.script;
 
 import java.util.function.Consumer;
+import majic.script.run.Scheduling;
+import majic.script.run.Trait;
 
 /**
  * A prepared line that was submitted to run. Immutable.

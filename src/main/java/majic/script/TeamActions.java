@@ -8,6 +8,11 @@ import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.Pose;
 import majic.lab.LabAccess;
+import majic.script.run.Execution;
+import majic.script.run.Scheduling;
+import majic.script.run.SessionAction;
+import majic.script.run.SessionCheck;
+import majic.script.run.Trait;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
 import majic.script.syntax.SessionCommand;
@@ -32,13 +37,13 @@ final class TeamActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             checkAddress(add.address(), factory);
             placed(add.address().at(), () -> connector.checkRoom(add.address().unquoted(), add.number()));
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             Member member = connector.add(add.address().unquoted(), add.number());
             if (execution.isScript()) {
                 execution.claim(List.of(member));
@@ -57,12 +62,12 @@ final class TeamActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             check.selection().members(robots);
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             List<Member> members = execution.selection().members(robots);
             if (!execution.isTyped()) {
                 execution.awaitFinished(members);
@@ -82,10 +87,10 @@ final class TeamActions {
         }
 
         @Override
-        void check(SessionCheck check) {}
+        public void check(SessionCheck check) {}
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             TeamListing.of(team, connector).forEach(execution::answer);
         }
     }
@@ -101,12 +106,12 @@ final class TeamActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             checkAddress(address, factory);
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             String where = address.unquoted();
             execution.answer("probe " + where + ": " + factory.probe(where));
         }
@@ -121,10 +126,10 @@ final class TeamActions {
         }
 
         @Override
-        void check(SessionCheck check) {}
+        public void check(SessionCheck check) {}
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             team.release();
         }
     }
@@ -136,10 +141,10 @@ final class TeamActions {
         }
 
         @Override
-        void check(SessionCheck check) {}
+        public void check(SessionCheck check) {}
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             execution.stopEverything();
         }
     }
@@ -153,14 +158,14 @@ final class TeamActions {
         }
 
         @Override
-        void check(SessionCheck check) {
+        public void check(SessionCheck check) {
             if (factory.lab().isEmpty()) {
                 throw new BotException("lab: no simulated lab runs here; start MAJIC with --lab");
             }
         }
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             LabAccess lab = factory.lab().orElseThrow();
             lab.truePoses().forEach((type, pose) -> execution.answer("lab: " + type + " " + text(pose)));
         }

@@ -2,6 +2,12 @@ package majic.script;
 
 import java.util.Collection;
 import java.util.List;
+import majic.script.run.Execution;
+import majic.script.run.RobotAction;
+import majic.script.run.RobotCheck;
+import majic.script.run.Scheduling;
+import majic.script.run.SessionAction;
+import majic.script.run.SessionCheck;
 import majic.script.syntax.Command;
 import majic.script.syntax.SessionCommand;
 import majic.team.Member;
@@ -17,10 +23,10 @@ final class WaitActions {
         }
 
         @Override
-        void check(RobotCheck check) {}
+        public void check(RobotCheck check) {}
 
         @Override
-        void run(Execution execution, List<Member> robots) {
+        public void run(Execution execution, List<Member> robots) {
             execution.awaitFinished(robots);
         }
     }
@@ -32,10 +38,10 @@ final class WaitActions {
         }
 
         @Override
-        void check(SessionCheck check) {}
+        public void check(SessionCheck check) {}
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             Collection<Member> all = execution.allRobots();
             execution.awaitFinished(all);
             execution.recording().waitedForAll(all);
@@ -52,10 +58,10 @@ final class WaitActions {
         }
 
         @Override
-        void check(SessionCheck check) {}
+        public void check(SessionCheck check) {}
 
         @Override
-        void run(Execution execution) {
+        public void run(Execution execution) {
             execution.pause(seconds);
         }
     }

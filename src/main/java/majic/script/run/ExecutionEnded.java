@@ -1,9 +1,9 @@
-package majic.script;
+package majic.script.run;
 
 import majic.team.Answer;
 
 /** A script cannot go on: something in it failed, or somebody stopped it. The message says why, as half a sentence. */
-final class ExecutionEnded extends RuntimeException {
+public final class ExecutionEnded extends RuntimeException {
     private static final long serialVersionUID = 1;
 
     private final Answer.Outcome outcome;
@@ -13,12 +13,12 @@ final class ExecutionEnded extends RuntimeException {
         this.outcome = outcome;
     }
 
-    Answer.Outcome outcome() {
+    public Answer.Outcome outcome() {
         return outcome;
     }
 
     /** How answers tell it. */
-    String ending() {
+    public String ending() {
         return outcome == Answer.Outcome.STOPPED ? "stopped" : "failed: " + getMessage();
     }
 }

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -25,7 +25,7 @@ import majic.team.BotFactory;
  * @param factory its types of robots are words of the language
  * @param actions for the commands of a script
  */
-record ScriptFiles(BotFactory factory, Actions actions) {
+public record ScriptFiles(BotFactory factory, Actions actions) {
     private static final int LARGEST_BYTES = 1_000_000;
 
     /**
@@ -34,7 +34,7 @@ record ScriptFiles(BotFactory factory, Actions actions) {
      * @throws BotException if it cannot be read
      * @throws ExecutionEnded if it has mistakes, which were said then, or ends before its time
      */
-    void run(Path path, Execution execution) {
+    public void run(Path path, Execution execution) {
         String file = path.toString();
         List<Statement> script = checked(file, read(path), execution);
         if (execution.isScript()) {
@@ -66,7 +66,7 @@ record ScriptFiles(BotFactory factory, Actions actions) {
     }
 
     /** The text of a file, if it may be a script. */
-    static String read(Path path) {
+    public static String read(Path path) {
         try {
             byte[] bytes = RegularFile.read(path, LARGEST_BYTES + 1);
             if (bytes.length > LARGEST_BYTES) {

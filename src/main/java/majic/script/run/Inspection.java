@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,11 +10,11 @@ import majic.script.syntax.Statement;
 import majic.script.syntax.Walk;
 
 /** Goes through a script and collects all that is wrong in it, instead of ending with the first mistake. */
-abstract class Inspection extends Walk {
+public abstract class Inspection extends Walk {
     private final List<Mistake> mistakes = new ArrayList<>();
 
     /** What is wrong so far, in its order. */
-    final List<Mistake> mistakes() {
+    public final List<Mistake> mistakes() {
         return mistakes;
     }
 
@@ -23,7 +23,7 @@ abstract class Inspection extends Walk {
      *
      * @throws ScriptException if it is wrong; the block behind it is looked at all the same
      */
-    abstract void inspect(Condition condition);
+    public abstract void inspect(Condition condition);
 
     @Override
     public final void visit(Statement statement) {

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import majic.script.conditions.Selection;
 
@@ -8,4 +8,4 @@ import majic.script.conditions.Selection;
  * @param selection finds the robots it names
  * @param filesMayAppear whether an earlier command of the same script writes files
  */
-record SessionCheck(Selection selection, boolean filesMayAppear) {}
+public record SessionCheck(Selection selection, boolean filesMayAppear) {}

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -10,7 +10,7 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Finds the robots that a script commands, as far as they are there, and whether it names files. */
-final class RobotsIn extends Walk {
+public final class RobotsIn extends Walk {
     private final Actions actions;
     private final Selection selection;
     private final Set<Member> commanded = new LinkedHashSet<>();
@@ -21,19 +21,19 @@ final class RobotsIn extends Walk {
         this.selection = selection;
     }
 
-    static RobotsIn of(List<Statement> script, Actions actions, Selection selection) {
+    public static RobotsIn of(List<Statement> script, Actions actions, Selection selection) {
         RobotsIn robots = new RobotsIn(actions, selection);
         robots.walk(script);
         return robots;
     }
 
     /** The robots that it makes do something; those it only reads do not count. */
-    Set<Member> commanded() {
+    public Set<Member> commanded() {
         return commanded;
     }
 
     /** Whether its check reads files. */
-    boolean readsFiles() {
+    public boolean readsFiles() {
         return readsFiles;
     }
 

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.Collection;
 import java.util.List;
@@ -19,7 +19,8 @@ import org.jspecify.annotations.Nullable;
  * @param record where it is kept; null for a behaviour
  * @param block the block that is run; null for a line
  */
-record Recording(@Nullable SessionRecord record, @Nullable RecordedBlock block) {
+public record Recording(
+        @Nullable SessionRecord record, @Nullable RecordedBlock block) {
     /** Keeps nothing. */
     static final Recording OFF = new Recording(null, null);
 
@@ -82,7 +83,7 @@ record Recording(@Nullable SessionRecord record, @Nullable RecordedBlock block) 
     }
 
     /** Keeps that all robots were waited for. */
-    void waitedForAll(Collection<Member> members) {
+    public void waitedForAll(Collection<Member> members) {
         if (record != null) {
             record.waited("wait", numbers(members), block);
         }

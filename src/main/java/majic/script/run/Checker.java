@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.HashSet;
 import java.util.List;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * Checks a script against the robots that are there, before anything of it runs. Behind a command that changes the team
  * nothing is checked, since other robots may be there by then.
  */
-final class Checker extends Inspection {
+public final class Checker extends Inspection {
     private final Actions actions;
     private final Selection selection;
     private final Set<Member> limitsSet = new HashSet<>();
@@ -30,12 +30,12 @@ final class Checker extends Inspection {
     }
 
     /** Everything wrong in a script, in its order. Reads the files it names, so it may block. */
-    static List<Mistake> check(List<Statement> script, Actions actions, Selection selection) {
+    public static List<Mistake> check(List<Statement> script, Actions actions, Selection selection) {
         return check(script, new Checker(actions, selection, true));
     }
 
     /** Everything wrong in a script except for what only its files can tell. Reads no file. */
-    static List<Mistake> checkWithoutFiles(List<Statement> script, Actions actions, Selection selection) {
+    public static List<Mistake> checkWithoutFiles(List<Statement> script, Actions actions, Selection selection) {
         return check(script, new Checker(actions, selection, false));
     }
 
@@ -45,7 +45,7 @@ final class Checker extends Inspection {
     }
 
     @Override
-    void inspect(Condition condition) {
+    public void inspect(Condition condition) {
         if (!teamMayChange) {
             Comparisons.check(condition, selection, null);
         }

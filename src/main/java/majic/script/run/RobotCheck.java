@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import static majic.script.syntax.ScriptException.placed;
 
@@ -23,33 +23,33 @@ import org.jspecify.annotations.Nullable;
  *     that is busy, since what it has queued is unknown here
  * @param readsFiles whether files may be read for the check, which may block
  */
-record RobotCheck(Selection selection, Member robot, boolean limitMayChange, boolean readsFiles) {
-    RobotCheck {
+public record RobotCheck(Selection selection, Member robot, boolean limitMayChange, boolean readsFiles) {
+    public RobotCheck {
         limitMayChange |= !robot.isIdle();
     }
 
-    MajicBot bot() {
+    public MajicBot bot() {
         return robot.bot();
     }
 
-    void until(@Nullable Condition condition) {
+    public void until(@Nullable Condition condition) {
         if (condition != null) {
             Comparisons.check(condition, selection, robot);
         }
     }
 
-    Parameter parameter(Token name) {
+    public Parameter parameter(Token name) {
         return placed(name, () -> bot().parameter(name.text()));
     }
 
-    void readable(Token name) {
+    public void readable(Token name) {
         if (!parameter(name).readable()) {
             throw new ScriptException(name, name.text() + ": can be set but not read");
         }
     }
 
     /** Whether the robot has a command of that name. */
-    boolean isCommand(String word) {
+    public boolean isCommand(String word) {
         return CommandParser.WORDS.contains(word.toLowerCase(Locale.ROOT))
                 || bot().commands().stream().anyMatch(own -> own.name().equalsIgnoreCase(word));
     }

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.List;
 import java.util.Locale;
@@ -12,7 +12,7 @@ import majic.time.TimeSource;
  * One script from its beginning to its end: takes its robots, runs, waits for them, gives them back. When something in
  * it fails it ends and stops every robot that it used.
  */
-final class ScriptRun {
+public final class ScriptRun {
     private final Execution execution;
     private final Actions actions;
     private final String title;
@@ -28,7 +28,7 @@ final class ScriptRun {
      * @param file where it stands; empty if it was typed
      * @param waits whether it ends, and says so, only when its robots have finished
      */
-    ScriptRun(Execution execution, Actions actions, String title, String file, boolean waits) {
+    public ScriptRun(Execution execution, Actions actions, String title, String file, boolean waits) {
         this.execution = execution;
         this.actions = actions;
         this.title = title;
@@ -41,7 +41,7 @@ final class ScriptRun {
      *
      * @return whether it came to its end
      */
-    boolean run(List<Statement> script) {
+    public boolean run(List<Statement> script) {
         TimeSource time = execution.time();
         long began = time.nanos();
         try {

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.Collection;
 import java.util.LinkedHashSet;

@@ -1,7 +1,7 @@
-package majic.script;
+package majic.script.run;
 
 /** When a command runs, seen from the lines before and behind it. */
-enum Scheduling {
+public enum Scheduling {
     /** A stop: at once, before all lines that wait. */
     STOP,
     /** At once, past a wait; from a pipe or socket only if no line waits. */
@@ -18,12 +18,12 @@ enum Scheduling {
     HOLDS;
 
     /** Whether it is done at once, so that the caller's thread can do it. */
-    boolean isQuick() {
+    public boolean isQuick() {
         return compareTo(BESIDE) < 0;
     }
 
     /** Whether it goes past a wait if it is typed. */
-    boolean overtakes() {
+    public boolean overtakes() {
         return this == STOP || this == OVERTAKES;
     }
 }

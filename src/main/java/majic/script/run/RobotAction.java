@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.List;
 import java.util.Set;
@@ -6,22 +6,22 @@ import majic.script.syntax.Command;
 import majic.team.Member;
 
 /** How a command for robots is scheduled, checked, run and repeated; one subclass for each kind of {@link Command}. */
-abstract class RobotAction {
+public abstract class RobotAction {
     private final Command command;
     private final Scheduling scheduling;
     private final Set<Trait> traits;
 
-    RobotAction(Command command, Scheduling scheduling, Trait... traits) {
+    public RobotAction(Command command, Scheduling scheduling, Trait... traits) {
         this.command = command;
         this.scheduling = scheduling;
         this.traits = Set.of(traits);
     }
 
-    final Scheduling scheduling() {
+    public final Scheduling scheduling() {
         return scheduling;
     }
 
-    final Set<Trait> traits() {
+    public final Set<Trait> traits() {
         return traits;
     }
 
@@ -30,7 +30,7 @@ abstract class RobotAction {
     }
 
     /** The words that answers repeat. */
-    final String text() {
+    public final String text() {
         return command.text();
     }
 
@@ -39,13 +39,13 @@ abstract class RobotAction {
      *
      * @throws majic.script.syntax.ScriptException if not
      */
-    abstract void check(RobotCheck check);
+    public abstract void check(RobotCheck check);
 
     /** Runs it on robots for which it was checked. */
-    abstract void run(Execution execution, List<Member> robots);
+    public abstract void run(Execution execution, List<Member> robots);
 
     /** The words with which a saved session repeats it; empty if there is nothing to repeat. */
-    String replayText(boolean typed) {
+    public String replayText(boolean typed) {
         return text();
     }
 }

@@ -1,10 +1,10 @@
-package majic.script;
+package majic.script.run;
 
 import majic.script.syntax.Command;
 import majic.script.syntax.SessionCommand;
 
 /** Finds the action for each command of the tree. */
-interface Actions {
+public interface Actions {
     RobotAction of(Command command);
 
     SessionAction of(SessionCommand command);

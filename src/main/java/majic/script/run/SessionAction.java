@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.Set;
 
@@ -6,24 +6,24 @@ import java.util.Set;
  * How a command for the session is scheduled, checked and run; one subclass for each kind of
  * {@link majic.script.syntax.SessionCommand}.
  */
-abstract class SessionAction {
+public abstract class SessionAction {
     private final Scheduling scheduling;
     private final Set<Trait> traits;
 
-    SessionAction(Scheduling scheduling, Trait... traits) {
+    public SessionAction(Scheduling scheduling, Trait... traits) {
         this.scheduling = scheduling;
         this.traits = Set.of(traits);
     }
 
-    final Scheduling scheduling() {
+    public final Scheduling scheduling() {
         return scheduling;
     }
 
-    final Set<Trait> traits() {
+    public final Set<Trait> traits() {
         return traits;
     }
 
-    final boolean has(Trait trait) {
+    public final boolean has(Trait trait) {
         return traits.contains(trait);
     }
 
@@ -32,8 +32,8 @@ abstract class SessionAction {
      *
      * @throws majic.script.syntax.ScriptException if not
      */
-    abstract void check(SessionCheck check);
+    public abstract void check(SessionCheck check);
 
     /** Runs it. */
-    abstract void run(Execution execution);
+    public abstract void run(Execution execution);
 }

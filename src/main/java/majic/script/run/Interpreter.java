@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -15,7 +15,7 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** Runs the statements of a script: checks each command when its turn comes, evaluates conditions, repeats blocks. */
-final class Interpreter implements Statement.Visitor<@Nullable Void> {
+public final class Interpreter implements Statement.Visitor<@Nullable Void> {
     /** A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on. */
     private static final double SHORTEST_ROUND_S = 0.01;
 
@@ -23,13 +23,13 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
     private final Actions actions;
     private final TimeSource time;
 
-    Interpreter(Execution execution, Actions actions) {
+    public Interpreter(Execution execution, Actions actions) {
         this.execution = execution;
         this.actions = actions;
         this.time = execution.time();
     }
 
-    void run(List<Statement> statements) {
+    public void run(List<Statement> statements) {
         for (Statement statement : statements) {
             execution.checkAlive();
             statement.accept(this);

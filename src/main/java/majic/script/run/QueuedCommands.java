@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.Collection;
 import java.util.HashSet;
@@ -15,7 +15,7 @@ import majic.team.Pending;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps count of orders: which are still under way, and whether one did not come to a good end. Thread-safe. */
-final class QueuedCommands {
+public final class QueuedCommands {
     private final Map<Pending, Member> open = new LinkedHashMap<>();
     private final Set<Pending> forgiven = new HashSet<>();
     private Optional<Trouble> trouble = Optional.empty();
@@ -45,18 +45,18 @@ final class QueuedCommands {
         });
     }
 
-    synchronized void fail(String what) {
+    public synchronized void fail(String what) {
         if (trouble.isEmpty()) {
             trouble = Optional.of(new Trouble(Answer.Outcome.FAILED, what, null));
         }
     }
 
-    synchronized Optional<Trouble> trouble() {
+    public synchronized Optional<Trouble> trouble() {
         look();
         return trouble;
     }
 
-    synchronized boolean allEnded() {
+    public synchronized boolean allEnded() {
         look();
         return open.isEmpty();
     }

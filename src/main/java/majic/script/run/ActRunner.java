@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.List;
 import majic.script.syntax.Command;
@@ -7,7 +7,7 @@ import majic.team.Member;
 import majic.team.Order;
 
 /** Finds behaviours, runs them on robots and keeps the consent to their code. */
-interface ActRunner {
+public interface ActRunner {
     /**
      * Checks whether a behaviour can be given to a robot. Reads files.
      *

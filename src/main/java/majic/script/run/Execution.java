@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * One line or one script while it runs: what it ordered, whose robots it has, whether it may go on. Used by the thread
  * that runs it; {@link #end()} comes from any.
  */
-final class Execution {
+public final class Execution {
     private static final int MOST_FILES = 8;
 
     private final SessionState state;
@@ -44,7 +44,7 @@ final class Execution {
     private int files;
 
     /** How commands are given. */
-    enum Manner {
+    public enum Manner {
         /** By a person: readings at once, nothing waits for room in a queue. */
         TYPED,
         /** One after the other, as in a pipe or a file. */
@@ -87,19 +87,18 @@ final class Execution {
     }
 
     /** One line, which has no robot to itself and ends only by its own end. */
-    static Execution ofLine(SessionState state, Manner manner, QueuedCommands lines) {
+    public static Execution ofLine(SessionState state, Manner manner, QueuedCommands lines) {
         return new Execution(
                 state, new Selection(state.team()), manner, lines, null, new Recording(state.record(), null));
     }
 
     /** Lets its answers carry where its lines come from. */
-    Execution askedBy(@Nullable Object source) {
+    public Execution askedBy(@Nullable Object source) {
         asker = source;
         return this;
     }
 
-    @Nullable
-    Object asker() {
+    public @Nullable Object asker() {
         return asker;
     }
 
@@ -109,18 +108,18 @@ final class Execution {
     }
 
     /** Answers the line. */
-    void answer(String text) {
+    public void answer(String text) {
         say(Line.Kind.ANSWER, text);
     }
 
     /** Orders nothing any more once this holds: a stop came since the line was given. */
-    Execution unless(BooleanSupplier overtakenByStop) {
+    public Execution unless(BooleanSupplier overtakenByStop) {
         overtaken = overtakenByStop;
         return this;
     }
 
     /** A behaviour, whose robots were lent to it. */
-    static Execution ofAct(SessionState state, Owner act, Selection robots) {
+    public static Execution ofAct(SessionState state, Owner act, Selection robots) {
         return new Execution(state, robots, Manner.IN_TURN, new QueuedCommands(), act, Recording.OFF);
     }
 
@@ -131,12 +130,12 @@ final class Execution {
      * @param text the lines that run it again
      * @param waits whether it ends only when its robots have finished
      */
-    Execution asScript(String name, String text, boolean waits) {
+    public Execution asScript(String name, String text, boolean waits) {
         return new Execution(this, name, recording.begin(text, waits));
     }
 
     /** Keeps what this does, for a saved session. */
-    Recording recording() {
+    public Recording recording() {
         return recording;
     }
 
@@ -160,7 +159,7 @@ final class Execution {
         }
     }
 
-    SessionState state() {
+    public SessionState state() {
         return state;
     }
 
@@ -170,19 +169,19 @@ final class Execution {
     }
 
     /** Runs a command on robots for which it was checked, and records it. */
-    void run(RobotAction action, List<Member> robots) {
+    public void run(RobotAction action, List<Member> robots) {
         recording.run(action, robots, this);
     }
 
-    Selection selection() {
+    public Selection selection() {
         return selection;
     }
 
-    boolean isTyped() {
+    public boolean isTyped() {
         return manner == Manner.TYPED;
     }
 
-    boolean isScript() {
+    public boolean isScript() {
         return owner != null;
     }
 
@@ -198,18 +197,17 @@ final class Execution {
     }
 
     /** Who has the robots to himself; null if nobody needs to. */
-    @Nullable
-    Owner owner() {
+    public @Nullable Owner owner() {
         return owner;
     }
 
     /** Takes robots into a script. */
-    void claim(Collection<Member> members) {
+    public void claim(Collection<Member> members) {
         holdings.claim(members);
     }
 
     /** Gives an order to each of some robots, or to none. */
-    void submit(List<Member> members, Function<Member, Order> orders) {
+    public void submit(List<Member> members, Function<Member, Order> orders) {
         checkAlive();
         claim(members);
         read(members, orders);
@@ -232,7 +230,7 @@ final class Execution {
     }
 
     /** Gives an order that moves nothing: beside the queue if it is typed, otherwise in its turn. */
-    void readBeside(List<Member> members, Function<Member, Order> orders) {
+    public void readBeside(List<Member> members, Function<Member, Order> orders) {
         if (isTyped()) {
             runNow(members, orders);
         } else {
@@ -247,7 +245,7 @@ final class Execution {
     }
 
     /** Carries an order out beside the queue. */
-    List<Pending> runNow(List<Member> members, Function<Member, Order> orders) {
+    public List<Pending> runNow(List<Member> members, Function<Member, Order> orders) {
         List<Order> ready = ready(members, orders);
         List<Pending> begun = new ArrayList<>();
         for (int index = 0; index < ready.size(); index++) {
@@ -258,7 +256,7 @@ final class Execution {
     }
 
     /** As {@link #runNow}; in a pipe or script what follows waits for the answers. */
-    void runToEnd(List<Member> members, Function<Member, Order> orders) {
+    public void runToEnd(List<Member> members, Function<Member, Order> orders) {
         List<Pending> begun = runNow(members, orders);
         if (manner == Manner.IN_TURN) {
             await(() -> begun.stream().allMatch(Pending::hasEnded), Double.POSITIVE_INFINITY);
@@ -286,7 +284,7 @@ final class Execution {
         return new Order(order.text(), order.moves(), job, order.asker());
     }
 
-    void stop(List<Member> members) {
+    public void stop(List<Member> members) {
         own.forget(members);
         lines.forget(members);
         team.stop(members, owner);
@@ -296,24 +294,24 @@ final class Execution {
     }
 
     /** Whether a stop is on its way to a robot, or what it ended has not given the robot back yet. */
-    static boolean isEnding(Member member) {
+    public static boolean isEnding(Member member) {
         return member.isStopping() || member.hasDismissedOwner();
     }
 
     /** Waits until the orders of some kind that were given before have had their turn. */
-    void awaitOrders(Predicate<Order> kind) {
+    public void awaitOrders(Predicate<Order> kind) {
         await(() -> !lines.hasOpen(kind), Double.POSITIVE_INFINITY);
     }
 
     /** STOP. A script that says it ends by it like all others. */
-    void stopEverything() {
+    public void stopEverything() {
         own.forget(team.members());
         lines.forget(team.members());
         team.stopAll();
     }
 
     /** Lets time pass. */
-    void pause(double seconds) {
+    public void pause(double seconds) {
         await(() -> false, seconds);
     }
 
@@ -329,7 +327,7 @@ final class Execution {
     }
 
     /** Waits until robots have nothing to do and nobody else has them. */
-    void awaitFinished(Collection<Member> members) {
+    public void awaitFinished(Collection<Member> members) {
         await(() -> members.stream().allMatch(this::isFinished), Double.POSITIVE_INFINITY);
     }
 
@@ -348,12 +346,12 @@ final class Execution {
     }
 
     /** The robots that a plain {@code wait} waits for. */
-    Collection<Member> allRobots() {
+    public Collection<Member> allRobots() {
         return owner == null ? team.members() : holdings.all();
     }
 
     /** Waits for all orders of a script. */
-    void finish() {
+    public void finish() {
         await(own::allEnded, Double.POSITIVE_INFINITY);
     }
 
@@ -374,7 +372,7 @@ final class Execution {
         holdings.free();
     }
 
-    void checkAlive() {
+    public void checkAlive() {
         if (ended || team.stops().all() != stopsBefore || overtaken.getAsBoolean()) {
             throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
         }

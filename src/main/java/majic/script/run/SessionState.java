@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.run;
 
 import majic.log.SessionOutput;
 import majic.script.record.SessionRecord;
@@ -11,4 +11,4 @@ import majic.team.Team;
  * @param output where answers go
  * @param record what was done so far
  */
-record SessionState(Team team, SessionOutput output, SessionRecord record) {}
+public record SessionState(Team team, SessionOutput output, SessionRecord record) {}
