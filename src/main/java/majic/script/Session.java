@@ -11,6 +11,8 @@ import majic.log.Sampling;
 import majic.log.SessionListener;
 import majic.log.SessionLog;
 import majic.log.SessionOutput;
+import majic.script.actions.ActionTable;
+import majic.script.actions.RobotConnector;
 import majic.script.conditions.Selection;
 import majic.script.help.Completion;
 import majic.script.record.SessionRecord;

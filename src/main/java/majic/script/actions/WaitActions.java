@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.actions;
 
 import java.util.Collection;
 import java.util.List;

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.actions;
 
 import java.util.ArrayList;
 import java.util.List;

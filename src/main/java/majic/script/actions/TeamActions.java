@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.actions;
 
 import static majic.script.syntax.ScriptException.placed;
 

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.actions;
 
 import java.util.Map;
 import java.util.Optional;
@@ -16,14 +16,14 @@ import majic.team.Member;
 import majic.team.Team;
 
 /** Adds robots to the team and removes them. Both block for as long as the robot takes. Thread-safe. */
-final class RobotConnector {
+public final class RobotConnector {
     private final Team team;
     private final BotFactory factory;
     private final SessionOutput output;
     private final SessionRecord record;
     private final Map<Integer, String> addresses = new ConcurrentHashMap<>();
 
-    RobotConnector(SessionState state, BotFactory factory) {
+    public RobotConnector(SessionState state, BotFactory factory) {
         this.team = state.team();
         this.factory = factory;
         this.output = state.output();
@@ -76,7 +76,7 @@ final class RobotConnector {
     }
 
     /** The robot at this address that has lost its link; under this number, if one is given. */
-    Optional<Member> lost(String address, OptionalInt number) {
+    public Optional<Member> lost(String address, OptionalInt number) {
         return at(address)
                 .filter(member -> number.isEmpty() || number.getAsInt() == member.number())
                 .filter(member -> member.bot().connection() == MajicBot.Connection.LOST)
@@ -88,7 +88,7 @@ final class RobotConnector {
     }
 
     /** Says and keeps that a robot was taken in. */
-    void joined(Member member, String address) {
+    public void joined(Member member, String address) {
         addresses.put(member.number(), address);
         String label = member.bot().type().label();
         output.say(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected");
@@ -135,7 +135,7 @@ final class RobotConnector {
     }
 
     /** Where a robot was found. */
-    Optional<String> address(Member member) {
+    public Optional<String> address(Member member) {
         return Optional.ofNullable(addresses.get(member.number()));
     }
 }

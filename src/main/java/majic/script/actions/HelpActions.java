@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.actions;
 
 import java.util.List;
 import java.util.Locale;

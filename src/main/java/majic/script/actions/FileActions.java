@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.actions;
 
 import java.io.IOException;
 import java.nio.file.Files;

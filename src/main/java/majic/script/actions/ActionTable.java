@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.actions;
 
 import majic.log.ParameterLog;
 import majic.log.Sampling;
@@ -23,7 +23,7 @@ import majic.team.BotFactory;
  * @param sampling takes readings for the log
  * @param quit ends MAJIC; returns at once
  */
-record ActionTable(
+public record ActionTable(
         SessionState state,
         BotFactory factory,
         RobotConnector connector,
