@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.lines;
 
 import java.util.List;
 import java.util.Optional;
@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Gets checked lines carried out: at once on the caller's thread, beside it, or in their turn behind others. Thread-safe.
  */
-final class Dispatcher {
+public final class Dispatcher {
     /** How many lines of a person may wait behind a {@code wait}. */
     static final int MOST_HELD = 100;
 
@@ -52,7 +52,7 @@ final class Dispatcher {
      *
      * @param asker what the answers to its lines carry
      */
-    Dispatcher(SessionState state, Actions actions, Source source, Object asker) {
+    public Dispatcher(SessionState state, Actions actions, Source source, Object asker) {
         this.asker = asker;
         this.state = state;
         this.actions = actions;
@@ -69,7 +69,7 @@ final class Dispatcher {
     }
 
     /** What all lines came to so far. */
-    QueuedCommands lines() {
+    public QueuedCommands lines() {
         return lines;
     }
 
@@ -80,38 +80,38 @@ final class Dispatcher {
      * @throws BotException if it cannot be done now
      * @throws ScriptException if it cannot be done with the robots that are there
      */
-    PreparedLine prepare(Statement statement, String text) {
+    public PreparedLine prepare(Statement statement, String text) {
         return preparation.prepare(statement, text, !queue.teamMayChange());
     }
 
     /** Checks the head of a block that is still being typed; throws as {@link #prepare}. */
-    void checkHead(Statement head) {
+    public void checkHead(Statement head) {
         if (!queue.teamMayChange()) {
             preparation.checkBlock(head);
         }
     }
 
     /** Whether a statement stops robots. */
-    boolean isStop(Statement statement) {
+    public boolean isStop(Statement statement) {
         return preparation.scheduling(statement) == Scheduling.STOP;
     }
 
     /** Waits until a line would not have to wait behind many others. */
-    void awaitRoom() throws InterruptedException {
+    public void awaitRoom() throws InterruptedException {
         team.changes().await(this::hasRoom, Signal.FOR_EVER);
     }
 
     /** Waits until all lines have ended, with all that they began. */
-    void awaitAll() throws InterruptedException {
+    public void awaitAll() throws InterruptedException {
         team.changes().await(this::isDone, Signal.FOR_EVER);
     }
 
-    boolean hasRoom() {
+    public boolean hasRoom() {
         return queue.size() < MOST_HELD;
     }
 
     /** Whether all lines have ended, with all that they began. */
-    boolean isDone() {
+    public boolean isDone() {
         return queue.isEmpty()
                 && adding.isEmpty()
                 && beside.get() == 0
@@ -129,7 +129,7 @@ final class Dispatcher {
      * @throws BotException if it cannot be done now; nothing happened
      * @throws ScriptException if it cannot be done with the robots that are there; nothing happened
      */
-    void submit(PreparedLine prepared, Consumer<String> refused, Consumer<String> failed) {
+    public void submit(PreparedLine prepared, Consumer<String> refused, Consumer<String> failed) {
         SubmittedLine line = new SubmittedLine(prepared, stops(prepared), refused, failed, false);
         if (goesNow(line)) {
             perform(line, Execution.Manner.AT_ONCE, prepared.checked());

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.lines;
 
 import java.util.List;
 import java.util.Set;
@@ -21,14 +21,14 @@ import org.jspecify.annotations.Nullable;
  * @param robots those it is for; of a block those it commands; as far as they are in the team
  * @param checked runs it without another check; null if it has to be checked in its turn
  */
-record PreparedLine(
+public record PreparedLine(
         Statement statement,
         String text,
         Scheduling scheduling,
         Set<Trait> traits,
         List<Member> robots,
         @Nullable Consumer<Execution> checked) {
-    boolean has(Trait trait) {
+    public boolean has(Trait trait) {
         return traits.contains(trait);
     }
 

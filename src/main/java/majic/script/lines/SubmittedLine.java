@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.lines;
 
 import java.util.function.Consumer;
 import majic.script.run.Scheduling;
