@@ -13,6 +13,7 @@ import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.log.Line;
+import majic.script.acts.Behaviour;
 import majic.script.run.Actions;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;

@@ -18,6 +18,7 @@ import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
 import majic.log.Line;
+import majic.script.acts.RoleAssignment;
 import majic.script.record.SessionRecord;
 import majic.script.run.ActRunner;
 import majic.script.run.Actions;

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.acts;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -10,7 +10,7 @@ import majic.script.record.SessionRecord;
 import majic.team.Member;
 
 /** Gives the robots of a line their parts in a behaviour, in the order they are named. */
-final class RoleAssignment {
+public final class RoleAssignment {
     private RoleAssignment() {}
 
     /**
@@ -22,7 +22,7 @@ final class RoleAssignment {
      * @return at least one robot for each role, in the order of the roles
      * @throws BotException if they are too few, too many, or cannot play their parts
      */
-    static Map<String, List<Member>> cast(String act, List<Role> roles, Member me, List<Member> others) {
+    public static Map<String, List<Member>> cast(String act, List<Role> roles, Member me, List<Member> others) {
         List<Member> given = new ArrayList<>(List.of(me));
         given.addAll(others);
         Role last = roles.get(roles.size() - 1);

@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.acts;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -21,7 +21,7 @@ import majic.team.Member;
  * What MAJIC Script says as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a
  * saved session the lines that add robots count as saying of which type they are. Everything else of a session is refused.
  */
-final class Behaviour {
+public final class Behaviour {
     private final List<Statement> statements;
     private final BehaviourInspection found;
 
@@ -38,7 +38,7 @@ final class Behaviour {
      * @return the behaviour
      * @throws BotException if it has mistakes, all of them in one message, each with its place
      */
-    static Behaviour of(String title, String text) {
+    public static Behaviour of(String title, String text) {
         List<Mistake> mistakes = new ArrayList<>();
         List<Statement> script = ScriptText.parse(text, List.of(), mistakes);
         BehaviourInspection found = new BehaviourInspection();
@@ -59,7 +59,7 @@ final class Behaviour {
      * @param given the robots by role
      * @return what is wrong, in any order
      */
-    List<Mistake> check(Actions actions, Map<String, Member> given) {
+    public List<Mistake> check(Actions actions, Map<String, Member> given) {
         Selection robots = among(given);
         List<Mistake> mistakes = new ArrayList<>(Checker.check(statements, actions, robots));
         mistakes.addAll(rawCommands(robots));
@@ -71,7 +71,7 @@ final class Behaviour {
      *
      * @throws BotException if there are any, one line for each
      */
-    static void refuse(String title, List<Mistake> mistakes) {
+    public static void refuse(String title, List<Mistake> mistakes) {
         if (!mistakes.isEmpty()) {
             throw new BotException(String.join("; ", Mistake.inOrder(mistakes, title)));
         }
@@ -82,17 +82,17 @@ final class Behaviour {
     }
 
     /** What is run, without the lines that add robots. */
-    List<Statement> statements() {
+    public List<Statement> statements() {
         return statements;
     }
 
     /** Without {@code me} in it, the robot named first is the one it runs on. */
-    List<Role> roles() {
+    public List<Role> roles() {
         return List.copyOf(roleByNumber().values());
     }
 
     /** The robots it means, among those it was given by role. */
-    Selection among(Map<String, Member> given) {
+    public Selection among(Map<String, Member> given) {
         Map<Integer, Member> byNumber = new LinkedHashMap<>();
         roleByNumber().forEach((number, role) -> byNumber.put(number, given.get(role.name())));
         byNumber.remove(BehaviourInspection.ME);

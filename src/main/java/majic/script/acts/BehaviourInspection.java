@@ -1,4 +1,4 @@
-package majic.script;
+package majic.script.acts;
 
 import java.util.ArrayList;
 import java.util.HashMap;
