@@ -65,8 +65,21 @@ class ArchitectureTest {
                                         majic.hemisson.readings
             majic.act                 : majic.bot majic.time majic.team
             majic.log                 : majic.bot majic.time majic.team
-            majic.script              : majic.bot majic.time majic.lab majic.team majic.act majic.log majic.act.file \
+            majic.script              : majic.bot majic.time majic.lab majic.team majic.act majic.act.file majic.log \
+                                        majic.script.actions majic.script.acts majic.script.conditions \
+                                        majic.script.help majic.script.lines majic.script.record majic.script.run \
                                         majic.script.syntax
+            majic.script.lines        : majic.bot majic.time majic.team majic.log majic.script.conditions \
+                                        majic.script.run majic.script.syntax
+            majic.script.actions      : majic.bot majic.time majic.lab majic.team majic.log majic.script.conditions \
+                                        majic.script.help majic.script.record majic.script.run majic.script.syntax
+            majic.script.acts         : majic.bot majic.team majic.act majic.script.conditions majic.script.record \
+                                        majic.script.run majic.script.syntax
+            majic.script.run          : majic.bot majic.time majic.team majic.act majic.log majic.script.conditions \
+                                        majic.script.record majic.script.syntax
+            majic.script.conditions   : majic.bot majic.team majic.script.syntax
+            majic.script.record       : majic.time majic.team
+            majic.script.help         : majic.bot majic.lab majic.team majic.script.syntax
             majic.script.syntax       : majic.bot
             majic.gui                 : majic.bot majic.lab majic.team majic.log majic.panel.map majic.script \
                                         majic.gui.acts majic.gui.add majic.gui.bots majic.gui.command majic.gui.kit \
@@ -119,11 +132,11 @@ class ArchitectureTest {
             majic.cli                 : majic.bot majic.act majic.script majic.act.file majic.act.make majic.console \
                                         majic.program majic.server majic.simulation majicsim \
                                         majicsim.hemisson.options majicsim.pioneer majicsim.world
-            majic.console             : majic.bot majic.act majic.script majic.act.file majic.program
+            majic.console             : majic.bot majic.act majic.log majic.script majic.act.file majic.program
             majic.lab                 : majic.bot majic.time
             majic.program             : majic.bot majic.link majic.time majic.team majic.log majic.script \
                                         majic.act.file majic.gui majic.gui.kit majic.server majic.simulation majicsim
-            majic.server              : majic.script
+            majic.server              : majic.log majic.script
             majic.simulation          : majic.bot majic.link majic.time majic.lab majicsim majicsim.net \
                                         majicsim.world
             majic.team                : majic.bot majic.time majic.lab
@@ -134,7 +147,7 @@ class ArchitectureTest {
                                         majic.act.make majic.gui.kit
             majic.gui.add             : majic.bot majic.lab majic.team majic.script majic.gui.kit
             majic.gui.bots            : majic.bot majic.team majic.gui.acts majic.gui.drive majic.gui.kit
-            majic.gui.command         : majic.script majic.gui.kit
+            majic.gui.command         : majic.log majic.script majic.gui.kit
             majic.gui.drive           : majic.bot majic.team
             majic.gui.kit             : majic.bot majic.team majic.panel
             majic.gui.map             : majic.bot majic.lab majic.team majic.panel majic.panel.map majic.gui.kit

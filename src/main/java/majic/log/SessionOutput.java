@@ -18,6 +18,11 @@ public final class SessionOutput {
     private final List<ListenerThread> listeners = new CopyOnWriteArrayList<>();
     private final Object order = new Object();
 
+    /**
+     * An output without listeners.
+     *
+     * @param log gets every line
+     */
     public SessionOutput(SessionLog log) {
         this.log = log;
     }

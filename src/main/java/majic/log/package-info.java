@@ -1,8 +1,6 @@
 /**
- * What is kept of a session: the session log, written line by line as things happen, and the parameter log, readings
- * taken at a steady pace.
- *
- * <p>Nothing here knows the script language or a window; of MAJIC it imports {@code majic.bot} alone.
+ * The lines of a session and where they go: to the session log, written as they come, and to all listeners. And the
+ * parameter log: readings taken at a steady pace.
  */
 @NullMarked
 package majic.log;

@@ -1,9 +1,9 @@
 /**
- * MAJIC Script: from a line of text to orders for robots. {@link majic.script.MajicParser} takes lines,
- * {@link majic.script.Session} tells what became of them.
+ * MAJIC Script: text to commands for robots. {@link majic.script.MajicParser} takes lines and
+ * {@link majic.script.Session} sends the answers.
  *
- * <p>The scanner makes tokens, the parser a tree, the checker finds what cannot work, and the interpreter alone gives
- * orders; nothing before it moves a robot. No particular robot and no window is known here.
+ * <p>Syntax makes a tree of a line, each command of the tree gets an action, and actions are checked before they run;
+ * nothing before that moves a robot. Nothing here depends on a particular type of robot or on a window.
  */
 @NullMarked
 package majic.script;
