@@ -52,8 +52,8 @@ public final class Lab implements AutoCloseable {
      *
      * @param options room, noise and ports
      * @return the open lab, its clock standing at 0
-     * @throws IOException if a wished port is taken or the room has no place for a robot; the message names it, and nothing stays
-     *     open
+     * @throws IOException if a requested port is taken or the room has no place for a robot; the message names it, and nothing
+     *     stays open
      */
     public static Lab open(LabOptions options) throws IOException {
         World world = new World(options.room());

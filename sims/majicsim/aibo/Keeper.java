@@ -22,7 +22,7 @@ public final class Keeper {
      * Touches the dog, presses a paw or the switch, or releases it.
      *
      * @param sensor a touch sensor's URBI name, such as backSensorM, chinSensor, pawLF or WIFIswitch
-     * @param value what it feels from now on, in its own unit and clipped to its range; 0 is nothing
+     * @param value its reading from now on, in its own unit and clipped to its range; 0 is nothing
      * @throws IllegalArgumentException if there is no such touch sensor; nothing changes
      */
     public void touch(String sensor, double value) {

@@ -38,7 +38,7 @@ final class Microphone {
         kernel.memory().variables().put(new Variable("micro.val", Value.VOID, this::heard));
     }
 
-    /** Somebody whistles from now on. */
+    /** Starts a whistle beside the dog. */
     void whistle(double hertz, double ms) {
         whistleHz = hertz;
         whistleEndMs = kernel.nowMs() + ms;

@@ -12,7 +12,7 @@ import majicsim.world.Noise;
 import majicsim.world.Point;
 import majicsim.world.World;
 
-/** What the dog feels (URBI sheet, section 13): distances from the room, the rest from its own state. */
+/** The dog's sensors (URBI sheet, section 13): distances from the room, the rest from its own state. */
 final class Sensors {
     private static final double GRAVITY = 9.80665;
     private static final double CHEST_AHEAD_MM = 100;
@@ -62,7 +62,7 @@ final class Sensors {
         touch(variables, "WIFIswitch", 1);
     }
 
-    /** Sets what a touch sensor feels, in its own unit. */
+    /** Sets the reading of a touch sensor, in its own unit. */
     void touch(String sensor, double value) {
         if (!pressed.containsKey(sensor)) {
             throw new IllegalArgumentException("no touch sensor " + sensor + ", only " + pressed.keySet());

@@ -43,7 +43,7 @@ public final class Attendant {
     }
 
     /**
-     * Moves the four switches on top. The robot sees it within 41 ms; its running mode changes with the next start only.
+     * Moves the four switches on top. The robot reads them within 41 ms; its running mode changes with the next start only.
      *
      * @param switches four characters 0 or 1, in the order of command I
      * @throws IllegalArgumentException if they are not; nothing happened

@@ -115,7 +115,7 @@ public final class HemissonRobot implements Firmware {
     }
 
     /**
-     * Who can do things to the robot itself.
+     * What can be done to the robot itself.
      *
      * @return the person beside it
      */

@@ -3,7 +3,7 @@ package majicsim.net;
 /** One client's line, as the firmware sees it. Used with the lab's lock held. */
 public interface Line {
     /**
-     * Who is at the other end.
+     * The address of the other end.
      *
      * @return the client's own address as "host:port", or the path of the pseudo-terminal
      */
@@ -26,7 +26,9 @@ public interface Line {
         return 0;
     }
 
-    /** Closes the line once everything sent so far has gone out. A pseudo-terminal cannot be closed from this side and stays open. */
+    /**
+     * Closes the line once everything sent so far has gone out. A pseudo-terminal cannot be closed from this side and stays open.
+     */
     void close();
 
     /**

@@ -27,7 +27,7 @@ final class PtyLine extends RobotLine {
         return terminal.baud();
     }
 
-    /** A serial wire cannot be hung up from the robot's side. */
+    /** A serial line cannot be closed from the robot's side. */
     @Override
     public void close() {}
 }

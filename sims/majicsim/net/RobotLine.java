@@ -60,7 +60,7 @@ abstract class RobotLine implements Line {
 
     /**
      * Hands bytes to the firmware, or shelves them; the reader's thread, without the lock. A failure of the firmware is logged,
-     * and the line lives on.
+     * and the line stays open.
      */
     final void receive(byte[] bytes) {
         wiring.lock().lock();
@@ -86,7 +86,7 @@ abstract class RobotLine implements Line {
         out.clear();
     }
 
-    /** Somebody waits for the place of a client that has left: what is shelved from it is delivered now. */
+    /** A client waits for the place of one that has left: what is still kept from that one is delivered now. */
     final void hurryIfClientLeft() {
         if (ending == Ending.BY_CLIENT) {
             in.hurry();

@@ -91,7 +91,7 @@ final class TcpLine extends RobotLine {
         return channel;
     }
 
-    /** Hangs up without the usual farewell, as a cut cable would. */
+    /** Closes without the usual handshake, as a cut cable would. */
     void shut(boolean abruptly) {
         try {
             if (abruptly && channel.isOpen()) {

@@ -1,8 +1,8 @@
 package majicsim.world;
 
 /**
- * Moves bodies by their wanted velocities. A step that would end in a wall or another body is cut: first it is tried straight, as far
- * as it goes, then the turn alone, so that a blocked robot can still turn away.
+ * Moves bodies by their wanted velocities. A step that would end in a wall or another body is cut: first it is tried straight, as
+ * far as it goes, then the turn alone, so that a blocked robot can still turn away.
  */
 final class Motion {
     /** No point of a body moves farther in one piece, so nothing jumps over a wall. */
@@ -62,7 +62,7 @@ final class Motion {
         return done;
     }
 
-    /** Walls do not move, so what they refuse once they refuse again; remembering it spares a pushing robot the search. */
+    /** Walls do not move, so what they refuse once they refuse again; remembering it saves the search for a pushing robot. */
     private boolean isRefusedByWalls(Body body, Step wanted) {
         double least = Math.pow(0.5, HALVINGS);
         Pose straight = body.pose().driven(wanted.mm() * least, 0);

@@ -4,7 +4,7 @@ package majicsim.aibo.urbi;
 final class Restart {
     private static final String TAG = "reset";
 
-    /** So long the stick's scripts took to load when it was recorded. */
+    /** How long the stick's scripts took to load in the recording. */
     private static final double RELOAD_MS = 2400;
 
     private final Kernel kernel;

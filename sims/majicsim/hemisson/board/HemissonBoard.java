@@ -32,7 +32,7 @@ public final class HemissonBoard {
         }
     }
 
-    /** Somebody moves the switches; the firmware sees it with its next round. */
+    /** Moves the switches; the firmware reads them in its next round. */
     public void moveSwitches(String to) {
         switches = to;
     }

@@ -39,7 +39,7 @@ public final class Motors {
         roll();
     }
 
-    /** Somebody holds the robot in the air, where its wheels turn and it does not move. */
+    /** Lifts the robot, so that its wheels turn and it does not move. */
     public void lift(boolean up) {
         lifted = up;
         roll();

@@ -49,7 +49,7 @@ final class UltrasonicCommands implements ModuleCommandSet {
         return Reply.of("," + argument + "," + Arguments.hex4(read(echo)));
     }
 
-    /** How far it listens, mm. */
+    /** Its range, mm. */
     private Reply range(String argument) throws RefusedException {
         int steps = Arguments.hex(argument, 4) / Ultrasonic.RANGE_STEP_MM - 1;
         bus.write(ADDRESS, Ultrasonic.RANGE, Math.max(0, Math.min(0xFF, steps)));

@@ -35,12 +35,12 @@ public final class GeneralIo implements I2cModule {
         }
     }
 
-    /** Somebody puts a voltage on an analogue input, 0 to 255. */
+    /** Sets the voltage at an analogue input, 0 to 255. */
     public void analogue(int channel, int value) {
         registers.set(ANALOGUE + channel, value);
     }
 
-    /** Somebody puts a level on a digital line. */
+    /** Sets the level of a digital line from outside. */
     public void digital(int line, boolean high) {
         registers.set(registerOf(line), high ? 1 : 0);
     }

@@ -51,7 +51,7 @@ public final class Lcd implements I2cModule {
         }
     }
 
-    /** Somebody holds some of its keys: bits 0 to 2. */
+    /** Sets which of its keys are held: bits 0 to 2. */
     public void press(int newKeys) {
         keys = newKeys;
     }

@@ -86,7 +86,7 @@ public final class Uart {
         send(List.of(to), reply);
     }
 
-    /** Says something to all lines, by itself. */
+    /** Sends a text to all lines, without a command. */
     public void announce(Collection<Line> lines, String text) {
         send(lines, Reply.of(text));
     }

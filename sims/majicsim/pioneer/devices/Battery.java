@@ -2,7 +2,7 @@ package majicsim.pioneer.devices;
 
 /**
  * Three lead-acid batteries of 7.2 Ah: 13.0 V full, 11.0 V empty, falling evenly in between as charge is drawn. BATTEST can
- * pretend another voltage, which outlives the session (ARCOS sheet 5.1).
+ * report another voltage, also after the session (ARCOS sheet 5.1).
  */
 public final class Battery {
     private static final double CAPACITY_AMPERE_SECONDS = 21.6 * 3600;
@@ -17,7 +17,7 @@ public final class Battery {
         charge = Math.max(0, Math.min(1, charge - amperes * seconds / CAPACITY_AMPERE_SECONDS));
     }
 
-    /** BATTEST: pretends this voltage in 0.1 V; 0 is the real one again. */
+    /** BATTEST: reports this voltage in 0.1 V; 0 is the real one again. */
     public void pretend(int tenthVolts) {
         pretendedTenthVolts = Math.max(0, tenthVolts);
     }

@@ -6,7 +6,7 @@ import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Noise;
 
 /**
- * The gyro: feels how the robot truly turns, wheel slip or not, with a rest value that wanders where the lab is noisy. A packet
+ * The gyro: measures how the robot truly turns, wheel slip or not, with a rest value that drifts where the lab is noisy. A packet
  * carries the samples since the last (ARCOS sheet 11.6); raw 512 is rest, and raw times the sheet's GyroScaler is deg/s.
  */
 public final class Gyro {
@@ -16,7 +16,7 @@ public final class Gyro {
     private static final long SAMPLE_NANOS = 25_000_000L;
     private static final int SAMPLES_A_CYCLE = 4;
     private static final double SIGMA_DEG_PER_SEC = 0.8;
-    /** How much the rest value wanders from sample to sample: some 0.2 deg/s in a minute. */
+    /** How much the rest value drifts from sample to sample: some 0.2 deg/s in a minute. */
     private static final double DRIFT_DEG_PER_SEC = 0.004;
 
     private final Noise noise;

@@ -2,7 +2,9 @@ package majicsim.pioneer.devices;
 
 import java.util.Objects;
 
-/** The short-range infra-red eyes: 8 in the IO packet, active low, and the two that look down for a ledge (ARCOS sheet 8.1, 11.2). */
+/**
+ * The short-range infra-red eyes: 8 in the IO packet, active low, and the two that look down for a ledge (ARCOS sheet 8.1, 11.2).
+ */
 public final class Infrared {
     private static final int ALL = 0xFF;
     private static final int FAR_LEDGE = 1 << 7;
@@ -11,7 +13,7 @@ public final class Infrared {
     private int seen;
     private int ledges;
 
-    /** One of the 8 eyes sees something near, or does no longer. */
+    /** Sets whether one of the 8 eyes detects something near. */
     public void see(int eye, boolean something) {
         Objects.checkIndex(eye, Byte.SIZE);
         seen = something ? seen | 1 << eye : seen & ~(1 << eye);

@@ -30,7 +30,7 @@ final class Channel {
         limits = newLimits;
     }
 
-    /** Asks for something new; ignored while an emergency stop is under way. */
+    /** Sets a new goal; ignored while an emergency stop is under way. */
     void aim(Goal newGoal) {
         if (!isInEmergency()) {
             goal = newGoal;

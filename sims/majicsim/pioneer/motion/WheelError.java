@@ -3,7 +3,7 @@ package majicsim.pioneer.motion;
 import majicsim.world.Noise;
 
 /**
- * How far the robot's wheels mislead it: what it truly goes and turns for each mm and degree that its encoders count.
+ * The error of the wheels: how far the robot truly goes and turns for each mm and degree that its encoders count.
  * Fixed for the life of a robot, like worn tyres and a wheel distance that is not quite what the controller assumes.
  *
  * @param way true mm for each mm counted

@@ -8,7 +8,7 @@ import majicsim.world.Pose;
 import majicsim.world.World;
 
 /**
- * The laser scanner that simulated Pioneers have on their deck, where the vendor's parameter files place it. It sees walls
+ * The laser scanner that simulated Pioneers have on their deck, where the vendor's parameter files place it. It measures walls
  * and other robots in one plane.
  */
 public final class Laser {

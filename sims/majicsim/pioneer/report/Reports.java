@@ -20,7 +20,7 @@ public final class Reports {
         ask(Report.SIP, Subscription.EVERY_CYCLE);
     }
 
-    /** Asks for a packet: 0 none, 1 once, 2 or more every cycle. */
+    /** Requests a packet: 0 none, 1 once, 2 or more every cycle. */
     public void ask(Report report, int argument) {
         subscriptions.get(report).ask(argument);
     }

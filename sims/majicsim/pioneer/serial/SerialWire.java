@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The controller's serial port as its line to the client (ARCOS sheet 1): it carries bytes no faster than its speed, and a
- * client at another speed reads and writes rubbish. In an exact lab it takes no time. It cannot be hung up.
+ * client at another speed reads and writes rubbish. In an exact lab it takes no time. It cannot be closed.
  */
 public final class SerialWire implements Line {
     private static final System.Logger LOG = System.getLogger(SerialWire.class.getName());
@@ -63,7 +63,7 @@ public final class SerialWire implements Line {
 
     @Override
     public void close() {
-        // Nobody can hang up a serial line from this side.
+        // A serial line cannot be closed from this side.
     }
 
     @Override

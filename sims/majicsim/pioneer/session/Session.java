@@ -16,7 +16,7 @@ import majicsim.pioneer.report.Reports;
 
 /**
  * One client's conversation with the board: handshake, commands, watchdog, the packets every 100 ms, and the end
- * (ARCOS sheet 4, 5). On a network line the end hangs up; on a serial line it waits for the next handshake.
+ * (ARCOS sheet 4, 5). On a network line the end closes it; on a serial line it waits for the next handshake.
  */
 public final class Session {
     private static final System.Logger LOG = System.getLogger(Session.class.getName());

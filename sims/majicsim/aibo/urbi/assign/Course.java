@@ -46,7 +46,7 @@ final class Course {
         return aim;
     }
 
-    /** Looks again; true if the aim is another now. What cannot be evaluated at once stays as it was. */
+    /** Evaluates again; true if the aim has changed. What cannot be evaluated at once stays as it was. */
     boolean renew() {
         if (steady) {
             return false;

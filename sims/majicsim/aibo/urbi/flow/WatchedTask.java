@@ -16,7 +16,7 @@ public final class WatchedTask extends Task {
         HOLD
     }
 
-    /** Looks at the moment. */
+    /** Decides for the present moment. */
     private interface Watch {
         Verdict verdict(double elapsedMs);
     }

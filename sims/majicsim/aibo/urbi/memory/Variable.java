@@ -107,7 +107,7 @@ public final class Variable {
     }
 
     /**
-     * Says what comes of several assignments at the same time.
+     * Sets the effect of several assignments at the same time.
      *
      * @param mode how they are blended from now on
      */

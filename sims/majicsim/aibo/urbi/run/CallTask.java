@@ -8,7 +8,7 @@ import majicsim.aibo.urbi.value.Value;
 
 /** A call of a function whose body is commands; it ends with the body or with a return in it. */
 public final class CallTask extends Task {
-    /** So deep commands may be nested, calls and all, before a call is refused: a task's own nesting needs stack. */
+    /** The depth of nested commands, calls included, beyond which a call is refused: nested tasks need stack. */
     private static final int MAX_DEPTH = 300;
 
     private final Task body;

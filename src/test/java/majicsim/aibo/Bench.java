@@ -79,7 +79,7 @@ final class Bench {
             dog.received(this, text.getBytes(StandardCharsets.ISO_8859_1));
         }
 
-        /** Says it, waits, and takes what came. */
+        /** Sends it, waits, and takes what came. */
         List<String> ask(String text, double waitMs) {
             say(text);
             run(waitMs);

@@ -86,7 +86,7 @@ class BroadcastTest {
         assertThat(client.ask("stop t; 1;")).containsExactly("[notag] 1.000000", "[__system__] *** end");
     }
 
-    /** So many ends under a tag, and the kernel's own. */
+    /** As many ends under a tag as given, and the kernel's own. */
     private static List<String> ends(String tag, int count) {
         return Stream.concat(Collections.nCopies(count, tag + " *** end").stream(), Stream.of("[__system__] *** end"))
                 .toList();

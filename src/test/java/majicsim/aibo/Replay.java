@@ -6,7 +6,7 @@ import java.util.function.Predicate;
 
 /** Sends a transcript to a dog in an exact lab at the pace of the record and keeps what comes back. */
 final class Replay {
-    /** So long the recording program waited after each line. */
+    /** How long the recording program waited after each line. */
     private static final double PACE_MS = 228;
 
     private static final double LONGEST_WAIT_MS = 20_000;

@@ -6,7 +6,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.jspecify.annotations.Nullable;
 
-/** Says "hi" to a newcomer, answers every piece of bytes in brackets, and hangs up on "bye". */
+/** Sends "hi" to a new client, answers every piece of bytes in brackets, and closes the line on "bye". */
 final class EchoFirmware implements Firmware {
     final BlockingQueue<String> events = new LinkedBlockingQueue<>();
 

@@ -145,7 +145,7 @@ public final class Rig {
                 .toList();
     }
 
-    /** Asks for CONFIG. */
+    /** Requests CONFIG. */
     public ConfigView config() {
         line.take();
         command(18, 1);
