@@ -9,14 +9,14 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import majicsim.aibo.AiboHandling;
 import majicsim.aibo.AiboRobot;
-import majicsim.aibo.Keeper;
-import majicsim.hemisson.Attendant;
+import majicsim.hemisson.HemissonHandling;
 import majicsim.hemisson.HemissonRobot;
 import majicsim.net.Faults;
 import majicsim.net.LineCount;
 import majicsim.net.Port;
-import majicsim.pioneer.Bystander;
+import majicsim.pioneer.PioneerHandling;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.world.Point;
 import majicsim.world.Pose;
@@ -189,30 +189,30 @@ public final class Lab implements AutoCloseable {
     /**
      * Acts on the Pioneer itself: presses its buttons, plugs its charger, reads its buzzer. The lab does not step meanwhile.
      *
-     * @param deed what to do; must not wait for anything
+     * @param action what to do; must not wait for anything
      */
-    public void besidePioneer(Consumer<Bystander> deed) {
-        beside(PioneerRobot.class, pioneer -> deed.accept(pioneer.bystander()));
+    public void besidePioneer(Consumer<PioneerHandling> action) {
+        beside(PioneerRobot.class, pioneer -> action.accept(pioneer.handling()));
     }
 
     /**
      * Acts on the Aibo itself: touches it, turns it over, reads what it played. The lab does not step
      * meanwhile.
      *
-     * @param deed what to do; must not wait for anything
+     * @param action what to do; must not wait for anything
      */
-    public void besideAibo(Consumer<Keeper> deed) {
-        beside(AiboRobot.class, aibo -> deed.accept(aibo.keeper()));
+    public void besideAibo(Consumer<AiboHandling> action) {
+        beside(AiboRobot.class, aibo -> action.accept(aibo.handling()));
     }
 
     /**
-     * Does something at the Hemisson itself: presses keys of a TV remote, moves its switches, lifts it, switches it off and on. The
+     * Acts on the Hemisson itself: presses keys of a TV remote, moves its switches, lifts it, switches it off and on. The
      * lab does not step meanwhile.
      *
-     * @param deed what to do; must not wait for anything
+     * @param action what to do; must not wait for anything
      */
-    public void besideHemisson(Consumer<Attendant> deed) {
-        beside(HemissonRobot.class, hemisson -> deed.accept(hemisson.attendant()));
+    public void besideHemisson(Consumer<HemissonHandling> action) {
+        beside(HemissonRobot.class, hemisson -> action.accept(hemisson.handling()));
     }
 
     /**
@@ -261,14 +261,14 @@ public final class Lab implements AutoCloseable {
         });
     }
 
-    private <R> void beside(Class<R> robot, Consumer<R> deed) {
+    private <R> void beside(Class<R> robot, Consumer<R> action) {
         locked(() -> {
             stations.stream()
                     .map(station -> station.wiring().firmware())
                     .filter(robot::isInstance)
                     .map(robot::cast)
-                    .forEach(deed);
-            return deed;
+                    .forEach(action);
+            return action;
         });
     }
 

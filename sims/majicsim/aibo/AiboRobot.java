@@ -30,7 +30,7 @@ public final class AiboRobot implements Firmware {
     private final Sensors sensors;
     private final Gait gait;
     private final Attitude attitude;
-    private final Keeper keeper;
+    private final AiboHandling handling;
     private final Camera camera;
     private final Speaker speaker;
     private final Microphone microphone;
@@ -56,7 +56,7 @@ public final class AiboRobot implements Firmware {
         sensors = new Sensors(world, body, head, attitude, gait, own.fork("sensors"));
         speaker = new Speaker(kernel);
         microphone = new Microphone(kernel, speaker, gait, own.fork("microphone"));
-        keeper = new Keeper(sensors, attitude, speaker, microphone, battery);
+        handling = new AiboHandling(sensors, attitude, speaker, microphone, battery);
         camera = new Camera(new Eye(world, body, head, own.fork("camera")), kernel);
         install();
     }
@@ -75,8 +75,8 @@ public final class AiboRobot implements Firmware {
      *
      * @return the same object always; to be used with the lab's lock held
      */
-    public Keeper keeper() {
-        return keeper;
+    public AiboHandling handling() {
+        return handling;
     }
 
     @Override

@@ -55,7 +55,7 @@ public final class HemissonRobot implements Firmware {
     private final Uart uart;
     private final Interpreter interpreter;
     private final Modes modes;
-    private final Attendant attendant;
+    private final HemissonHandling handling;
 
     /** The lines from which something was received: a plug that is not open would keep the greeting for the next client. */
     private final Set<Line> listeners = new LinkedHashSet<>();
@@ -101,7 +101,7 @@ public final class HemissonRobot implements Firmware {
         uart = new Uart(options);
         interpreter = interpreter(options.dialect(), new Controls());
         modes = new Modes(motors, board, infraRed);
-        attendant = new Attendant(this, board, motors, worldEyes, modules);
+        handling = new HemissonHandling(this, board, motors, worldEyes, modules);
         startMode();
     }
 
@@ -119,8 +119,8 @@ public final class HemissonRobot implements Firmware {
      *
      * @return the person beside it
      */
-    public Attendant attendant() {
-        return attendant;
+    public HemissonHandling handling() {
+        return handling;
     }
 
     @Override

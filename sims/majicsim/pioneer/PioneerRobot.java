@@ -29,7 +29,7 @@ public final class PioneerRobot implements Firmware {
 
     private final Body body;
     private final Board board;
-    private final Bystander bystander;
+    private final PioneerHandling handling;
     private final SerialPort serialPort;
     private @Nullable Session session;
 
@@ -61,7 +61,7 @@ public final class PioneerRobot implements Firmware {
         world.add(body);
         board = new Board(world, body, model, OWNERS_NAME, noise.fork("pioneer"));
         serialPort = new SerialPort(!noise.isExact());
-        bystander = new Bystander(board.devices(), this::restart);
+        handling = new PioneerHandling(board.devices(), this::restart);
     }
 
     /**
@@ -100,8 +100,8 @@ public final class PioneerRobot implements Firmware {
      *
      * @return the same for the life of the robot
      */
-    public Bystander bystander() {
-        return bystander;
+    public PioneerHandling handling() {
+        return handling;
     }
 
     /**

@@ -119,7 +119,7 @@ class AiboSoundInLabTest {
     void whatTheDogHearsBecomesAFileThatOthersRead() throws Exception {
         Path file = folder.resolve("room.wav");
         theDogsOwnChimesAreOver();
-        rig.lab().simulators().besideAibo(keeper -> keeper.whistle(500, 5000));
+        rig.lab().simulators().besideAibo(handling -> handling.whistle(500, 5000));
 
         assertThat(rig.run("1 record 1.5 \"" + file + "\""))
                 .containsExactly("1 record 1.5 \"" + file + "\": 1.5 s in " + file);
@@ -205,7 +205,7 @@ class AiboSoundInLabTest {
 
     private List<Played> played() {
         List<Played> played = new ArrayList<>();
-        rig.lab().simulators().besideAibo(keeper -> played.addAll(keeper.played()));
+        rig.lab().simulators().besideAibo(handling -> played.addAll(handling.played()));
         return played;
     }
 

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
-import majicsim.pioneer.Bystander;
+import majicsim.pioneer.PioneerHandling;
 import majicsim.pioneer.devices.Tone;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -28,7 +28,7 @@ class PioneerDevicesInLabTest {
     @Test
     void theStopButtonEndsAMotionAndShows() throws InterruptedException {
         Guard press = () -> {
-            beside(bystander -> bystander.pressStop(rig.truePose("pioneer").xMm() > 300));
+            beside(handling -> handling.pressStop(rig.truePose("pioneer").xMm() > 300));
             return false;
         };
 
@@ -36,7 +36,7 @@ class PioneerDevicesInLabTest {
 
         assertThat(rig.truePose("pioneer").xMm()).isBetween(300.0, 600.0);
         assertThat(bot.get("stopButton")).hasToString("yes");
-        beside(bystander -> bystander.pressStop(false));
+        beside(handling -> handling.pressStop(false));
         rig.run("wait 0.3s");
         assertThat(bot.get("stopButton")).hasToString("no");
         assertThat(bot.move(100).amount().number()).isBetween(90.0, 110.0);
@@ -50,7 +50,7 @@ class PioneerDevicesInLabTest {
 
     @Test
     void aRestartOfTheControllerIsALostLink() throws InterruptedException {
-        beside(Bystander::pressReset);
+        beside(PioneerHandling::pressReset);
 
         assertThat(rig.await(() -> !bot.isConnected())).isTrue();
     }
@@ -60,11 +60,11 @@ class PioneerDevicesInLabTest {
         List<Tone> heard = new ArrayList<>();
         assertThat(rig.run("1 set beep on")).containsExactly("1 set beep on: done");
         rig.lab().time().sleep(0.1);
-        beside(bystander -> heard.addAll(bystander.played()));
+        beside(handling -> heard.addAll(handling.played()));
         assertThat(heard).isNotEmpty();
     }
 
-    private void beside(Consumer<Bystander> deed) {
+    private void beside(Consumer<PioneerHandling> deed) {
         rig.lab().simulators().besidePioneer(deed);
     }
 }

@@ -12,7 +12,7 @@ class BatteryTest {
     @Test
     void withAnEmptyOneTheDogStandsAndIsSilent() {
         client.ask("motors on; robot.stand(); robot.walk(10s),", 4000);
-        bench.dog().keeper().changeBattery(0);
+        bench.dog().handling().changeBattery(0);
         client.ask("", 4);
         double xMm = bench.dog().body().pose().xMm();
 
@@ -22,21 +22,21 @@ class BatteryTest {
 
     @Test
     void aDogWithoutPowerClosesConnectionsAndANewBatteryRestartsIt() {
-        bench.dog().keeper().changeBattery(0);
+        bench.dog().handling().changeBattery(0);
         Bench.Client late = bench.client();
         assertThat(late.isOpen()).isFalse();
 
-        bench.dog().keeper().changeBattery(0.5551);
+        bench.dog().handling().changeBattery(0.5551);
 
         assertThat(bench.client().ask("power();")).containsExactly("[notag] 0.550000");
     }
 
     @Test
     void aLowOneIsSoundedOnce() {
-        bench.dog().keeper().changeBattery(0.2001);
+        bench.dog().handling().changeBattery(0.2001);
         client.ask("", 20_000);
 
-        assertThat(bench.dog().keeper().played().stream()
+        assertThat(bench.dog().handling().played().stream()
                         .filter(each -> each.what().equals("battery.wav")))
                 .hasSize(1);
     }
@@ -46,7 +46,7 @@ class BatteryTest {
         Bench.Client other = bench.client();
         assertThat(client.ask("stop power; power__shown;")).containsExactly("[notag] 87.000000");
 
-        bench.dog().keeper().changeBattery(0.505);
+        bench.dog().handling().changeBattery(0.505);
 
         assertThat(client.ask("")).isEmpty();
         assertThat(other.ask("")).isEmpty();

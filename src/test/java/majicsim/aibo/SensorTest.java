@@ -51,10 +51,10 @@ class SensorTest {
 
     @Test
     void aTouchIsFeltUntilItEnds() {
-        bench.dog().keeper().touch("backSensorM", 22);
+        bench.dog().handling().touch("backSensorM", 22);
         assertThat(client.ask("backSensorM.val;")).containsExactly("[notag] 22.000000");
 
-        bench.dog().keeper().touch("backSensorM", 0);
+        bench.dog().handling().touch("backSensorM", 0);
 
         assertThat(client.ask("backSensorM.val;")).containsExactly("[notag] 0.000000");
     }
@@ -62,7 +62,7 @@ class SensorTest {
     @ParameterizedTest
     @CsvSource({"90, side, 0.000000, -9.806650, 0.000000", "180, back, 0.000000, 0.000000, 9.806650"})
     void aDogThatIsTurnedOverReportsIt(double roll, String guess, String x, String y, String z) {
-        bench.dog().keeper().roll(roll);
+        bench.dog().handling().roll(roll);
 
         assertThat(client.ask("robot.MyguessPosition(); accelX.val; accelY.val; accelZ.val;"))
                 .map(line -> line.replace("-0.000000", "0.000000"))
@@ -107,7 +107,7 @@ class SensorTest {
 
     @Test
     void aPawThatIsPressedIsFelt() {
-        bench.dog().keeper().touch("pawRH", 1);
+        bench.dog().handling().touch("pawRH", 1);
 
         assertThat(client.ask("pawRH.val; pawLH.val;")).containsExactly("[notag] 1.000000", "[notag] 0.000000");
     }
@@ -115,20 +115,20 @@ class SensorTest {
     @Test
     void onlyTouchSensorsCanBeTouched() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> bench.dog().keeper().touch("nose", 1))
+                .isThrownBy(() -> bench.dog().handling().touch("nose", 1))
                 .withMessageContaining("nose");
     }
 
     @Test
     void twoSecondsOnTheChinToggleTheMotors() {
-        bench.dog().keeper().touch("chinSensor", 1);
+        bench.dog().handling().touch("chinSensor", 1);
         assertThat(client.ask("headPan.load;", 1900)).containsExactly("[notag] 0.000000");
         assertThat(client.ask("", 200)).isEmpty();
         assertThat(client.ask("headPan.load; legRF1.load;")).containsExactly("[notag] 1.000000", "[notag] 1.000000");
 
-        bench.dog().keeper().touch("chinSensor", 0);
+        bench.dog().handling().touch("chinSensor", 0);
         client.ask("", 100);
-        bench.dog().keeper().touch("chinSensor", 1);
+        bench.dog().handling().touch("chinSensor", 1);
 
         assertThat(client.ask("wait(2200); headPan.load;", 2300)).containsExactly("[notag] 0.000000");
     }

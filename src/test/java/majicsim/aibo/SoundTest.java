@@ -31,10 +31,10 @@ class SoundTest {
     @ParameterizedTest
     @CsvSource({"raw 1 44100 16 1", "raw 1 8000 16 1", "raw 9 16000 16 1", "raw 1", "tune", "wav"})
     void aSoundThatTheSpeakerDoesNotTakeIsSilent(String parameters) {
-        int before = bench.dog().keeper().played().size();
+        int before = bench.dog().handling().played().size();
         client.say("speaker.val = BIN 4 " + parameters + ";abcd");
 
-        assertThat(bench.dog().keeper().played()).hasSize(before);
+        assertThat(bench.dog().handling().played()).hasSize(before);
         assertThat(client.ask("1;")).containsExactly("[notag] 1.000000");
     }
 
@@ -45,7 +45,7 @@ class SoundTest {
         client.say("speaker.val = BIN 800 raw 1 8000 8 1;" + "b".repeat(800));
 
         assertThat(client.ask("speaker.remain;", 0)).containsExactly("[notag] 300.000000");
-        List<Played> played = bench.dog().keeper().played();
+        List<Played> played = bench.dog().handling().played();
         assertThat(last().startMs()).isEqualTo(played.get(played.size() - 2).endMs());
     }
 
@@ -94,7 +94,7 @@ class SoundTest {
         bench.run(1500);
         assertThat(loudness()).isZero();
 
-        bench.dog().keeper().whistle(500, 200);
+        bench.dog().handling().whistle(500, 200);
         bench.run(100);
 
         assertThat(walking).isBetween(100.0, 2000.0);
@@ -111,7 +111,7 @@ class SoundTest {
     }
 
     private Played last() {
-        List<Played> played = bench.dog().keeper().played();
+        List<Played> played = bench.dog().handling().played();
         return played.get(played.size() - 1);
     }
 

@@ -110,7 +110,7 @@ class WalkTest {
 
     @Test
     void onItsBackTheLegsGoButTheDogStays() {
-        bench.dog().keeper().roll(180);
+        bench.dog().handling().roll(180);
 
         assertThat(client.ask("mv+end: robot.walk(1000);", 1100)).containsExactly("[mv] *** end");
         assertThat(bench.dog().body().pose().xMm()).isZero();

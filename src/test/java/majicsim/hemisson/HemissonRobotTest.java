@@ -234,7 +234,7 @@ class HemissonRobotTest {
                 sent += bytes.length;
             }
             bench.awaitConsumed(sent);
-            bench.robot.attendant().powerCycle();
+            bench.robot.handling().powerCycle();
             bench.steps(2);
             wire.skipTo("HemiOS V1.50");
         }
@@ -244,7 +244,7 @@ class HemissonRobotTest {
     void theTvRemoteDrivesPastTheSerialLine() throws IOException {
         try (Bench bench = new Bench(HemissonOptions.standard());
                 Wire wire = Wire.tcp(bench.tcp.address())) {
-            bench.robot.attendant().pressTvKey(4);
+            bench.robot.handling().pressTvKey(4);
             wire.exchange("E", "e,-10,10");
             wire.exchange("T", "t,004");
         }
@@ -256,8 +256,8 @@ class HemissonRobotTest {
                 Wire wire = Wire.tcp(bench.tcp.address())) {
             wire.exchange("L,0,1,0,1", "l");
             wire.exchange("H,1", "h");
-            assertThat(bench.robot.attendant().leds()).containsExactly(false, true, false, true);
-            assertThat(bench.robot.attendant().isBuzzing()).isTrue();
+            assertThat(bench.robot.handling().leds()).containsExactly(false, true, false, true);
+            assertThat(bench.robot.handling().isBuzzing()).isTrue();
         }
     }
 }

@@ -45,7 +45,7 @@ class FirmwareGenerationTest {
         Rig rig = Rig.open();
         assertThat(rig.nextSip().celsius()).isEqualTo(25);
         assertThat(rig.nextSip().faults()).isZero();
-        rig.robot.bystander().heat(65);
+        rig.robot.handling().heat(65);
         assertThat(rig.nextSip().celsius()).isEqualTo(65);
         assertThat(rig.nextSip().faults()).isEqualTo(0b10);
     }

@@ -47,7 +47,7 @@ class RestartTest {
     void theClockStartsAnewWithTheController() {
         long before = rig.pulse(4).nextSip().clockMicros();
         assertThat(rig.nextSip().clockMicros() - before).isEqualTo(100_000);
-        rig.robot.bystander().pressReset();
+        rig.robot.handling().pressReset();
         rig.step(1.2).shakeHands();
         assertThat(rig.nextSip().clockMicros()).isLessThan(2_000_000);
     }
@@ -59,7 +59,7 @@ class RestartTest {
         assertThat(rig.body().speedMmPerSec()).isZero();
         assertThat(rig.reconnect().command(RESET, 0).step(2).send(SYNC0).line.take())
                 .isEmpty();
-        rig.robot.bystander().pressReset();
+        rig.robot.handling().pressReset();
         rig.step(1.1).line.take();
         assertThat(rig.send(SYNC0).line.take()).hasSize(1);
     }
@@ -67,7 +67,7 @@ class RestartTest {
     @Test
     void theButtonWorksWithoutAClient() {
         rig.robot.disconnected(rig.line);
-        rig.robot.bystander().pressReset();
+        rig.robot.handling().pressReset();
         rig.step(1.1).robot.connected(rig.line);
         assertThat(rig.shakeHands().nextSip().flags()).isEqualTo(0x1E);
     }

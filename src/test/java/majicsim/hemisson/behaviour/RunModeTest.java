@@ -21,7 +21,7 @@ class RunModeTest {
     @CsvSource({"1111,false", "1110,true", "1101,true", "1011,true", "0111,false", "0101,true", "0000,true"})
     void allButRemoteControlAndBotStudioGreetWithAFourthLine(String switches, boolean fourth) {
         Desk desk = desk(switches);
-        desk.robot.attendant().powerCycle();
+        desk.robot.handling().powerCycle();
         assertThat(desk.after(0.04)).endsWith(THIRD_LINES_END + (fourth ? INTERNAL : ""));
     }
 
@@ -61,14 +61,14 @@ class RunModeTest {
         assertThat(desk.ask("I")).startsWith("i,");
         assertThat(desk.ask("E")).isEqualTo("e,00,00");
         assertThat(desk.ask("D,5,5")).isEmpty();
-        assertThat(desk.robot.attendant().isReceiverBlocked()).isTrue();
+        assertThat(desk.robot.handling().isReceiverBlocked()).isTrue();
         assertThat(desk.ask("I")).isEmpty();
     }
 
     @Test
     void movedSwitchesAreReadWithin41MillisecondsAndChangeTheModeOnlyAfterAReset() {
         Desk desk = desk("0111");
-        desk.robot.attendant().moveSwitches(HemissonOptions.REMOTE_CONTROL);
+        desk.robot.handling().moveSwitches(HemissonOptions.REMOTE_CONTROL);
         desk.after(0.044);
         assertThat(desk.ask("I")).isEqualTo("i,1,1,1,1");
         assertThat(desk.ask("D,5,5") + desk.ask("E")).isEqualTo("de,00,00");

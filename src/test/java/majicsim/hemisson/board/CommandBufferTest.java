@@ -18,7 +18,7 @@ class CommandBufferTest {
     @Test
     void missingArgumentsAreWhatAnEarlierCommandLeft() {
         assertThat(desk.say("H,1␍H␍")).isEqualTo("h␍␊h␍␊");
-        assertThat(desk.robot.attendant().isBuzzing()).isTrue();
+        assertThat(desk.robot.handling().isBuzzing()).isTrue();
         assertThat(desk.say("D,4,-3␍H␍D␍E␍")).isEqualTo("d␍␊h␍␊d␍␊e,04,-3␍␊");
     }
 
@@ -26,14 +26,14 @@ class CommandBufferTest {
     void aLineOf79CharactersWorksAndOneOf80IsTheLast() {
         assertThat(desk.say("B" + "x".repeat(77) + "␍")).isEqualTo("b,HemiOS_v_1.50␍␊");
         assertThat(desk.say("B" + "x".repeat(78) + "␍B␍")).isEmpty();
-        assertThat(desk.robot.attendant().isReceiverBlocked()).isTrue();
+        assertThat(desk.robot.handling().isReceiverBlocked()).isTrue();
     }
 
     @Test
     void onlyThePowerSwitchHelpsAStuckBuffer() {
         desk.say("x".repeat(100) + "␍Z␍");
 
-        desk.robot.attendant().powerCycle();
+        desk.robot.handling().powerCycle();
 
         assertThat(desk.after(0.02)).isEqualTo(GREETING);
         assertThat(desk.ask("B")).isEqualTo("b,HemiOS_v_1.50");

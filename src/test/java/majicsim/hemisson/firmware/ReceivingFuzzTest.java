@@ -59,7 +59,7 @@ class ReceivingFuzzTest {
             desk.say(text.substring(at, Math.min(text.length(), at + 7)));
             desk.after(0.02);
         }
-        desk.robot.attendant().powerCycle();
+        desk.robot.handling().powerCycle();
 
         assertThat(desk.after(START_S)).startsWith("HemiOS V1.50");
         assertThat(desk.ask("B")).isEqualTo(version);

@@ -110,7 +110,7 @@ class RoadNarrowsTest {
         assertThat(desk.ask("A,T,S," + text)).isEqualTo("a,T,S," + text);
         assertThat(desk.ask("A,T,Q")).isEqualTo("a,T,Q,1");
         assertThat(desk.ask("A,T,C,5")).isEqualTo("<E14: module busy>");
-        assertThat(desk.robot.attendant().said()).containsExactly(text);
+        assertThat(desk.robot.handling().said()).containsExactly(text);
     }
 
     @Test

@@ -81,39 +81,39 @@ class ModulesTest {
         assertThat(desk.ask("R,C4,00,01")).isEqualTo("r,255");
         desk.after(2);
         assertThat(desk.ask("R,C4,00,01")).isEqualTo("r,000");
-        assertThat(desk.robot.attendant().said()).containsExactly("phrase 7");
+        assertThat(desk.robot.handling().said()).containsExactly("phrase 7");
     }
 
     @Test
     void theCountThatYSendsInFrontOfATextIsTakenForAPhrase() {
         desk.ask("Y,C4,00,06,00,05,03,48,69,00");
-        assertThat(desk.robot.attendant().said()).containsExactly("phrase 6");
+        assertThat(desk.robot.handling().said()).containsExactly("phrase 6");
     }
 
     @Test
     void theDisplayShowsWhatYWrites() {
         desk.ask("Y,A0,10,02,48,69");
         desk.ask("Y,A0,23,03,31,32,33");
-        assertThat(desk.robot.attendant().shown()).containsExactly("Hi              ", "             123");
+        assertThat(desk.robot.handling().shown()).containsExactly("Hi              ", "             123");
         desk.ask("W,A0,11,00");
-        assertThat(desk.robot.attendant().shown()).containsExactly(" ".repeat(16), "             123");
-        desk.robot.attendant().holdLcdKeys(5);
+        assertThat(desk.robot.handling().shown()).containsExactly(" ".repeat(16), "             123");
+        desk.robot.handling().holdLcdKeys(5);
         assertThat(desk.ask("R,A0,10,01")).isEqualTo("r,005");
     }
 
     @Test
     void generalInputAndOutputReadsLevelsAndVoltages() {
-        desk.robot.attendant().analogueInput(2, 130);
-        desk.robot.attendant().digitalInput(11, true);
+        desk.robot.handling().analogueInput(2, 130);
+        desk.robot.handling().digitalInput(11, true);
         assertThat(desk.ask("R,D0,12,01")).isEqualTo("r,130");
         assertThat(desk.ask("R,D0,30,02")).isEqualTo("r,000,001");
         desk.ask("W,D0,24,01");
-        assertThat(desk.robot.attendant().digitalLevel(4)).isTrue();
+        assertThat(desk.robot.handling().digitalLevel(4)).isTrue();
     }
 
     @Test
     void afterPowerUpModulesComeOneByOne() {
-        desk.robot.attendant().powerCycle();
+        desk.robot.handling().powerCycle();
         desk.after(0.1);
         assertThat(desk.ask("J")).isEqualTo("j,d0,e0");
         desk.after(1);

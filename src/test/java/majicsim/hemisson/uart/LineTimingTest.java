@@ -78,7 +78,7 @@ class LineTimingTest {
         desk.say(burst);
         desk.after(1);
 
-        assertThat(desk.robot.attendant().isReceiverBlocked()).isTrue();
+        assertThat(desk.robot.handling().isReceiverBlocked()).isTrue();
         assertThat(desk.robot.body().pose().xMm()).isGreaterThan(Desk.START.xMm() + 85);
         assertThat(desk.ask("B")).isEmpty();
     }
@@ -108,7 +108,7 @@ class LineTimingTest {
         desk.say(burst);
         String letters = burst.toLowerCase(Locale.ROOT).replaceAll("[^dh]", "").replaceAll(".", "$0␍␊");
         assertThat(desk.after(0.02)).isEqualTo(letters);
-        assertThat(desk.robot.attendant().isReceiverBlocked()).isFalse();
+        assertThat(desk.robot.handling().isReceiverBlocked()).isFalse();
     }
 
     @ParameterizedTest
@@ -117,7 +117,7 @@ class LineTimingTest {
         Desk desk = new Desk(TRUE_RECEIVER);
         desk.say(burst);
         desk.after(0.1);
-        assertThat(desk.robot.attendant().isReceiverBlocked()).isTrue();
+        assertThat(desk.robot.handling().isReceiverBlocked()).isTrue();
     }
 
     @Test
@@ -165,7 +165,7 @@ class LineTimingTest {
         kind.say("Z␍E␍E␍");
         hard.after(0.02);
 
-        assertThat(hard.robot.attendant().isReceiverBlocked()).isTrue();
+        assertThat(hard.robot.handling().isReceiverBlocked()).isTrue();
         assertThat(kind.after(0.02)).endsWith("␍␊␍␊e,00,00␍␊e,00,00␍␊");
     }
 

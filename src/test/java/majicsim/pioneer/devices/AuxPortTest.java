@@ -51,14 +51,14 @@ class AuxPortTest {
     @Test
     void noPacketIsLongerThanTheProtocolAllows() {
         rig.command(AUX1BAUD, 4);
-        rig.robot.bystander().plugAux(1, bytes -> new byte[250]);
+        rig.robot.handling().plugAux(1, bytes -> new byte[250]);
         List<byte[]> packets = rig.text(TTY2, (byte) 1).command(GETAUX, 200).packets(AUX1, 0.3);
         assertThat(packets).extracting(packet -> packet.length).containsExactly(200, 12);
     }
 
     @Test
     void anotherDeviceAnswersInItsOwnWay() {
-        rig.robot.bystander().plugAux(2, bytes -> new byte[] {'O', 'K'});
+        rig.robot.handling().plugAux(2, bytes -> new byte[] {'O', 'K'});
         rig.text(66, (byte) '?').command(67, 2);
         assertThat(data(rig.packets(0xB8, 0.2))).isEqualTo("OK");
     }

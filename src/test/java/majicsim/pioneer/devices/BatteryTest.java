@@ -48,13 +48,13 @@ class BatteryTest {
     @Test
     void belowLowBatteryItBeepsEveryFiveSeconds() {
         rig.command(BATTEST, 114).pulse(12);
-        assertThat(rig.robot.bystander().played()).hasSize(3).allMatch(tone -> tone.durationMs() == 200);
+        assertThat(rig.robot.handling().played()).hasSize(3).allMatch(tone -> tone.durationMs() == 200);
     }
 
     @Test
     void powerAtTheContactsChargesAndShows() {
         assertThat(rig.nextSip().chargeState()).isZero();
-        rig.robot.bystander().plugCharger(true);
+        rig.robot.handling().plugCharger(true);
         SipView sip = rig.nextSip();
         assertThat(sip.flags() & POWER_GOOD).isEqualTo(POWER_GOOD);
         assertThat(sip.chargeState()).isEqualTo(Charger.FLOAT);
@@ -62,7 +62,7 @@ class BatteryTest {
 
     @Test
     void chargeTakesTheMechanismBackAndPutsItOutAgain() {
-        rig.robot.bystander().plugCharger(true);
+        rig.robot.handling().plugCharger(true);
         assertThat(rig.command(CHARGE, 0).nextSip().flags() & POWER_GOOD).isZero();
         assertThat(rig.command(CHARGE, 1).nextSip().flags() & POWER_GOOD).isEqualTo(POWER_GOOD);
     }
@@ -83,7 +83,7 @@ class BatteryTest {
     @Test
     void aModelWithoutDockingMechanismDoesNotReportThePlug() {
         Rig bare = Rig.open();
-        bare.robot.bystander().plugCharger(true);
+        bare.robot.handling().plugCharger(true);
         SipView sip = bare.nextSip();
         assertThat(sip.chargeState()).isZero();
         assertThat(sip.flags() & POWER_GOOD).isZero();

@@ -69,7 +69,7 @@ class GripperTest {
     @Test
     void anObjectBetweenThePaddlesIsGraspedAndSeenInTheLightBeams() {
         rig.command(GRIPPER, 1).pulse(2.2);
-        rig.robot.bystander().putBetweenPaddles(true);
+        rig.robot.handling().putBetweenPaddles(true);
         rig.command(GRIPPER, 2).pulse(1.4);
         assertThat(rig.nextSip().gripper()).isEqualTo(CLOSED | UP);
         assertThat(packet()[5]).isEqualTo((byte) 0b11_1111);

@@ -2,7 +2,7 @@ package majicsim.pioneer.devices;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import majicsim.pioneer.Bystander;
+import majicsim.pioneer.PioneerHandling;
 import majicsim.pioneer.Rig;
 import majicsim.pioneer.SipView;
 import org.junit.jupiter.api.Test;
@@ -17,11 +17,11 @@ class StopButtonTest {
     private static final int ENGAGED = 1 << 6;
 
     private final Rig rig = Rig.ready().command(VEL, 300).pulse(2);
-    private final Bystander bystander = rig.robot.bystander();
+    private final PioneerHandling handling = rig.robot.handling();
 
     @Test
     void pressedItStopsTheRobotAtOnceWithMotorsOffAndStalled() {
-        bystander.pressStop(true);
+        handling.pressStop(true);
         rig.nextSip();
         SipView sip = rig.nextSip();
         assertThat(sip.left()).isZero();
@@ -31,7 +31,7 @@ class StopButtonTest {
 
     @Test
     void whilePressedTheMotorsCannotBeEnabled() {
-        bystander.pressStop(true);
+        handling.pressStop(true);
         rig.pulse(0.4).command(ENABLE, 1).command(VEL, 300);
         assertThat(rig.pulse(1).nextSip().hasMotors()).isFalse();
         assertThat(rig.nextSip().left()).isZero();
@@ -39,9 +39,9 @@ class StopButtonTest {
 
     @Test
     void letGoItLeavesTheMotorsOffUntilTheyAreEnabled() {
-        bystander.pressStop(true);
+        handling.pressStop(true);
         rig.pulse(1);
-        bystander.pressStop(false);
+        handling.pressStop(false);
         SipView sip = rig.nextSip();
         assertThat(sip.flags()).isEqualTo(SONAR);
         assertThat(sip.isStalled()).isFalse();
@@ -52,7 +52,7 @@ class StopButtonTest {
     @Test
     void withEStallOffItIsShownAndHasNoEffect() {
         rig.command(E_STALL, 0);
-        bystander.pressStop(true);
+        handling.pressStop(true);
         SipView sip = rig.nextSip();
         assertThat(sip.flags()).isEqualTo(SONAR | 1 | PRESSED);
         assertThat(sip.left()).isEqualTo(300);

@@ -3,7 +3,7 @@ package majicsim.pioneer.devices;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import majicsim.pioneer.Bystander;
+import majicsim.pioneer.PioneerHandling;
 import majicsim.pioneer.Rig;
 import majicsim.pioneer.SipView;
 import majicsim.world.Noise;
@@ -17,13 +17,13 @@ class UserPortTest {
     private static final int IOREQUEST = 40;
 
     private final Rig rig = Rig.open();
-    private final Bystander bystander = rig.robot.bystander();
+    private final PioneerHandling handling = rig.robot.handling();
 
     @Test
     void aClosedContactReadsZero() {
-        bystander.digitalInput(2, true);
+        handling.digitalInput(2, true);
         assertThat(rig.nextSip().digitalIn()).isEqualTo(0b1111_1011);
-        bystander.digitalInput(2, false);
+        handling.digitalInput(2, false);
         assertThat(rig.nextSip().digitalIn()).isEqualTo(0xFF);
     }
 
@@ -36,7 +36,7 @@ class UserPortTest {
 
     @Test
     void theSipShowsTheAnalogPortThatWasChosen() {
-        bystander.analogInput(3, 2.5);
+        handling.analogInput(3, 2.5);
         assertThat(rig.nextSip().analog()).isZero();
         SipView sip = rig.command(ADSEL, 3).nextSip();
         assertThat(sip.analogPort()).isEqualTo(3);
@@ -46,9 +46,9 @@ class UserPortTest {
 
     @Test
     void theIoPacketCountsWhatItCarriesAndEndsWithTheBattery() {
-        bystander.digitalInput(0, true);
-        bystander.infrared(7, true);
-        bystander.analogInput(1, 5);
+        handling.digitalInput(0, true);
+        handling.infrared(7, true);
+        handling.analogInput(1, 5);
         byte[] packet = rig.command(IOREQUEST, 1).packets(0xF0, 0.1).get(0);
         assertThat(packet).startsWith(0xFA, 0xFB, 0x1D, 0xF0, 4, 0xFE, 0xFF, 0xFF, 0x7F, 1, 0xFF, 9, 0, 0, 0xFF, 3);
         assertThat(packet[28] & 0xFF | packet[29] << 8).isEqualTo(130 * 4);
@@ -69,16 +69,16 @@ class UserPortTest {
 
     @Test
     void aLedgeShowsInTheFlags() {
-        bystander.ledge(true, false);
+        handling.ledge(true, false);
         assertThat(rig.nextSip().flags()).isEqualTo(0x1E | 1 << 7);
-        bystander.ledge(false, true);
+        handling.ledge(false, true);
         assertThat(rig.nextSip().flags()).isEqualTo(0x1E | 1 << 8);
     }
 
     @Test
     void inputsThatThereAreNotAreRefused() {
-        assertThatThrownBy(() -> bystander.digitalInput(8, true)).isInstanceOf(IndexOutOfBoundsException.class);
-        assertThatThrownBy(() -> bystander.analogInput(8, 1)).isInstanceOf(IndexOutOfBoundsException.class);
-        assertThatThrownBy(() -> bystander.infrared(-1, true)).isInstanceOf(IndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> handling.digitalInput(8, true)).isInstanceOf(IndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> handling.analogInput(8, 1)).isInstanceOf(IndexOutOfBoundsException.class);
+        assertThatThrownBy(() -> handling.infrared(-1, true)).isInstanceOf(IndexOutOfBoundsException.class);
     }
 }

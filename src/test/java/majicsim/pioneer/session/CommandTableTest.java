@@ -258,7 +258,7 @@ class CommandTableTest {
     }
 
     private static int hertzHeard(Rig rig) {
-        List<Tone> played = rig.robot.bystander().played();
+        List<Tone> played = rig.robot.handling().played();
         return played.isEmpty() ? 0 : (int) played.get(0).hertz();
     }
 
@@ -267,7 +267,7 @@ class CommandTableTest {
     }
 
     private static void chargeWithout(Rig rig) {
-        rig.robot.bystander().plugCharger(true);
+        rig.robot.handling().plugCharger(true);
         rig.command(68, 0);
     }
 

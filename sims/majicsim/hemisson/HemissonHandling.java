@@ -13,7 +13,7 @@ import majicsim.hemisson.options.HemissonOptions;
  * What a person beside the robot can do to it and observe of it. Works with or without a client connected; what is done to a
  * module that is not fitted shows no effect. All calls with the lab's lock held.
  */
-public final class Attendant {
+public final class HemissonHandling {
     private static final int MOST_KEYS = 63;
     private static final int LCD_KEYS = 7;
     private static final int BYTE = 255;
@@ -24,7 +24,7 @@ public final class Attendant {
     private final WorldEyes eyes;
     private final Modules modules;
 
-    Attendant(HemissonRobot robot, HemissonBoard board, Motors motors, WorldEyes eyes, Modules modules) {
+    HemissonHandling(HemissonRobot robot, HemissonBoard board, Motors motors, WorldEyes eyes, Modules modules) {
         this.robot = robot;
         this.board = board;
         this.motors = motors;

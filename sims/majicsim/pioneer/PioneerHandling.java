@@ -9,11 +9,11 @@ import majicsim.pioneer.devices.Tone;
  * What a person beside the robot can do to it and observe of it. Works with or without a client connected; what a model does not
  * carry (gripper, charger) shows no effect. All calls with the lab's lock held.
  */
-public final class Bystander {
+public final class PioneerHandling {
     private final Devices devices;
     private final Runnable reset;
 
-    Bystander(Devices devices, Runnable reset) {
+    PioneerHandling(Devices devices, Runnable reset) {
         this.devices = devices;
         this.reset = reset;
     }

@@ -3,14 +3,14 @@ package majicsim.aibo;
 import java.util.List;
 
 /** What a person beside the dog can do to it and observe of it. All calls with the lab's lock held. */
-public final class Keeper {
+public final class AiboHandling {
     private final Sensors sensors;
     private final Attitude attitude;
     private final Speaker speaker;
     private final Microphone microphone;
     private final AiboBattery battery;
 
-    Keeper(Sensors sensors, Attitude attitude, Speaker speaker, Microphone microphone, AiboBattery battery) {
+    AiboHandling(Sensors sensors, Attitude attitude, Speaker speaker, Microphone microphone, AiboBattery battery) {
         this.sensors = sensors;
         this.attitude = attitude;
         this.speaker = speaker;

@@ -12,9 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class AttendantTest {
+class HemissonHandlingTest {
     private final Desk desk = Desk.inTheRoom(HemissonOptions.standard());
-    private final Attendant attendant = desk.robot.attendant();
+    private final HemissonHandling handling = desk.robot.handling();
 
     @ParameterizedTest
     @CsvSource(
@@ -34,14 +34,14 @@ class AttendantTest {
             })
     void keysOfTheTvRemoteDrivePastTheSerialLine(int key, String speeds) {
         desk.ask("D,3,3");
-        attendant.pressTvKey(key);
+        handling.pressTvKey(key);
         assertThat(desk.ask("E")).isEqualTo(speeds);
         assertThat(desk.ask("T")).isEqualTo(String.format(Locale.ROOT, "t,%03d", key));
     }
 
     @Test
     void aResetForgetsTheTvKey() {
-        attendant.pressTvKey(5);
+        handling.pressTvKey(5);
         desk.ask("Z");
         desk.after(0.02);
         assertThat(desk.ask("T")).isEqualTo("t,000");
@@ -50,18 +50,18 @@ class AttendantTest {
     @Test
     void inAnotherModeAKeyIsTakenDownAndDrivesNothing() {
         Desk held = new Desk(HemissonOptions.standard().withSwitches("0111"));
-        held.robot.attendant().pressTvKey(2);
+        held.robot.handling().pressTvKey(2);
         assertThat(held.ask("T") + held.ask("E")).isEqualTo("t,002e,00,00");
     }
 
     @Test
     void aLiftedRobotStaysWhereItIsAndDrivesOnWhenItIsPutDown() {
         desk.ask("D,5,5");
-        attendant.lift(true);
+        handling.lift(true);
         Pose held = desk.robot.body().pose();
         desk.after(1);
         assertThat(desk.robot.body().pose()).isEqualTo(held);
-        attendant.lift(false);
+        handling.lift(false);
         desk.after(1);
         assertThat(desk.robot.body().pose().xMm()).isGreaterThan(held.xMm() + 85);
     }
@@ -72,8 +72,8 @@ class AttendantTest {
         desk.ask("L,1,1,1,0");
         for (int i = 0; i < 12; i++) {
             desk.after(0.1);
-            onOff.add(attendant.leds().get(0));
-            assertThat(attendant.leds().subList(1, 4)).containsExactly(true, true, false);
+            onOff.add(handling.leds().get(0));
+            assertThat(handling.leds().subList(1, 4)).containsExactly(true, true, false);
         }
         assertThat(onOff).containsExactlyInAnyOrder(true, false);
     }
@@ -84,7 +84,7 @@ class AttendantTest {
         desk.after(0.044);
         assertThat(desk.ask("N")).startsWith("n,150,");
 
-        attendant.lighten(20);
+        handling.lighten(20);
         desk.after(0.044);
 
         assertThat(desk.ask("O")).isEqualTo("o,020,020,020,020,020,020,020,020");
@@ -107,19 +107,19 @@ class AttendantTest {
 
     @Test
     void whatCannotBeDoneIsRefused() {
-        assertThatThrownBy(() -> attendant.pressTvKey(64)).hasMessage("key must be 0 to 63, not 64");
-        assertThatThrownBy(() -> attendant.lighten(-1)).hasMessage("reading must be 0 to 255, not -1");
-        assertThatThrownBy(() -> attendant.moveSwitches("12"))
+        assertThatThrownBy(() -> handling.pressTvKey(64)).hasMessage("key must be 0 to 63, not 64");
+        assertThatThrownBy(() -> handling.lighten(-1)).hasMessage("reading must be 0 to 255, not -1");
+        assertThatThrownBy(() -> handling.moveSwitches("12"))
                 .hasMessage("switches must be four characters 0 or 1, not '12'");
     }
 
     @Test
     void aPinIsAnInputOnceItIsReadAndAnOutputOnceItIsSet() {
-        attendant.pinInput(1, true);
+        handling.pinInput(1, true);
         assertThat(desk.ask("2,1,0")).isEqualTo("2");
-        assertThat(attendant.pinLevel(1)).isFalse();
+        assertThat(handling.pinLevel(1)).isFalse();
 
         assertThat(desk.ask("1,1")).isEqualTo("1,1");
-        assertThat(attendant.pinLevel(1)).isTrue();
+        assertThat(handling.pinLevel(1)).isTrue();
     }
 }
