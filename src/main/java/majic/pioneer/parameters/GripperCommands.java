@@ -93,8 +93,7 @@ final class GripperCommands {
     }
 
     private String words() {
-        return state().map(
-                        told -> "gripper " + GripperParameters.paddles(told) + ", lift " + GripperParameters.lift(told))
+        return state().map(now -> "gripper " + GripperParameters.paddles(now) + ", lift " + GripperParameters.lift(now))
                 .orElse("told");
     }
 }

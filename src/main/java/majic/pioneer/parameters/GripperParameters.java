@@ -54,7 +54,7 @@ final class GripperParameters implements ParameterTheme<Equipment> {
     }
 
     private static Value words(Optional<Gripper> gripper, Wording wording) {
-        return gripper.map(told -> Value.text(wording.of(told))).orElse(PioneerAccess.NOT_REPORTED);
+        return gripper.map(state -> Value.text(wording.of(state))).orElse(PioneerAccess.NOT_REPORTED);
     }
 
     static String paddles(Gripper gripper) {

@@ -106,18 +106,18 @@ public final class PioneerSession implements ArcosLine.Listener {
         if (!hasBegun()) {
             inbox.put(packet);
         } else if (packet.isSip()) {
-            heard(Sip.decode(packet));
+            receive(Sip.decode(packet));
         } else if (packet.type() == Config.TYPE) {
             config = Config.decode(packet);
             listener.otherReported();
         } else if (packet.isReset()) {
             end(new LinkLost("connection lost: the robot's controller was reset"));
         } else {
-            heard(ReportDecoder.decode(packet));
+            receive(ReportDecoder.decode(packet));
         }
     }
 
-    private void heard(@Nullable Report report) {
+    private void receive(@Nullable Report report) {
         StateTracker tracking = tracker;
         if (report != null && tracking != null) {
             Reports reports = tracking.add(report);
@@ -131,7 +131,7 @@ public final class PioneerSession implements ArcosLine.Listener {
         }
     }
 
-    private void heard(@Nullable Sip sip) {
+    private void receive(@Nullable Sip sip) {
         StateTracker tracking = tracker;
         if (sip != null && tracking != null) {
             PioneerState now = tracking.track(sip, time.nanos());

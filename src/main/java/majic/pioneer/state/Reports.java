@@ -39,6 +39,6 @@ public final class Reports {
 
     /** What the wheels' encoders have counted, without the roll-over. */
     Optional<EncoderTicks> ticks() {
-        return latest(Encoders.class).map(heard -> ticks);
+        return latest(Encoders.class).map(last -> ticks);
     }
 }
