@@ -30,8 +30,8 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     private final ConnectionLife life;
     private final List<MajicBot> watchers = new CopyOnWriteArrayList<>();
     private final Signal changes;
-    private final Keeper keeper;
-    private final Helm helm;
+    private final RobotTimer timer;
+    private final MotionGate gate;
     private final AtomicLong readings = new AtomicLong();
 
     private volatile BotProfile profile;
@@ -69,8 +69,8 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         this.listeners = new Listeners(this, environment.time());
         this.life = new ConnectionLife(listeners::connectionChanged);
         this.changes = environment.time().signal();
-        this.keeper = new Keeper(environment.time());
-        this.helm = new Helm(this, keeper);
+        this.timer = new RobotTimer(environment.time());
+        this.gate = new MotionGate(this, timer);
         this.name = "the " + type.label();
         SharedParameters.describe(parameters, this);
         pace.describe(parameters);
@@ -91,7 +91,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
             ShutdownHook.add(this);
             if (first) {
                 listeners.start(time(), type.name());
-                keeper.start(type.name());
+                timer.start(type.name());
             }
             listeners.deliver();
             open();
@@ -115,7 +115,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     final MotionReport move(double mm, Guard until, Permit permit) {
         pace.checkMove(mm);
-        return helm.perform(until, permit, motion -> moveBy(mm, motion));
+        return gate.perform(until, permit, motion -> moveBy(mm, motion));
     }
 
     @Override
@@ -125,7 +125,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     final MotionReport turn(double degrees, Guard until, Permit permit) {
         Pace.checkTurn(degrees);
-        return helm.perform(until, permit, motion -> turnBy(degrees, motion));
+        return gate.perform(until, permit, motion -> turnBy(degrees, motion));
     }
 
     @Override
@@ -136,7 +136,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
         Pace.checkDrive(profile, mmPerSec, degPerSec);
         Pace.checkDriveTime(seconds);
-        return helm.drive(mmPerSec, degPerSec, seconds, until, permit);
+        return gate.drive(mmPerSec, degPerSec, seconds, until, permit);
     }
 
     @Override
@@ -146,7 +146,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     final void drive(double mmPerSec, double degPerSec, Permit permit) {
         Pace.checkDrive(profile, mmPerSec, degPerSec);
-        helm.drive(mmPerSec, degPerSec, permit);
+        gate.drive(mmPerSec, degPerSec, permit);
     }
 
     @Override
@@ -159,7 +159,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     /** Ends the leave of everybody who moves this robot now; quick, sends nothing. */
     public final void revokeMotions() {
-        helm.permits().revokeAll(() -> new MotionStopped("stopped"));
+        gate.permits().revokeAll(() -> new MotionStopped("stopped"));
         changes.raise();
     }
 
@@ -186,7 +186,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         }
         boolean open = isConnected();
         if (open) {
-            helm.writeStop();
+            gate.writeStop();
         }
         return open;
     }
@@ -210,7 +210,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         BiFunction<List<Value>, Motion, @Nullable Value> writer = Arguments.writer(entry);
         List<Value> fitted = Arguments.forSet(entry.parameter(), values);
         if (entry.parameter().moves()) {
-            helm.perform(Guard.NEVER, permit, motion -> writer.apply(fitted, motion));
+            gate.perform(Guard.NEVER, permit, motion -> writer.apply(fitted, motion));
         } else {
             requireConnected();
             writer.apply(fitted, new Motion(this, Guard.NEVER, permit));
@@ -229,7 +229,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
             requireConnected();
             return known.action().run(fitted, new Motion(this, Guard.NEVER, permit));
         }
-        MotionReport report = helm.perform(
+        MotionReport report = gate.perform(
                 Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
         return String.valueOf(report.amount());
     }
@@ -281,9 +281,9 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
             return;
         }
         try {
-            keeper.close();
+            timer.close();
             news();
-            helm.end(before == Connection.CONNECTED);
+            gate.end(before == Connection.CONNECTED);
             if (before != Connection.NEW) {
                 shut();
             }
@@ -296,7 +296,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
 
     /** Ends all motions and allows no other; quick, sends nothing. */
     final void revokeForGood(String reason) {
-        helm.permits().close(() -> new BotException(reason));
+        gate.permits().close(() -> new BotException(reason));
         changes.raise();
     }
 
@@ -565,14 +565,14 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     /**
-     * Does something again and again, on the robot's own keeper thread, from now until it is closed.
+     * Does something again and again, on the robot's own timer thread, from now until it is closed.
      *
      * @param what names the duty; one of the same name is replaced
      * @param seconds the period
      * @param task quick; failures are logged
      */
     public final void every(String what, double seconds, Runnable task) {
-        keeper.every(what, seconds, task);
+        timer.every(what, seconds, task);
     }
 
     /**
@@ -614,7 +614,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @param cause how it was lost
      */
     protected final void lost(LinkLost cause) {
-        if (life.lose(cause, () -> helm.lost(cause))) {
+        if (life.lose(cause, () -> gate.lost(cause))) {
             news();
             place().ifPresent(there -> there.linkLost(String.valueOf(cause.getMessage())));
             listeners.deliver();
@@ -627,7 +627,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @return true from a drive until its lease ends
      */
     protected final boolean isDriving() {
-        return helm.isDriving();
+        return gate.isDriving();
     }
 
     /**
@@ -636,7 +636,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      * @return true while the driver may have told the robot to move
      */
     public final boolean isBusy() {
-        return helm.isBusy();
+        return gate.isBusy();
     }
 
     /**
@@ -650,17 +650,17 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     public final Permit permit() {
-        return helm.permits().current();
+        return gate.permits().current();
     }
 
     /** Refuses all motion until {@link #unlatch()}. */
     public final void latch() {
-        helm.permits().latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
+        gate.permits().latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
         changes.raise();
     }
 
     public final void unlatch() {
-        helm.permits().unlatch();
+        gate.permits().unlatch();
     }
 
     /** How the connection was lost; empty also after an attempt to connect that came to nothing. */
@@ -687,7 +687,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     final void underPermit(Permit permit, Runnable write) {
-        helm.send(permit, write);
+        gate.send(permit, write);
     }
 
     /** Makes the news of another robot wake the motions of this one, until {@link #unwatch}. */

@@ -15,8 +15,8 @@ import majic.time.TimeSource;
  * The one thread of a robot that does things when their time has come: watchdog pulses, the end of a drive that was not
  * renewed. Each robot has its own, so that a stuck link delays nobody else's.
  */
-final class Keeper {
-    private static final Logger LOG = System.getLogger(Keeper.class.getName());
+final class RobotTimer {
+    private static final Logger LOG = System.getLogger(RobotTimer.class.getName());
 
     private final TimeSource time;
     private final Signal changed;
@@ -29,13 +29,13 @@ final class Keeper {
         }
     }
 
-    Keeper(TimeSource time) {
+    RobotTimer(TimeSource time) {
         this.time = time;
         this.changed = time.signal();
     }
 
     void start(String name) {
-        time.thread(name + " keeper", () -> Patience.without(this::run)).start();
+        time.thread(name + " timer", () -> Patience.without(this::run)).start();
     }
 
     /** Replaces any duty of the same name. */

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
  * that moves the robot is sent under one lock, together with a look at the permit. A thread that holds it must not wait,
  * least of all for a listener. Thread-safe.
  */
-public final class Helm {
-    private static final Logger LOG = System.getLogger(Helm.class.getName());
+public final class MotionGate {
+    private static final Logger LOG = System.getLogger(MotionGate.class.getName());
 
     /** How long a drive holds without being renewed, seconds. */
     public static final double DRIVE_LEASE_S = 0.6;
@@ -30,7 +30,7 @@ public final class Helm {
     private static final double LATEST_RENEWAL_S = 1.5;
 
     private final MajicBot bot;
-    private final Keeper keeper;
+    private final RobotTimer timer;
     private final Permits permits = new Permits();
     private final Object commandLock = new Object();
     private final AtomicBoolean motionUnderWay = new AtomicBoolean();
@@ -43,9 +43,9 @@ public final class Helm {
         Value run(Motion motion);
     }
 
-    Helm(MajicBot bot, Keeper keeper) {
+    MotionGate(MajicBot bot, RobotTimer timer) {
         this.bot = bot;
-        this.keeper = keeper;
+        this.timer = timer;
     }
 
     Permits permits() {
@@ -174,7 +174,7 @@ public final class Helm {
         send(permit, () -> {
             refuseInMotion();
             driving = true;
-            keeper.once("drive lapse", DRIVE_LEASE_S, this::endDrive);
+            timer.once("drive lapse", DRIVE_LEASE_S, this::endDrive);
             bot.driveAt(mmPerSec, degPerSec);
         });
     }
