@@ -11,7 +11,7 @@ import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import majic.gui.MajicFrame;
-import majic.gui.Patience;
+import majic.gui.WaitPolicy;
 import majic.gui.kit.Surroundings;
 import majic.gui.kit.Surroundings.SerialPortChoice;
 import majic.program.Program;
@@ -60,7 +60,7 @@ final class PictureWindow {
     }
 
     static void awaitWindow(BooleanSupplier condition) {
-        Patience.await("the next picture", condition, PATIENCE_S);
+        WaitPolicy.await("the next picture", condition, PATIENCE_S);
     }
 
     static void click(Container parent, String button) throws Exception {

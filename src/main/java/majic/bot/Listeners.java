@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
-import majic.time.Patience;
 import majic.time.Signal;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 
 /**
  * The listeners of one robot; one that fails does not keep the others from being called. Events are delivered in their
@@ -40,7 +40,7 @@ final class Listeners {
 
     /** Starts the thread that delivers what others must not wait for. It ends after {@link #close()}. */
     void start(TimeSource time, String name) {
-        time.thread(name + " listeners", () -> Patience.without(this::run)).start();
+        time.thread(name + " listeners", () -> WaitPolicy.without(this::run)).start();
     }
 
     private void run() {
@@ -122,7 +122,7 @@ final class Listeners {
 
     /** Delivers what was put, on this thread if it may wait. */
     void deliver() {
-        if (Patience.isAllowed()) {
+        if (WaitPolicy.isAllowed()) {
             events.deliver();
         }
         changed.raise();
@@ -130,7 +130,7 @@ final class Listeners {
 
     /** Keeps the notice ahead of what this thread says next, such as the answer to a command. */
     private void awaitDelivery(long number) {
-        if (!Patience.isAllowed()) {
+        if (!WaitPolicy.isAllowed()) {
             return;
         }
         try {

@@ -1,7 +1,7 @@
 package majic.bot;
 
 import java.util.function.BooleanSupplier;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 
 /**
  * One motion in progress, as its driver sees it. Everything that moves the robot is sent through it and every wait is
@@ -131,7 +131,7 @@ public final class Motion {
             boolean first = readingsSeen < 0;
             readingsSeen = readings;
             try {
-                guardReached = first ? guard.reached() : Patience.without(guard::reached);
+                guardReached = first ? guard.reached() : WaitPolicy.without(guard::reached);
             } catch (MotionStopped e) {
                 throw e;
             } catch (BotException e) {

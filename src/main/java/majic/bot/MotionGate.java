@@ -5,8 +5,8 @@ import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
-import majic.time.Patience;
 import majic.time.Signal;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -207,7 +207,7 @@ public final class MotionGate {
 
     private void locked(Runnable sending) {
         synchronized (commandLock) {
-            Patience.without(sending);
+            WaitPolicy.without(sending);
         }
     }
 
@@ -216,7 +216,7 @@ public final class MotionGate {
      * behind whatever was being sent under a permit that has been revoked meanwhile.
      */
     void writeStop() {
-        Patience.without(this::haltAhead);
+        WaitPolicy.without(this::haltAhead);
         locked(() -> {
             driving = false;
             bot.halt();
@@ -231,7 +231,7 @@ public final class MotionGate {
      */
     void end(boolean connected) {
         if (connected) {
-            Patience.without(this::haltAhead);
+            WaitPolicy.without(this::haltAhead);
         }
         locked(() -> {
             driving = false;

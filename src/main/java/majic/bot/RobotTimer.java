@@ -7,9 +7,9 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
-import majic.time.Patience;
 import majic.time.Signal;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 
 /**
  * The one thread of a robot that does things when their time has come: watchdog pulses, the end of a drive that was not
@@ -35,7 +35,7 @@ final class RobotTimer {
     }
 
     void start(String name) {
-        time.thread(name + " timer", () -> Patience.without(this::run)).start();
+        time.thread(name + " timer", () -> WaitPolicy.without(this::run)).start();
     }
 
     /** Replaces any duty of the same name. */

@@ -5,11 +5,11 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.function.Consumer;
 import majic.link.Link;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 
 /**
  * Reads a link on a daemon thread and passes each message to its handler. The thread delivers the answers of the robot, so
- * it must not wait for one: it runs without {@link Patience}.
+ * it must not wait for one: it runs without {@link WaitPolicy}.
  *
  * <p>Everything thrown, {@link Error} included, is handled alike. What {@link LinkHandler#received} throws is logged and affects
  * that message only: the link stays open, because a stop has to be sent over it and its answer may be the next message. If no
@@ -45,7 +45,7 @@ public final class LinkReader<M> {
      * @param name the name of the thread
      */
     public void start(String name) {
-        Thread reader = new Thread(() -> Patience.without(this::run), name);
+        Thread reader = new Thread(() -> WaitPolicy.without(this::run), name);
         reader.setDaemon(true);
         reader.start();
     }

@@ -42,7 +42,7 @@ import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.PoseOffset;
 import majic.pioneer.state.Ramps;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -231,7 +231,7 @@ public final class MajicPioneer extends MajicBot {
     public void confirmHalt() {
         PioneerSession open = current();
         parameters.halt();
-        if (Patience.isAllowed() && !open.reported().awaitStationary(HALT_S)) {
+        if (WaitPolicy.isAllowed() && !open.reported().awaitStationary(HALT_S)) {
             open.send(ArcosCommand.ESTOP.packet());
             if (!open.reported().awaitStationary(EMERGENCY_S)) {
                 throw new BotException(name() + " has not been seen to stand within " + (int) (HALT_S + EMERGENCY_S)

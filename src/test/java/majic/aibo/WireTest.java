@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -66,7 +66,7 @@ class WireTest {
         dogs.aibo.connect();
         dogs.dog.set("ledF3.val", "0.250000");
 
-        Patience.without(() -> {
+        WaitPolicy.without(() -> {
             assertThat(dogs.aibo.get("ledF3")).hasToString("unknown (the dog tells it only when asked)");
             assertThat(dogs.aibo.get("posture")).hasToString("stand");
             dogs.aibo.set("ledF3", 1);

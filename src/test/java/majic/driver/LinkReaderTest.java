@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -82,7 +82,7 @@ class LinkReaderTest {
         read(new Chunks() {
             @Override
             public void received(String message) {
-                mayWait.add(Patience.isAllowed());
+                mayWait.add(WaitPolicy.isAllowed());
             }
         });
 

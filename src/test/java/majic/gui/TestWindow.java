@@ -245,7 +245,7 @@ public final class TestWindow implements AutoCloseable {
 
     /** Waits for something to become true, and fails if it does not. */
     public void await(String what, BooleanSupplier condition) {
-        Patience.await(what, condition, PATIENCE_S);
+        WaitPolicy.await(what, condition, PATIENCE_S);
     }
 
     @Override

@@ -7,7 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
-import majic.gui.Patience;
+import majic.gui.WaitPolicy;
 import majic.hemisson.panel.LedButton;
 import majic.panel.Banner;
 import org.assertj.swing.core.BasicRobot;
@@ -178,6 +178,6 @@ class HemissonPanelWindowTest {
     }
 
     private static void await(String what, BooleanSupplier condition) {
-        Patience.await(what, condition, PATIENCE_S);
+        WaitPolicy.await(what, condition, PATIENCE_S);
     }
 }

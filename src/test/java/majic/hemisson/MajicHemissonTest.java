@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.charset.StandardCharsets;
 import majic.bot.BotException;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -108,7 +108,7 @@ class MajicHemissonTest {
     void itsFirstReadingsAreThereWhenItIsConnected() {
         bot.connect();
 
-        Patience.without(() -> {
+        WaitPolicy.without(() -> {
             assertThat(bot.get("prox")).hasToString("4, 4, 4, 4, 4, 4, 60, 80");
             assertThat(bot.get("groundLeft")).hasToString("60");
             assertThat(bot.get("light0")).hasToString("220");

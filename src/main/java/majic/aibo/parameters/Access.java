@@ -17,7 +17,7 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 
 /** The way from a parameter to the dog: what it reports anyway, questions, and orders whose end it tells. Thread-safe. */
 public final class Access {
@@ -66,7 +66,7 @@ public final class Access {
     /** What the dog answers to each, in order; unknown with the reason where it gives no number. */
     List<Value> ask(List<String> expressions, DoubleFunction<Value> reading) {
         AiboSession open = session.get();
-        if (!Patience.isAllowed()) {
+        if (!WaitPolicy.isAllowed()) {
             return Collections.nCopies(expressions.size(), NOT_REPORTED);
         }
         UrbiConnection on = open.links().sensors();
@@ -95,7 +95,7 @@ public final class Access {
         UrbiConnection on = open.links().sensors();
         Ask ask = new Ask(tags.next(), Ask.Expects.END);
         on.send(ask, ask.tag() + "+end: " + UrbiCommands.together(commands) + ";");
-        if (!Patience.isAllowed()) {
+        if (!WaitPolicy.isAllowed()) {
             return;
         }
         open.watch().await(() -> on.isEnded() || ask.isDone(), ANSWER_S);

@@ -13,7 +13,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.driver.ParameterTheme;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 
 /** The dog as a whole: posture, motors, what it is. */
 final class BodyParameters implements ParameterTheme<Dialect> {
@@ -39,7 +39,7 @@ final class BodyParameters implements ParameterTheme<Dialect> {
     }
 
     private Value posture() {
-        if (Patience.isAllowed()) {
+        if (WaitPolicy.isAllowed()) {
             return Value.text(access.open().feet().posture());
         }
         String told = senses.posture();

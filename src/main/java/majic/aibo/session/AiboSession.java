@@ -19,7 +19,7 @@ import majic.bot.LinkLost;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.link.Link;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /** Everything that lives from one connect to the end of the connection. */
@@ -167,7 +167,7 @@ public final class AiboSession {
      * @throws UrbiRefusal if the dog gives none, or the thread may not wait for it
      */
     public UrbiValue ask(UrbiConnection on, String expression, double seconds) {
-        if (!Patience.isAllowed()) {
+        if (!WaitPolicy.isAllowed()) {
             throw new UrbiRefusal("the dog tells it only when asked");
         }
         Ask ask = on.ask(tags, expression);

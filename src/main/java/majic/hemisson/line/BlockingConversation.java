@@ -3,8 +3,8 @@ package majic.hemisson.line;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
-import majic.time.Patience;
 import majic.time.Signal;
+import majic.time.WaitPolicy;
 
 /** Waits for what the robot answers, for whoever may wait; never longer than an answer can take. Thread-safe. */
 public final class BlockingConversation {
@@ -27,7 +27,7 @@ public final class BlockingConversation {
      * @throws BotException if there is none; the message says why
      */
     public Reply ask(Question question) {
-        if (!Patience.isAllowed()) {
+        if (!WaitPolicy.isAllowed()) {
             throw new BotException("the robot tells it only when asked");
         }
         return awaited(sessions.conversation().ask(question));
@@ -40,7 +40,7 @@ public final class BlockingConversation {
      */
     public void tell(Question order) {
         Exchange exchange = sessions.conversation().ask(order);
-        if (Patience.isAllowed() || exchange.isDone()) {
+        if (WaitPolicy.isAllowed() || exchange.isDone()) {
             awaited(exchange);
         }
     }

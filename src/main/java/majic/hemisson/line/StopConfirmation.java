@@ -4,8 +4,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.time.Patience;
 import majic.time.Signal;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /** Makes the robot stand and waits until it has confirmed that it does. Thread-safe. */
@@ -52,7 +52,7 @@ public final class StopConfirmation {
      */
     public void confirm() {
         HemissonSession open = sessions.current();
-        if (open == null || !Patience.isAllowed()) {
+        if (open == null || !WaitPolicy.isAllowed()) {
             return;
         }
         Conversation conversation = open.conversation();

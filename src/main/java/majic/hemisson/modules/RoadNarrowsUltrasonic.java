@@ -10,7 +10,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.readings.RobotReadings;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 
 /**
  * The ultrasonic module behind the RoadNarrows firmware, which answers when the echoes are in (Hemisson sheet 10). That
@@ -53,7 +53,7 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
 
     /** The robot measures only when it is asked, so a thread that must not wait gets nothing. */
     private static Value measured(RobotReadings access, Function<List<Value>, Value> reading) {
-        return Patience.isAllowed() ? reading.apply(echoes(access)) : Value.unknown("no echo yet");
+        return WaitPolicy.isAllowed() ? reading.apply(echoes(access)) : Value.unknown("no echo yet");
     }
 
     private static List<Value> echoes(RobotReadings access) {

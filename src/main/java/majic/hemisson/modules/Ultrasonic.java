@@ -11,7 +11,7 @@ import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
 import majic.hemisson.readings.PolledQuestion;
 import majic.hemisson.readings.RobotReadings;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -110,7 +110,7 @@ final class Ultrasonic implements ExtensionModule {
     private Value measured(RobotReadings access, Question read, Function<Reply, Value> reading) {
         access.want(pingAndListen);
         Reply reply = read == FIRST ? access.last(FIRST, RECENT_NANOS) : null;
-        if (reply == null && Patience.isAllowed()) {
+        if (reply == null && WaitPolicy.isAllowed()) {
             reply = ping(access, read);
         }
         return reply == null ? Value.unknown("no echo yet") : reading.apply(reply);

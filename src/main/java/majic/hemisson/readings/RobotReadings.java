@@ -7,8 +7,8 @@ import majic.bot.Value;
 import majic.hemisson.line.BlockingConversation;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
-import majic.time.Patience;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -77,7 +77,7 @@ public final class RobotReadings {
     /** The answer to a question, fresh if there is time to wait for it; null if there is not and it was not heard. */
     @Nullable
     Reply reply(Question question) {
-        boolean mayWait = Patience.isAllowed();
+        boolean mayWait = WaitPolicy.isAllowed();
         Reply last = last(question, mayWait ? FRESH_NANOS : STALE_NANOS);
         return last == null && mayWait ? ask(question) : last;
     }

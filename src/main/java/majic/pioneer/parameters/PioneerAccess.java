@@ -14,7 +14,7 @@ import majic.pioneer.session.PioneerSession;
 import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
-import majic.time.Patience;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /** Connects parameters with the robot: reads its last reports, sends commands and waits for their effect. For all sessions. Thread-safe. */
@@ -65,7 +65,7 @@ public final class PioneerAccess {
             if (hasFresh(open, feed)) {
                 return reader.apply(open.state()).orElse(NOT_REPORTED);
             }
-            return open.subscriptions().isMissing(feed) || Patience.isAllowed() ? NOT_REPORTED : NOTHING_RECENT;
+            return open.subscriptions().isMissing(feed) || WaitPolicy.isAllowed() ? NOT_REPORTED : NOTHING_RECENT;
         });
     }
 
@@ -106,7 +106,7 @@ public final class PioneerAccess {
     void sendAndConfirm(byte[] packet, Predicate<PioneerState> done, String complaint) {
         PioneerSession open = open();
         open.send(packet);
-        if (Patience.isAllowed() && !open.reported().await(done, CONFIRM_S)) {
+        if (WaitPolicy.isAllowed() && !open.reported().await(done, CONFIRM_S)) {
             throw new BotException(complaint + " within " + Value.plain(CONFIRM_S) + " s");
         }
     }

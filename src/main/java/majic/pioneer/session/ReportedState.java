@@ -7,8 +7,8 @@ import majic.bot.LinkLost;
 import majic.bot.MotionStopped;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.PioneerState;
-import majic.time.Patience;
 import majic.time.Signal;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -72,7 +72,7 @@ public final class ReportedState {
             return now != null && condition.test(now);
         };
         try {
-            changes.await(() -> line.hasEnded() || met.getAsBoolean(), Patience.isAllowed() ? seconds : 0);
+            changes.await(() -> line.hasEnded() || met.getAsBoolean(), WaitPolicy.isAllowed() ? seconds : 0);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new MotionStopped("interrupted");

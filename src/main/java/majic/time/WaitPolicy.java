@@ -8,10 +8,10 @@ import java.util.function.BooleanSupplier;
  * cannot be had at once is {@code unknown} to them, and listeners are called on a thread of their own. Drivers ask here
  * before they wait in the reader of a parameter.
  */
-public final class Patience {
+public final class WaitPolicy {
     private static final ThreadLocal<Boolean> DENIED = ThreadLocal.withInitial(() -> false);
 
-    private Patience() {}
+    private WaitPolicy() {}
 
     /**
      * Whether waiting is allowed.

@@ -6,8 +6,8 @@ import org.assertj.swing.timing.Pause;
 import org.assertj.swing.timing.Timeout;
 
 /** Waits for what a window shows. */
-public final class Patience {
-    private Patience() {}
+public final class WaitPolicy {
+    private WaitPolicy() {}
 
     /**
      * Waits for something to become true, and fails if it does not.
