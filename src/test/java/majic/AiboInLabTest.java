@@ -8,7 +8,7 @@ import java.util.List;
 import majic.bot.MajicBot;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.team.Hand;
+import majic.team.ManualControl;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import majic.bot.Pose;
-import majic.team.Hand;
+import majic.team.ManualControl;
 import majic.team.Member;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

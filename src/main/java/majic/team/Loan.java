@@ -15,10 +15,10 @@ import org.jspecify.annotations.Nullable;
 final class Loan {
     private final Owner to;
     private final Permit lease;
-    private final Lane lane;
+    private final CommandQueue lane;
     private Permit round = new Permit();
 
-    Loan(Owner to, Permit lease, Lane lane) {
+    Loan(Owner to, Permit lease, CommandQueue lane) {
         this.to = to;
         this.lease = lease;
         this.lane = lane;
@@ -28,7 +28,7 @@ final class Loan {
         return to;
     }
 
-    Lane lane() {
+    CommandQueue lane() {
         return lane;
     }
 
@@ -52,7 +52,7 @@ final class Loan {
     }
 
     /** Ends what he has ordered so far, because he says so himself; he may order anew. */
-    List<Pending> stop() {
+    List<QueuedCommand> stop() {
         round.revoke(() -> new MotionStopped("stopped"));
         round = new Permit();
         return lane.drop();

@@ -26,7 +26,7 @@ public final class Member implements TeamPlace {
     private final Team team;
     private final int number;
     private final MajicBot bot;
-    private final Lane lane;
+    private final CommandQueue lane;
     private final Tenure tenure;
     private final Stops stops;
     private final AtomicInteger beside = new AtomicInteger();
@@ -36,7 +36,7 @@ public final class Member implements TeamPlace {
         this.team = team;
         this.number = number;
         this.bot = bot;
-        this.lane = new Lane(team, number, bot, () -> mayWork(null));
+        this.lane = new CommandQueue(team, number, bot, () -> mayWork(null));
         this.tenure = new Tenure(number);
         this.stops = new Stops(team, bot, lane, tenure);
     }
@@ -141,7 +141,7 @@ public final class Member implements TeamPlace {
         return laneOf(by).hasRoom();
     }
 
-    private Lane laneOf(@Nullable Owner by) {
+    private CommandQueue laneOf(@Nullable Owner by) {
         Loan his = tenure.loanTo(by);
         return his != null ? his.lane() : lane;
     }
@@ -191,12 +191,12 @@ public final class Member implements TeamPlace {
      *     nothing was queued then
      * @throws MotionStopped if the order moves and who gives it was ended, or has the robot no more; nothing was queued
      */
-    public Pending submit(Order order, @Nullable Owner by) {
-        Pending pending;
-        Lane used;
+    public QueuedCommand submit(Order order, @Nullable Owner by) {
+        QueuedCommand pending;
+        CommandQueue used;
         synchronized (this) {
             check(order.moves(), by);
-            pending = new Pending(order, leaveOf(by));
+            pending = new QueuedCommand(order, leaveOf(by));
             used = laneOf(by);
             used.add(pending);
         }
@@ -211,17 +211,17 @@ public final class Member implements TeamPlace {
      * @return the order under way
      * @throws BotException if {@value #MOST_BESIDE} such orders have not ended yet
      */
-    public Pending runNow(Order order) {
+    public QueuedCommand runNow(Order order) {
         if (beside.incrementAndGet() > MOST_BESIDE) {
             beside.decrementAndGet();
             throw new BotException(number + ": " + MOST_BESIDE + " commands beside its queue have no answer yet; wait");
         }
-        Pending pending = new Pending(order, bot.permit());
+        QueuedCommand pending = new QueuedCommand(order, bot.permit());
         startBeside(pending);
         return pending;
     }
 
-    private void startBeside(Pending pending) {
+    private void startBeside(QueuedCommand pending) {
         Runnable body = () -> {
             try {
                 lane.carryOut(pending);
@@ -286,7 +286,7 @@ public final class Member implements TeamPlace {
      *     out an order, other than the one that lends it
      */
     public void lend(Owner to, Permit lease, @Nullable Owner by) {
-        Loan begun = new Loan(to, lease, new Lane(team, number, bot, () -> mayWork(to)));
+        Loan begun = new Loan(to, lease, new CommandQueue(team, number, bot, () -> mayWork(to)));
         synchronized (this) {
             if (tenure.holder() == by && (stops.areUnderWay() || !lane.isAtRest())) {
                 throw new BotException(number + " is still busy; \"" + number + " wait\" lets it finish first");
@@ -385,11 +385,11 @@ public final class Member implements TeamPlace {
         synchronized (this) {
             stops.end();
         }
-        lanes().forEach(Lane::wake);
+        lanes().forEach(CommandQueue::wake);
         team.changes().raise();
     }
 
-    private synchronized List<Lane> lanes() {
+    private synchronized List<CommandQueue> lanes() {
         return tenure.lanes(lane);
     }
 
@@ -399,12 +399,12 @@ public final class Member implements TeamPlace {
 
     /** Closes the robot, then tells what of its queue is not run. */
     void close() {
-        List<Pending> left;
+        List<QueuedCommand> left;
         synchronized (this) {
             gone = true;
             left = lane.drop();
         }
-        lanes().forEach(Lane::close);
+        lanes().forEach(CommandQueue::close);
         try {
             bot.close();
         } finally {

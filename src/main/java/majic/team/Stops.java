@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 final class Stops {
     private final Team team;
     private final MajicBot bot;
-    private final Lane lane;
+    private final CommandQueue lane;
     private final Tenure tenure;
     private int underWay;
 
@@ -23,7 +23,7 @@ final class Stops {
      * @param lane the robot's own
      * @param tenure who has it
      */
-    Stops(Team team, MajicBot bot, Lane lane, Tenure tenure) {
+    Stops(Team team, MajicBot bot, CommandQueue lane, Tenure tenure) {
         this.team = team;
         this.bot = bot;
         this.lane = lane;
@@ -36,7 +36,7 @@ final class Stops {
      * @param dropped what is to be told as not run
      * @param ended the owners that are to end
      */
-    record Aftermath(Map<Lane, List<Pending>> dropped, List<Owner> ended) {
+    record Aftermath(Map<CommandQueue, List<QueuedCommand>> dropped, List<Owner> ended) {
         void tell() {
             dropped.forEach((from, orders) -> from.tellDropped(orders, "stopped"));
         }
@@ -57,7 +57,7 @@ final class Stops {
      */
     Aftermath begin(@Nullable Owner by) {
         underWay += 2;
-        Map<Lane, List<Pending>> dropped = new LinkedHashMap<>();
+        Map<CommandQueue, List<QueuedCommand>> dropped = new LinkedHashMap<>();
         Loan his = team.isLatched() ? null : tenure.loanTo(by);
         if (his != null) {
             dropped.put(his.lane(), his.stop());

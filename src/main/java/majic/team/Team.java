@@ -75,7 +75,7 @@ public final class Team implements AutoCloseable {
      */
     public Member add(MajicBot bot, OptionalInt wanted) {
         Member member = roster.add(wanted, number -> place(number, bot));
-        bot.addListener(new MemberNews(this, member));
+        bot.addListener(new MemberListener(this, member));
         member.start();
         tell(listener -> listener.added(member));
         return member;

@@ -46,7 +46,7 @@ final class Tenure {
     }
 
     /** In which orders may wait: the robot's own lane, and while it is lent the borrower's. */
-    List<Lane> lanes(Lane own) {
+    List<CommandQueue> lanes(CommandQueue own) {
         return loan == null ? List.of(own) : List.of(own, loan.lane());
     }
 

@@ -2,7 +2,7 @@ package majic.aibo.panel;
 
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.team.Hand;
+import majic.team.ManualControl;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 

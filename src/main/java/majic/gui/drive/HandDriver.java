@@ -7,7 +7,7 @@ import java.util.function.LongSupplier;
 import javax.swing.Timer;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
-import majic.team.Hand;
+import majic.team.ManualControl;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 

@@ -14,7 +14,7 @@ import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Order;
 import majic.team.Owner;
-import majic.team.Pending;
+import majic.team.QueuedCommand;
 import majic.team.Team;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -245,9 +245,9 @@ public final class Execution {
     }
 
     /** Carries an order out beside the queue. */
-    public List<Pending> runNow(List<Member> members, Function<Member, Order> orders) {
+    public List<QueuedCommand> runNow(List<Member> members, Function<Member, Order> orders) {
         List<Order> ready = ready(members, orders);
-        List<Pending> begun = new ArrayList<>();
+        List<QueuedCommand> begun = new ArrayList<>();
         for (int index = 0; index < ready.size(); index++) {
             begun.add(members.get(index).runNow(ready.get(index)));
             track(members.get(index), begun.get(index));
@@ -257,13 +257,13 @@ public final class Execution {
 
     /** As {@link #runNow}; in a pipe or script what follows waits for the answers. */
     public void runToEnd(List<Member> members, Function<Member, Order> orders) {
-        List<Pending> begun = runNow(members, orders);
+        List<QueuedCommand> begun = runNow(members, orders);
         if (manner == Manner.IN_TURN) {
-            await(() -> begun.stream().allMatch(Pending::hasEnded), Double.POSITIVE_INFINITY);
+            await(() -> begun.stream().allMatch(QueuedCommand::hasEnded), Double.POSITIVE_INFINITY);
         }
     }
 
-    private void track(Member member, Pending pending) {
+    private void track(Member member, QueuedCommand pending) {
         lines.add(member, pending);
         if (owner != null) {
             own.add(member, pending);

@@ -11,13 +11,13 @@ import java.util.function.Predicate;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Order;
-import majic.team.Pending;
+import majic.team.QueuedCommand;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps count of orders: which are still under way, and whether one did not come to a good end. Thread-safe. */
 public final class QueuedCommands {
-    private final Map<Pending, Member> open = new LinkedHashMap<>();
-    private final Set<Pending> forgiven = new HashSet<>();
+    private final Map<QueuedCommand, Member> open = new LinkedHashMap<>();
+    private final Set<QueuedCommand> forgiven = new HashSet<>();
     private Optional<Trouble> trouble = Optional.empty();
 
     /**
@@ -30,7 +30,7 @@ public final class QueuedCommands {
     record Trouble(
             Answer.Outcome outcome, String text, @Nullable Member robot) {}
 
-    synchronized void add(Member member, Pending pending) {
+    synchronized void add(Member member, QueuedCommand pending) {
         look();
         open.put(pending, member);
     }
@@ -64,12 +64,12 @@ public final class QueuedCommands {
     /** Whether an order of some kind is still under way. */
     synchronized boolean hasOpen(Predicate<Order> kind) {
         look();
-        return open.keySet().stream().map(Pending::order).anyMatch(kind);
+        return open.keySet().stream().map(QueuedCommand::order).anyMatch(kind);
     }
 
     private void look() {
-        for (Iterator<Map.Entry<Pending, Member>> all = open.entrySet().iterator(); all.hasNext(); ) {
-            Map.Entry<Pending, Member> entry = all.next();
+        for (Iterator<Map.Entry<QueuedCommand, Member>> all = open.entrySet().iterator(); all.hasNext(); ) {
+            Map.Entry<QueuedCommand, Member> entry = all.next();
             Answer.Outcome outcome = entry.getKey().outcome();
             if (outcome == null) {
                 continue;
@@ -82,7 +82,7 @@ public final class QueuedCommands {
         }
     }
 
-    private void note(Pending pending, Answer.Outcome outcome, Member robot) {
+    private void note(QueuedCommand pending, Answer.Outcome outcome, Member robot) {
         if (outcome != Answer.Outcome.DONE && !forgiven.contains(pending) && trouble.isEmpty()) {
             trouble = Optional.of(
                     new Trouble(outcome, robot.number() + " " + pending.order().text(), robot));

@@ -4,13 +4,13 @@ import majic.bot.Permit;
 import org.jspecify.annotations.Nullable;
 
 /** An order that was accepted. Thread-safe; who waits for it, waits at {@link Team#changes()}. */
-public final class Pending {
+public final class QueuedCommand {
     private final Order order;
     private final Permit permit;
     private volatile Answer.@Nullable Outcome outcome;
     private volatile boolean ended;
 
-    Pending(Order order, Permit permit) {
+    QueuedCommand(Order order, Permit permit) {
         this.order = order;
         this.permit = permit;
     }

@@ -4,11 +4,11 @@ import majic.bot.BotListener;
 import majic.bot.MajicBot;
 
 /** Hands on to the team's listeners what one of its robots says and what becomes of its link. */
-final class MemberNews implements BotListener {
+final class MemberListener implements BotListener {
     private final Team team;
     private final Member member;
 
-    MemberNews(Team team, Member member) {
+    MemberListener(Team team, Member member) {
         this.team = team;
         this.member = member;
     }

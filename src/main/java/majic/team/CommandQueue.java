@@ -14,14 +14,14 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /** Orders to one robot that are carried out one after the other, by a thread of their own. Thread-safe. */
-final class Lane {
+final class CommandQueue {
     private final Team team;
     private final int robot;
     private final MajicBot bot;
     private final BooleanSupplier mayWork;
     private final Signal work;
-    private final Deque<Pending> queue = new ArrayDeque<>();
-    private @Nullable Pending current;
+    private final Deque<QueuedCommand> queue = new ArrayDeque<>();
+    private @Nullable QueuedCommand current;
     private @Nullable Thread worker;
     private boolean closed;
 
@@ -33,7 +33,7 @@ final class Lane {
      * @param bot the robot
      * @param mayWork whether an order may be begun now; asked again after {@link #wake()}
      */
-    Lane(Team team, int robot, MajicBot bot, BooleanSupplier mayWork) {
+    CommandQueue(Team team, int robot, MajicBot bot, BooleanSupplier mayWork) {
         this.team = team;
         this.robot = robot;
         this.bot = bot;
@@ -62,7 +62,7 @@ final class Lane {
         return queue.size() < Member.QUEUE_DEPTH;
     }
 
-    synchronized void add(Pending pending) {
+    synchronized void add(QueuedCommand pending) {
         queue.add(pending);
     }
 
@@ -72,14 +72,14 @@ final class Lane {
     }
 
     /** Takes out all orders that were not begun. */
-    synchronized List<Pending> drop() {
-        List<Pending> dropped = new ArrayList<>(queue);
+    synchronized List<QueuedCommand> drop() {
+        List<QueuedCommand> dropped = new ArrayList<>(queue);
         queue.clear();
         return dropped;
     }
 
     /** Says of orders that were dropped that they are not carried out. */
-    void tellDropped(List<Pending> dropped, String because) {
+    void tellDropped(List<QueuedCommand> dropped, String because) {
         dropped.forEach(pending -> tell(pending, Ending.of(Answer.Outcome.NOT_RUN, pending, "not run: " + because)));
     }
 
@@ -95,7 +95,7 @@ final class Lane {
         try {
             while (!isClosed()) {
                 work.await(() -> isClosed() || (mayWork.getAsBoolean() && hasOrders()), Signal.FOR_EVER);
-                Pending next = next();
+                QueuedCommand next = next();
                 if (next != null) {
                     settle(next, attempt(next));
                 }
@@ -113,19 +113,19 @@ final class Lane {
         return !queue.isEmpty();
     }
 
-    private synchronized @Nullable Pending next() {
+    private synchronized @Nullable QueuedCommand next() {
         current = closed ? null : queue.poll();
         return current;
     }
 
     /** Carries out an order that does not stand in the queue, so nothing stands behind it. */
-    void carryOut(Pending pending) {
+    void carryOut(QueuedCommand pending) {
         tell(pending, attempt(pending));
     }
 
     /** What failed takes along what is queued behind it by then; what is ordered in answer to the failure runs. */
-    private void settle(Pending pending, Ending ending) {
-        List<Pending> dropped = List.of();
+    private void settle(QueuedCommand pending, Ending ending) {
+        List<QueuedCommand> dropped = List.of();
         if (ending.outcome() == Answer.Outcome.FAILED) {
             synchronized (this) {
                 dropped = drop();
@@ -140,7 +140,7 @@ final class Lane {
         team.changes().raise();
     }
 
-    private Ending attempt(Pending pending) {
+    private Ending attempt(QueuedCommand pending) {
         try {
             BotControl control = new PermittedControl(bot, pending::permit);
             List<String> answers = pending.order().job().carryOut(control);
@@ -155,7 +155,7 @@ final class Lane {
         }
     }
 
-    private void tell(Pending pending, Ending ending) {
+    private void tell(QueuedCommand pending, Ending ending) {
         Object asker = pending.order().asker();
         ending.answers().forEach(line -> team.answer(new Answer(robot, ending.outcome(), robot + " " + line, asker)));
         pending.end(ending.outcome());
@@ -164,7 +164,7 @@ final class Lane {
 
     /** How an order ended, and what is to be said of it. */
     private record Ending(Answer.Outcome outcome, List<String> answers) {
-        static Ending of(Answer.Outcome outcome, Pending pending, String how) {
+        static Ending of(Answer.Outcome outcome, QueuedCommand pending, String how) {
             return new Ending(outcome, List.of(pending.order().text() + ": " + how));
         }
     }
