@@ -92,7 +92,7 @@ class AiboInLabTest {
     void whoWalksTheDogByHandHasItsJointsToo() throws InterruptedException {
         try (LabRig rig = LabRig.exact()) {
             rig.add("aibo");
-            try (Hand hand = new Hand(rig.team().member(1))) {
+            try (ManualControl hand = new ManualControl(rig.team().member(1))) {
                 hand.drive(60, 0);
 
                 assertThat(rig.run("1 set headPan 20", "1 set posture sit", "1 urbi \"headPan.val = 20\""))

@@ -60,7 +60,7 @@ class SavedSessionInLabTest {
             lab.run("add sim:pioneer");
             Pose start = lab.truePose("pioneer");
             Member member = lab.team().member(1);
-            Hand hand = new Hand(member);
+            ManualControl hand = new ManualControl(member);
             for (int tick = 0; tick < 20; tick++) {
                 hand.drive(200, tick < 10 ? 0 : 20);
                 lab.lab().time().sleep(0.15);

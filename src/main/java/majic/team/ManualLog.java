@@ -8,7 +8,7 @@ import majic.bot.MotionGate;
 import majic.time.TimeSource;
 
 /**
- * Collects what a {@link Hand} sends to its robot, as commands that do it again: equal drives that follow one another are
+ * Collects what a {@link ManualControl} sends to its robot, as commands that do it again: equal drives that follow one another are
  * one command with a time. No time is rounded up, and a drive that expired counts until then. Used by one thread.
  */
 final class ManualLog {

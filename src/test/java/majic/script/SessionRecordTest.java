@@ -225,7 +225,7 @@ class SessionRecordTest {
     @Test
     void drivingByHandIsReplayedAsDrives() throws Exception {
         addTwo();
-        Hand hand = new Hand(desk.team.member(1));
+        ManualControl hand = new ManualControl(desk.team.member(1));
         for (int tick = 0; tick < 10; tick++) {
             hand.drive(200, tick < 4 ? 0 : 15.5);
             desk.pause(0.15);
@@ -240,7 +240,7 @@ class SessionRecordTest {
     @Test
     void aDriveByHandThatExpiredCountsUntilThen() throws Exception {
         addTwo();
-        Hand hand = new Hand(desk.team.member(1));
+        ManualControl hand = new ManualControl(desk.team.member(1));
         hand.drive(200, 0);
         desk.pause(5);
         hand.close();
@@ -251,7 +251,7 @@ class SessionRecordTest {
     @Test
     void whatASliderSetIsKept() throws Exception {
         addTwo();
-        Hand hand = new Hand(desk.team.member(1));
+        ManualControl hand = new ManualControl(desk.team.member(1));
         hand.set("headPan", 12.5);
         hand.finish();
         desk.pause(1);

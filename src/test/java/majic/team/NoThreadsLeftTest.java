@@ -97,7 +97,7 @@ class NoThreadsLeftTest {
         join();
         time.exhausted = true;
 
-        assertThatThrownBy(() -> new Hand(team.member(1))).hasMessageContaining("no thread left");
+        assertThatThrownBy(() -> new ManualControl(team.member(1))).hasMessageContaining("no thread left");
         assertThat(team.member(1).owner()).isNull();
     }
 

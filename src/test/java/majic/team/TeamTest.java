@@ -258,7 +258,7 @@ class TeamTest {
     @Test
     void aHandThatFallsSilentLeavesTheRobotStanding() throws InterruptedException {
         FakeBot bot = join();
-        Hand hand = new Hand(team.member(1));
+        ManualControl hand = new ManualControl(team.member(1));
         hand.drive(200, 0);
         clock.time().sleep(1);
 
@@ -273,7 +273,7 @@ class TeamTest {
         join();
         team.member(1).submit(move(3000), null);
 
-        assertThatThrownBy(() -> new Hand(team.member(1))).hasMessage("1 is busy; \"1 stop\" ends it");
+        assertThatThrownBy(() -> new ManualControl(team.member(1))).hasMessage("1 is busy; \"1 stop\" ends it");
     }
 
     @Test

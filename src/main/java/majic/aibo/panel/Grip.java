@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Grip {
     private final MajicBot bot;
-    private @Nullable Hand hand;
+    private @Nullable ManualControl hand;
     private boolean dragging;
     private boolean held;
 
@@ -48,7 +48,7 @@ final class Grip {
         }
         Member.of(bot).ifPresent(member -> {
             try {
-                hand = new Hand(member);
+                hand = new ManualControl(member);
                 hand.set(joint, degrees);
             } catch (BotException e) {
                 hand = null;

@@ -28,7 +28,7 @@ final class HandDriver {
     private final HeldKeys keys = new HeldKeys();
     private final Timer ticks = new Timer(TICK_MS, event -> tick());
     private @Nullable Direction pointed;
-    private @Nullable Hand hand;
+    private @Nullable ManualControl hand;
     private Set<Direction> driven = Set.of();
     private long renewedMs;
     private long letGoMs = Long.MIN_VALUE / 2;
@@ -112,7 +112,7 @@ final class HandDriver {
 
     private boolean take() {
         try {
-            hand = new Hand(member);
+            hand = new ManualControl(member);
             return true;
         } catch (BotException e) {
             if (clockMs.getAsLong() - letGoMs > CHANGE_OF_HANDS_MS) {

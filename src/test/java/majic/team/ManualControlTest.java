@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** A hand that sets what moves; how it drives is in {@link TeamTest}. */
 @Timeout(20)
-class HandTest {
+class ManualControlTest {
     private final TestClock clock = new TestClock();
     private final Team team = new Team(clock.time());
     private final List<String> notices = Collections.synchronizedList(new ArrayList<>());
@@ -44,7 +44,7 @@ class HandTest {
 
     @Test
     void whatWasSetIsDoneAndThenTheRobotIsFree() throws InterruptedException {
-        Hand hand = new Hand(member);
+        ManualControl hand = new ManualControl(member);
         hand.set("headPan", 10);
         hand.finish();
 
@@ -56,16 +56,16 @@ class HandTest {
 
     @Test
     void aRobotInTheHandIsNobodyElses() {
-        Hand hand = new Hand(member);
+        ManualControl hand = new ManualControl(member);
 
         assertThatThrownBy(() -> member.check(true, null)).hasMessageContaining("driven by hand");
-        assertThatThrownBy(() -> new Hand(member)).hasMessageContaining("driven by hand");
+        assertThatThrownBy(() -> new ManualControl(member)).hasMessageContaining("driven by hand");
         hand.close();
     }
 
     @Test
     void aStopEndsTheHandForGood() throws InterruptedException {
-        Hand hand = new Hand(member);
+        ManualControl hand = new ManualControl(member);
         team.stop(List.of(member), null);
 
         assertThat(team.changes().await(hand::isOff, 5)).isTrue();
@@ -77,12 +77,12 @@ class HandTest {
     void whileStopIsLatchedThereIsNoHand() {
         team.stopAll();
 
-        assertThatThrownBy(() -> new Hand(member)).hasMessageContaining("STOP is latched");
+        assertThatThrownBy(() -> new ManualControl(member)).hasMessageContaining("STOP is latched");
     }
 
     @Test
     void whatGoesWrongIsSaidAndTheRobotLetGo() throws InterruptedException {
-        Hand hand = new Hand(member);
+        ManualControl hand = new ManualControl(member);
         hand.set("headPan", 500);
 
         assertThat(team.changes().await(hand::isOff, 5)).isTrue();

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * held, {@link #set} while a slider is dragged, from the event thread: neither blocks, and of what comes faster than the
  * robot follows the newest counts. When the drives end, for whatever reason, the robot stands 600 ms later. Thread-safe.
  */
-public final class Hand implements AutoCloseable {
+public final class ManualControl implements AutoCloseable {
     private static final String DRIVE = "";
 
     private final Member member;
@@ -35,7 +35,7 @@ public final class Hand implements AutoCloseable {
      * @param member which robot
      * @throws BotException if a script or act has it, it has orders in its queue, or STOP is latched
      */
-    public Hand(Member member) {
+    public ManualControl(Member member) {
         this.member = member;
         this.owner = new Owner(Owner.Kind.HAND, "the hand", this::release);
         this.wanted = member.bot().time().signal();
