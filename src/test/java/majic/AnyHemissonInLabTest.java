@@ -77,7 +77,7 @@ class AnyHemissonInLabTest {
     }
 
     @Test
-    void aRobotThatDancesIsToldOfAndItsMotionEndsWithTheReason() throws Exception {
+    void aDancingRobotCausesAWarningAndItsMotionEndsWithTheReason() throws Exception {
         try (LabRig rig = LabRig.exactWithHemisson("kteam+switches=1011+overrun")) {
             MajicBot bot = rig.session().factory().create("sim:hemisson");
             List<String> notices = new CopyOnWriteArrayList<>();

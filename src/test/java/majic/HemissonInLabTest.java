@@ -101,7 +101,7 @@ class HemissonInLabTest {
     }
 
     @Test
-    void halvedMessagesAreNoticedByNobody() throws Exception {
+    void halvedMessagesHaveNoEffect() throws Exception {
         open(LabOptions.exactOnFreePorts());
         lab.faults("hemisson").halfPackets();
         Pose before = pose();
@@ -113,7 +113,7 @@ class HemissonInLabTest {
     }
 
     @Test
-    void aCutLineIsToldAndTheNextConnectionStopsTheRobot() throws Exception {
+    void aCutLineIsReportedAndTheNextConnectionStopsTheRobot() throws Exception {
         open(LabOptions.exactOnFreePorts());
         after(1, () -> lab.faults("hemisson").cut());
         assertThatThrownBy(() -> bot.move(1500)).isInstanceOf(LinkLost.class).hasMessageContaining("lift it");

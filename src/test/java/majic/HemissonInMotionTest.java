@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a robot without a watchdog hears while it moves: something all the while, nothing long, and a stop at once. */
+/** The questions to a moving robot without a watchdog: never a long pause, never a long question, and a stop at once. */
 @Timeout(120)
 class HemissonInMotionTest {
     private static final String WITH_ALL_MODULES = "kteam+camera+ultrasonic+speech+lcd+io+overrun+paced";
@@ -76,7 +76,7 @@ class HemissonInMotionTest {
     }
 
     @Test
-    void aRobotThatMissesAnAnswerHearsNothingButStopsUntilItAnswers() throws InterruptedException {
+    void aRobotThatMissesAnAnswerIsSentNothingButStopsUntilItAnswers() throws InterruptedException {
         connect("kteam+paced");
         after(1, () -> rig.lab().simulators().faults("hemisson").outage(3.7));
 

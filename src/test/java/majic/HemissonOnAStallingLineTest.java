@@ -43,7 +43,7 @@ class HemissonOnAStallingLineTest {
 
         bot.drive(100, 0, 3, Guard.NEVER);
 
-        assertItStandsAndHears();
+        assertItIsStoppedAndAnswers();
     }
 
     @ParameterizedTest
@@ -61,18 +61,18 @@ class HemissonOnAStallingLineTest {
         "1.24, 1.5",
         "1.64, 1.5"
     })
-    void whateverAStallHoldsTheRobotHearsTheStopBehindIt(double begin, double seconds) throws InterruptedException {
+    void whateverAStallHoldsTheRobotReceivesTheStopBehindIt(double begin, double seconds) throws InterruptedException {
         stall(begin, seconds);
 
         driveInto(begin + 2);
         rig.lab().time().sleep(seconds);
 
-        assertItStandsAndHears();
+        assertItIsStoppedAndAnswers();
     }
 
     @ParameterizedTest
     @CsvSource({"1, 2.7", "1.2, 2.7", "1.64, 2.7", "1.02, 3.7", "1.64, 3.7"})
-    void itStandsBehindALongStallThoughItMayHearNothingMore(double begin, double seconds) throws InterruptedException {
+    void itIsStoppedAfterALongStallThoughItMayBeDeaf(double begin, double seconds) throws InterruptedException {
         stall(begin, seconds);
 
         driveInto(begin + 2);
@@ -92,7 +92,7 @@ class HemissonOnAStallingLineTest {
         assertThatThrownBy(() -> bot.drive(100, 0, 20, Guard.NEVER)).isInstanceOf(MotionStopped.class);
         rig.lab().time().sleep(seconds);
 
-        assertItStandsAndHears();
+        assertItIsStoppedAndAnswers();
     }
 
     @Test
@@ -104,7 +104,7 @@ class HemissonOnAStallingLineTest {
         assertThatThrownBy(() -> bot.drive(100, 0, 20, Guard.NEVER)).isInstanceOf(MotionStopped.class);
         rig.lab().time().sleep(1.5);
 
-        assertItStandsAndHears();
+        assertItIsStoppedAndAnswers();
     }
 
     private void driveInto(double longestSeconds) {
@@ -115,7 +115,7 @@ class HemissonOnAStallingLineTest {
         }
     }
 
-    private void assertItStandsAndHears() throws InterruptedException {
+    private void assertItIsStoppedAndAnswers() throws InterruptedException {
         rig.lab().time().sleep(0.2);
         Pose stands = rig.truePose("hemisson");
         assertThat(bot.isConnected()).isTrue();

@@ -11,7 +11,7 @@ import majic.hemisson.line.Conversation;
 import majic.time.TimeSource;
 import org.slf4j.LoggerFactory;
 
-/** Records what a Hemisson's driver writes and hears, and when by the lab's clock, from what it logs of that. */
+/** Records what a Hemisson's driver sends and receives, with the times of the lab's clock, from its log. */
 final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoCloseable {
     /** One command or one answer, without its end. */
     record Said(long nanos, boolean byDriver, String text) {}

@@ -23,8 +23,8 @@ import org.openjdk.jmh.annotations.Warmup;
  * How long a question and its answer take over a pseudo-terminal, beside a bare loop of jSerialComm that writes and reads
  * the same bytes at another one of the same kind.
  *
- * <p>Read: p0.50 and p0.99 of {@link #ask} beside those of {@link #bareLoop}. The difference is one thread that wakes
- * another: the reader, which has to serve everybody, wakes who asked. Of the driver's own looks, ten a second, one may
+ * <p>Compare p0.50 and p0.99 of {@link #ask} with those of {@link #bareLoop}. The difference is one thread that wakes
+ * another: the reader, which serves all threads, wakes the one that asked. One of the driver's own polls, ten a second, may
  * come before a question.
  */
 @State(Scope.Thread)

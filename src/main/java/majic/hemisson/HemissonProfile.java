@@ -6,7 +6,7 @@ import majic.hemisson.line.MotorValues;
 import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.readings.Clearance;
 
-/** Size and pace of a Hemisson. */
+/** Size and speeds of a Hemisson. */
 final class HemissonProfile {
     private static final double CRUISE_MM_PER_S = 42;
     private static final double CRUISE_TURN_DEG_PER_S = 53;
@@ -14,7 +14,7 @@ final class HemissonProfile {
 
     private HemissonProfile() {}
 
-    /** By its calibration. */
+    /** The profile for a calibration. */
     static BotProfile of(SpeedTable table) {
         double fastest = table.fastestMmPerSec();
         double fastestSpin = table.spinDegPerSec(MotorValues.MAX);

@@ -13,7 +13,7 @@ import majic.hemisson.parameters.LedsAndBuzzer;
 import majic.hemisson.readings.PolledAnswers;
 import org.jspecify.annotations.Nullable;
 
-/** Collects what the panel shows, from what is known of the robot now; asks it nothing. Thread-safe. */
+/** Collects what the panel shows from the state of the driver; sends nothing. Thread-safe. */
 final class HemissonScenes {
     /** A light reading older than this is not shown. */
     private static final double FRESH_S = 3;

@@ -30,7 +30,7 @@ public final class HemissonType implements BotType {
         return List.of(Reach.SERIAL, Reach.TCP);
     }
 
-    /** Serial servers have no usual port. */
+    /** 0, because serial servers have no usual port. */
     @Override
     public int defaultPort() {
         return 0;

@@ -35,13 +35,13 @@ import majic.hemisson.readings.RobotReadings;
 
 /**
  * A K-Team Hemisson. It has neither encoders nor a watchdog: motions are timed, positions are estimates, and a robot
- * whose link is lost keeps driving. Therefore it is asked something all the while it moves, told to stand again and
- * again from the first missed answer, and told to stand at every close.
+ * whose connection is lost keeps driving. Therefore it is polled all the time while it moves, and the stop is repeated
+ * from the first missed answer until it is confirmed, and at every close.
  *
  * <p>Conventions as in {@link MajicBot}; safe from any thread.
  */
 public final class MajicHemisson extends MajicBot {
-    /** How often overdue answers are looked for, and how often a moving robot is asked what it sees, seconds. */
+    /** How often overdue answers are checked, and a moving robot is polled, seconds. */
     private static final double TICK_S = 0.05;
 
     private final Pins pins = new Pins();
@@ -56,21 +56,21 @@ public final class MajicHemisson extends MajicBot {
     private volatile Modules modules = Modules.NONE;
 
     /**
-     * Makes a driver that lives by the system's clock and remembers nothing.
+     * Creates a driver with the system's clock and without settings.
      *
      * @param address as a user types it: {@code hemisson:/dev/ttyUSB0}, {@code hemisson://host:port}
-     * @throws BotException if the address is none
+     * @throws BotException if the address is not valid
      */
     public MajicHemisson(String address) {
         this(BotAddress.parse(address).rest(), BotEnvironment.plain());
     }
 
     /**
-     * Makes a driver, without touching the robot.
+     * Creates a driver; sends nothing to the robot.
      *
      * @param address the name of a serial port, {@code tcp://host:port} or {@code //host:port}
-     * @param environment its clock, and the settings its calibration is kept in
-     * @throws BotException if the address is none; the message says what one looks like
+     * @param environment its clock, and the settings that keep its calibration
+     * @throws BotException if the address is not valid; the message shows the valid forms
      */
     public MajicHemisson(String address, BotEnvironment environment) {
         super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
@@ -112,7 +112,7 @@ public final class MajicHemisson extends MajicBot {
         overseer.watch();
     }
 
-    /** Takes over what is plugged in. */
+    /** Describes the modules that are plugged in. */
     void equip(Modules found) {
         modules = found;
         table().renew(fresh -> found.describe(fresh, access));
@@ -143,7 +143,7 @@ public final class MajicHemisson extends MajicBot {
         motions.drive(calibration.table().curve(mmPerSec, degPerSec));
     }
 
-    /** Motors take whole values, so it is seldom quite what was wanted. */
+    /** Motor values are whole numbers, so speeds are seldom exactly those requested. */
     @Override
     protected Value driven() {
         return Value.text(calibration.table().words(motions.driven()));
@@ -223,7 +223,7 @@ public final class MajicHemisson extends MajicBot {
         }
     }
 
-    /** How fast it goes while it is calibrated. */
+    /** The usual speeds, which are the ones to calibrate. */
     private final class Cruise implements SpeedCalibrationRun.Pace {
         @Override
         public double mmPerSec() {

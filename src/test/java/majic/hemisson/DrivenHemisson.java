@@ -48,7 +48,7 @@ final class DrivenHemisson implements AutoCloseable {
         return notices;
     }
 
-    /** Does something to the robot as soon as it was told to drive. */
+    /** Runs an action as soon as the robot has received the command to drive. */
     CompletableFuture<Void> onceItMoves(Runnable deed) {
         return robot.clock().aside(() -> {
             await(() -> robot.count("D,3,3") == 1);
@@ -72,7 +72,7 @@ final class DrivenHemisson implements AutoCloseable {
         }
     }
 
-    /** Hears everything, but answers nothing any more from the first motion on. */
+    /** Receives everything, but answers nothing from the first motion on. */
     void fallSilentWhenMoving() {
         robot.answer('D', command -> {
             robot.fallSilent(!command.equals("D,0,0"));
@@ -80,12 +80,12 @@ final class DrivenHemisson implements AutoCloseable {
         });
     }
 
-    /** Whether the robot was told to drive, and has not heard a stop since. */
+    /** Whether the robot has received a command to drive, and no stop since. */
     boolean isMoving() {
         return robot.count("D,3,3") > 0 && !afterMotion().contains("D,0,0");
     }
 
-    /** What the robot heard behind the first motion. */
+    /** The commands that the robot received after the first motion. */
     List<String> afterMotion() {
         List<String> all = robot.commands();
         return all.subList(all.indexOf("D,3,3") + 1, all.size());

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The Hemisson's tab in a real window, clicked with a real mouse, before a peer that answers as told. */
+/** The Hemisson's tab in a real window, clicked with a real mouse, before a peer with scripted answers. */
 @Timeout(60)
 class HemissonPanelWindowTest {
     private static final int PATIENCE_S = 15;
@@ -72,7 +72,7 @@ class HemissonPanelWindowTest {
     }
 
     @Test
-    void aRefusedClickIsToldInWordsAndTheLampStaysAsItWas() {
+    void aRefusedClickShowsTheCauseAndTheLedStaysAsItWas() {
         peer.answer('L', command -> "Unknown Command ?!");
 
         click("ledRight");
@@ -140,7 +140,7 @@ class HemissonPanelWindowTest {
     }
 
     @Test
-    void aLinkLostWhileItStandsIsNoAlarm() throws Exception {
+    void aConnectionLostWhileItIsStationaryIsNoAlarm() throws Exception {
         peer.hangUp();
 
         await("the loss", () -> !bot.isConnected());

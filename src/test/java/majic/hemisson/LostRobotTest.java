@@ -33,7 +33,7 @@ class LostRobotTest {
     }
 
     @Test
-    void fromTheFirstMissedAnswerWhileItMovesItIsToldToStandAgainAndAgain() {
+    void fromTheFirstMissedAnswerInMotionTheStopIsRepeated() {
         bot.connect();
         pair.fallSilentWhenMoving();
 
@@ -61,7 +61,7 @@ class LostRobotTest {
     }
 
     @Test
-    void aRobotThatWasLostAndStandsAgainIsClosedWithoutAnAlarm() {
+    void aLostRobotThatConfirmsTheStopIsClosedWithoutAnAlarm() {
         bot.connect();
         pair.fallSilentWhenMoving();
         assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(BotException.class);

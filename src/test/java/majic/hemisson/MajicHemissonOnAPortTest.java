@@ -62,7 +62,7 @@ class MajicHemissonOnAPortTest {
     }
 
     @Test
-    void aSecondDriverIsToldThatThePortIsInUse() {
+    void aSecondDriverFailsBecauseThePortIsInUse() {
         try (MajicHemisson second = new MajicHemisson("hemisson:" + robot.name())) {
             assertThatThrownBy(second::connect)
                     .isInstanceOf(BotException.class)

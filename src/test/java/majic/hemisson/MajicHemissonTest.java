@@ -11,7 +11,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** How a robot is taken over and let go, and what it tells of itself. */
+/** Connecting, closing, and the values that the robot reports. */
 @Timeout(20)
 class MajicHemissonTest {
     private DrivenHemisson pair;
@@ -118,7 +118,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void aGreetingThatWasLeftInABufferIsNotTakenForARobotThatStands() {
+    void anOldGreetingFromABufferIsNotTakenForAStoppedRobot() {
         robot.greetWith(DrivenHemisson.GREETING.getBytes(StandardCharsets.ISO_8859_1));
         robot.answer('I', command -> "i,1,1,1,0");
         robot.answer('E', command -> "e,05,05");
@@ -130,7 +130,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void aGreetingInMidSessionIsToldWithWhatItsMotorsDo() {
+    void aGreetingDuringASessionIsReportedWithTheStateOfTheMotors() {
         bot.connect();
         pair.switchOffAndOn();
         pair.await(() -> !pair.notices().isEmpty());

@@ -117,7 +117,7 @@ class ModulesTest {
     }
 
     @Test
-    void onlyRawWritingBelongsToWhoeverMovesTheRobot() {
+    void onlyRawWritingNeedsThePermissionToMove() {
         assertThat(bot.commands())
                 .filteredOn(command -> command.name().startsWith("i2c"))
                 .extracting(BotCommand::name, BotCommand::moves)

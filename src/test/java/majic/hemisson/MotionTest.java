@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Motions of a robot that does what it is told. */
+/** Motions of a robot that obeys. */
 @Timeout(20)
 class MotionTest {
     private DrivenHemisson pair;

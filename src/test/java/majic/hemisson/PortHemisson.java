@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.UnaryOperator;
 import majic.link.PseudoTerminal;
 
-/** A Hemisson at the other end of a serial port of the system; remembers what it heard. */
+/** A Hemisson at the other end of a serial port of the system; records what it received. */
 final class PortHemisson implements AutoCloseable {
     private final PseudoTerminal plug = new PseudoTerminal();
     private final List<String> heard = new CopyOnWriteArrayList<>();
@@ -51,7 +51,7 @@ final class PortHemisson implements AutoCloseable {
         await(moving);
     }
 
-    /** Waits until it was told to stand after it moved. */
+    /** Waits until it has received a stop after it moved. */
     void awaitStop() {
         await(standing);
     }

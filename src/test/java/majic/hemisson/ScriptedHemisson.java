@@ -24,7 +24,7 @@ import majicsim.net.LineCount;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A peer behind a loopback socket that answers commands as told, and remembers what it heard and when. Its clock steps,
+ * A peer behind a loopback socket that answers commands by a script, and records what it received and when. Its clock steps,
  * unless a window is to be used with it.
  */
 final class ScriptedHemisson implements AutoCloseable {

@@ -6,9 +6,9 @@ import majic.bot.MotionStopped;
 import majic.time.Signal;
 import majic.time.WaitPolicy;
 
-/** Waits for what the robot answers, for whoever may wait; never longer than an answer can take. Thread-safe. */
+/** Sends questions and blocks until they are answered, never longer than an answer can take. Thread-safe. */
 public final class BlockingConversation {
-    /** The longest wait for an answer: two tries over Bluetooth, and somebody else's before it, seconds. */
+    /** The longest wait for an answer: two tries over Bluetooth, behind another question, seconds. */
     private static final double LONGEST_S = 4;
 
     private final CurrentSession sessions;
@@ -22,9 +22,9 @@ public final class BlockingConversation {
     }
 
     /**
-     * Asks one question and waits for the answer. A thread that must not wait is refused.
+     * Sends a question and blocks until its answer arrives. Fails on a thread that must not block.
      *
-     * @throws BotException if there is none; the message says why
+     * @throws BotException if there is no answer; the message gives the cause
      */
     public Reply ask(Question question) {
         if (!WaitPolicy.isAllowed()) {
@@ -34,9 +34,9 @@ public final class BlockingConversation {
     }
 
     /**
-     * Tells the robot something, and waits until it has confirmed it where the thread may wait.
+     * Sends a command, and blocks until the robot confirms it where the thread may block.
      *
-     * @throws BotException if it is refused, or not confirmed; the message says why
+     * @throws BotException if it is refused or not confirmed; the message gives the cause
      */
     public void tell(Question order) {
         Exchange exchange = sessions.conversation().ask(order);
@@ -55,12 +55,14 @@ public final class BlockingConversation {
         return reply;
     }
 
-    /** Waits for what an answer brings, as long as one may take with its repetition and others before it. */
+    /**
+     * Blocks until a condition holds, but not longer than an answer can take with its repetition and others before it.
+     */
     public void await(BooleanSupplier condition) {
         await(condition, LONGEST_S);
     }
 
-    /** Lets time pass, unless the connection is lost. */
+    /** Blocks for a time, but ends when the connection is lost. */
     public void pause(double seconds) {
         await(() -> false, seconds);
     }

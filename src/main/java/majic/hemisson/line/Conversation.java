@@ -8,12 +8,12 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@link ConversationState} over a link. The robot's receiver holds two characters, and a third one that arrives while it answers
- * deafens it until it is switched off (Hemisson sheet 4.4). So even a stop waits for the answer under way, for a moment;
- * it takes the very next turn and is repeated until it is answered.
+ * Sends the questions of a {@link ConversationState} over a link. The robot's receiver holds two characters, and a
+ * third one that arrives while it answers deafens it until it is switched off (Hemisson sheet 4.4). So even a stop
+ * waits a moment for the answer under way; it is sent before all other questions and repeated until it is answered.
  *
- * <p>Thread-safe. Nothing here waits: a question is written by the thread that asks when the line is free, else by the
- * reader when the answer under way has come, or by {@link #tick} when that is overdue and the line has been quiet for a while.
+ * <p>Thread-safe. Never blocks: a question is written by the calling thread when the line is free, else by the reader
+ * when the answer under way has come, or by {@link #tick} when that is overdue and the line has been quiet for a while.
  */
 public final class Conversation {
     private static final Logger LOG = System.getLogger(Conversation.class.getName());
@@ -32,9 +32,9 @@ public final class Conversation {
     }
 
     /**
-     * Asks something as soon as it is its turn.
+     * Adds a question, which is sent when its turn comes.
      *
-     * @return the exchange, to be looked at when it is done
+     * @return the exchange, which can be checked for its answer
      */
     public Exchange ask(Question question) {
         Exchange exchange;
@@ -46,8 +46,8 @@ public final class Conversation {
     }
 
     /**
-     * Lets the robot stand: at once if the line is free, else right behind the answer under way, or before that where
-     * the robot surely survives it.
+     * Stops the robot: at once if the line is free, else right behind the answer under way, or before that where the
+     * receiver survives it.
      */
     public void stop() {
         synchronized (lock) {
@@ -56,35 +56,35 @@ public final class Conversation {
         sendNext();
     }
 
-    /** Takes note whether the robot is deafened by more than two characters; so it is taken to be at first. */
+    /** Sets whether more than two characters deafen the robot; true at first. */
     public void brief(boolean now) {
         synchronized (lock) {
             state.motion().brief(now);
         }
     }
 
-    /** Takes note whether the robot's running mode sets its speeds again after it was told others. */
+    /** Sets whether the robot's running mode overrides the speeds that were sent. */
     public void setsItsOwnSpeeds(boolean now) {
         synchronized (lock) {
             state.motion().setsItsOwnSpeeds(now);
         }
     }
 
-    /** Whether its running mode may set its speeds again after it was told others. */
+    /** Whether the robot's running mode overrides the speeds that were sent. */
     boolean setsItsOwnSpeeds() {
         synchronized (lock) {
             return state.motion().setsItsOwnSpeeds();
         }
     }
 
-    /** Whether it sets its own speeds, and was found to do so after it was told to stand. */
+    /** Whether the running mode sets speeds, and has done so after a stop. */
     public boolean isContrary() {
         synchronized (lock) {
             return state.motion().isContrary();
         }
     }
 
-    /** How often it has confirmed that it stands. */
+    /** How often the robot has confirmed that it is stopped. */
     long confirmations() {
         synchronized (lock) {
             return state.motion().confirmations();
@@ -98,7 +98,7 @@ public final class Conversation {
         }
     }
 
-    /** Whether it was told to stand, confirmed that, and has been told nothing else since. */
+    /** Whether a stop is confirmed and nothing was sent since that could move the robot. */
     public boolean isStanding() {
         synchronized (lock) {
             return state.isStanding();
@@ -112,21 +112,21 @@ public final class Conversation {
         }
     }
 
-    /** Whether it may move though it has missed an answer since it began to. */
+    /** Whether it may move, and has missed an answer since it began to. */
     public boolean isUnreached() {
         synchronized (lock) {
             return state.motion().isUnreached();
         }
     }
 
-    /** How long no question has been answered, seconds; only of interest while some are asked. */
+    /** Time since the last answer, seconds; meaningful only while questions are sent. */
     public double silentSeconds() {
         synchronized (lock) {
             return state.silentNanos() / 1e9;
         }
     }
 
-    /** Whether nothing has come in for a while. */
+    /** Whether nothing was received for a while. */
     boolean isQuiet() {
         synchronized (lock) {
             return state.recovery().isQuiet(time.nanos());
@@ -139,14 +139,14 @@ public final class Conversation {
         }
     }
 
-    /** To be called by the reader whenever bytes came, whatever they are. */
+    /** Records that bytes were received. Called by the reader. */
     void heard() {
         synchronized (lock) {
             state.recovery().heard(time.nanos());
         }
     }
 
-    /** Takes a line from the robot. Called by the reader. */
+    /** Processes a line from the robot. Called by the reader. */
     void received(Reply reply) {
         LOG.log(Level.TRACE, "< {0}", reply.text());
         Outcome outcome;
@@ -157,7 +157,7 @@ public final class Conversation {
         outcome.tell(listener);
     }
 
-    /** Looks for answers that are overdue. To be called a few times within their time-out. */
+    /** Handles answers that are overdue. To be called several times within their timeout. */
     public void tick() {
         Outcome outcome;
         synchronized (lock) {
@@ -167,14 +167,14 @@ public final class Conversation {
         outcome.tell(listener);
     }
 
-    /** Ends everything that waits; nothing can be asked any more. */
+    /** Ends all exchanges; later questions fail. */
     void end(String why) {
         synchronized (lock) {
             state.end(why);
         }
     }
 
-    /** Takes the line for the next question, if it is free; the writing is then done without the lock. */
+    /** Writes the next question if the line is free. The lock is not held while writing. */
     private void sendNext() {
         Exchange next = next();
         if (next == null) {

@@ -2,21 +2,24 @@ package majic.hemisson.line;
 
 import java.io.IOException;
 
-/** Hears how a conversation goes, on the thread of the reader or of whoever looks for overdue answers. */
+/**
+ * Receives the events of a conversation; called by the reader thread, or by the thread that calls {@link
+ * Conversation#tick}.
+ */
 public interface ConversationListener {
-    /** An exchange came to its good end. */
+    /** An exchange was answered. */
     void answered(Exchange exchange);
 
     /**
-     * A question was not answered, or was refused; it may be asked again.
+     * A question was not answered, or was refused; it may be sent again.
      *
-     * @param inMotion whether the robot may have been moving then; by now it may have been stopped
+     * @param inMotion whether the robot may have been moving then; it may have been stopped meanwhile
      */
     void missed(Exchange exchange, boolean inMotion);
 
-    /** The robot was switched on or reset in mid session; it stands. */
+    /** The robot was switched on or reset during the session; its motors are off. */
     void wasReset();
 
-    /** The link is dead. */
+    /** The link has failed. */
     void broken(IOException cause);
 }

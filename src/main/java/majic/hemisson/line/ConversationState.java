@@ -7,13 +7,13 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decides what is sent next, and what the answers mean: one question at a time, a stop before all others and again until
+ * Decides what is sent next and processes the answers: one question at a time, a stop before all others and again until
  * it is confirmed, nothing long while the robot may move. Sends nothing itself. Guarded by its owner.
  *
  * <p>A line that stalls may deliver a question and the stop behind it together, and the stop would deafen a robot that
- * answers the question. So a question to a moving robot carries the arguments of a stop, "N,0,0", which the robot ignores
- * and keeps; behind it "D" alone is a stop, and its two characters find room in the receiver. Nothing follows those two
- * until something is answered or the line counts as empty.
+ * answers the question. So a question to a moving robot carries the arguments of a stop, "N,0,0", which the robot
+ * ignores and keeps; behind it "D" alone is a stop, and its two characters fit into the receiver. Nothing follows those
+ * two until an answer arrives or the line counts as empty.
  */
 final class ConversationState {
     private static final Logger LOG = System.getLogger(ConversationState.class.getName());
@@ -68,7 +68,7 @@ final class ConversationState {
         return meter.read();
     }
 
-    /** Whether it was told to stand, confirmed that, and has been told nothing else since. */
+    /** Whether a stop is confirmed and nothing was sent since that could move the robot. */
     boolean isStanding() {
         return !motion.mayMove() && !isStopping() && !endedInStop;
     }
@@ -77,7 +77,7 @@ final class ConversationState {
         return time.nanos() - answeredNanos;
     }
 
-    /** Takes a question into the queue, or refuses it at once. */
+    /** Adds a question to the queue, or refuses it at once. */
     Exchange ask(Question question) {
         Exchange exchange = new Exchange(question);
         String refusal = refusal(question);
@@ -128,7 +128,7 @@ final class ConversationState {
         queue.discardAll(why);
     }
 
-    /** What is to be sent now; null if nothing waits or the line is not free. Whoever gets it sends it. */
+    /** The question to be sent now, which counts as sent; null if none waits or the line is not free. */
     @Nullable
     Exchange next() {
         long now = time.nanos();
@@ -156,7 +156,7 @@ final class ConversationState {
         next.sent(wording, now);
     }
 
-    /** A stop does not wait longer than a moment for an answer where the robot survives it. */
+    /** A stop waits for an answer only for a moment, where the receiver survives it. */
     private boolean overtakes(Exchange next, Exchange before, long now) {
         boolean soon = before.question().isAnsweredBriefly() || now - before.sentNanos() >= STOP_WAITS_NANOS;
         return next.purpose() == Purpose.STOP && soon && before.isWritten() && !before.isOfStop();
@@ -166,7 +166,7 @@ final class ConversationState {
         return unanswered.wording(next.question(), motion.mayMove());
     }
 
-    /** What has been waiting since before the robot began to move may be too long by now. */
+    /** The first question that may be sent; discards those that became too long when the robot began to move. */
     private @Nullable Exchange firstFitting() {
         Exchange first = queue.first();
         while (first != null && first.question().isLong() && motion.mayMove()) {
@@ -185,7 +185,7 @@ final class ConversationState {
         };
     }
 
-    /** Gives up a question that has waited too long for its answer. */
+    /** Gives up a question whose answer is overdue. */
     Outcome overdue() {
         Exchange newest = open.newest();
         long now = time.nanos();
@@ -260,7 +260,7 @@ final class ConversationState {
         return Outcome.answered(oldest);
     }
 
-    /** The robot was switched on or reset: its motors stand, and what was asked before is forgotten (sheet 11). */
+    /** The robot was switched on or reset: its motors are off, and the open questions are discarded (sheet 11). */
     private Outcome gotGreeting() {
         open.discard(Exchange.RESET);
         unanswered.clear();
@@ -270,7 +270,7 @@ final class ConversationState {
         return Outcome.RESET;
     }
 
-    /** Decides what becomes of a question without answer. Nothing that moves survives it: nothing resumes by itself. */
+    /** Handles a question without answer. All motions are discarded, so that none resumes by itself. */
     private Outcome giveUp(Exchange missed, String why) {
         open.remove(missed, why);
         recovery.begin(time.nanos());

@@ -8,7 +8,7 @@ import majic.link.Links;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
-/** The connections to one robot, one after the other. Thread-safe. */
+/** The session with one robot, and how to open the next. Thread-safe. */
 public final class CurrentSession {
     private static final int BAUD = 115_200;
     private static final int OPEN_TIMEOUT_MS = 3000;
@@ -20,7 +20,7 @@ public final class CurrentSession {
     /**
      * Opens nothing yet.
      *
-     * @throws BotException if the address is none
+     * @throws BotException if the address is not valid
      */
     public CurrentSession(String address, TimeSource time) {
         this.address = address;
@@ -36,7 +36,7 @@ public final class CurrentSession {
         }
     }
 
-    /** Ends the connection there is and opens another, whose reader is not yet started. */
+    /** Ends the session if there is one, and opens another, whose reader is not yet started. */
     public HemissonSession open(ConversationListener listener) {
         end();
         Link link = newLink();
@@ -58,7 +58,7 @@ public final class CurrentSession {
         }
     }
 
-    /** The connection there is, perhaps a dead one; null if there is none. */
+    /** The session, perhaps one whose link has failed; null if there is none. */
     public @Nullable HemissonSession current() {
         return session;
     }
@@ -66,7 +66,7 @@ public final class CurrentSession {
     /**
      * The conversation with the robot.
      *
-     * @throws LinkLost if there is none
+     * @throws LinkLost if there is no session
      */
     public Conversation conversation() {
         HemissonSession open = session;
@@ -76,13 +76,13 @@ public final class CurrentSession {
         return open.conversation();
     }
 
-    /** How long no question has been answered, seconds; 0 while there is nobody to ask. */
+    /** Time since the last answer, seconds; 0 without a connection. */
     public double silentSeconds() {
         HemissonSession open = session;
         return open == null ? 0 : open.conversation().silentSeconds();
     }
 
-    /** How well the line works; nothing counted while there is none. */
+    /** How well the line works; {@link LinkQuality#NONE} without a session. */
     public LinkQuality quality() {
         HemissonSession open = session;
         return open == null ? LinkQuality.NONE : open.conversation().quality();

@@ -2,9 +2,9 @@ package majic.hemisson.line;
 
 import org.jspecify.annotations.Nullable;
 
-/** One question on its way to the robot, and what became of it. Changed by the conversation only; read by any thread. */
+/** A question and its answer. Changed only by the conversation; read by any thread. */
 public final class Exchange {
-    /** Why a question was forgotten that waited when the robot was switched on or reset. */
+    /** The failure of a question that was discarded because the robot was switched on or reset. */
     static final String RESET = "the robot was reset";
 
     private final Question question;
@@ -30,12 +30,12 @@ public final class Exchange {
         return question.purpose();
     }
 
-    /** Whether it is one of those by which the robot is made to stand. */
+    /** Whether it stops the robot or verifies that it is stopped. */
     boolean isOfStop() {
         return purpose() == Question.Purpose.STOP || purpose() == Question.Purpose.VERIFY;
     }
 
-    /** It goes out now, in these words. */
+    /** Records that it is sent now in this wording. */
     void sent(String wording, long nowNanos) {
         text = wording;
         written = false;
@@ -48,7 +48,7 @@ public final class Exchange {
         return text;
     }
 
-    /** It has left this side; before that no answer can be overdue. */
+    /** Records that it was written to the link; before that its answer cannot be overdue. */
     void written() {
         written = true;
     }
@@ -66,7 +66,7 @@ public final class Exchange {
         failure = why;
     }
 
-    /** Notes that the robot did not understand it. */
+    /** Records that the robot refused it. */
     void refused() {
         refused = true;
     }
@@ -75,7 +75,7 @@ public final class Exchange {
         return refused;
     }
 
-    /** How often it was sent so far. */
+    /** How often it was sent. */
     int sendings() {
         return sendings;
     }
@@ -88,12 +88,12 @@ public final class Exchange {
         return reply != null || failure != null;
     }
 
-    /** The answer; null before it came and when none will. */
+    /** The answer; null before it arrives, and if the exchange failed. */
     public @Nullable Reply reply() {
         return reply;
     }
 
-    /** Why there will be no answer, as half a sentence; null unless that is so. */
+    /** The cause of the failure, as half a sentence; null unless it failed. */
     public @Nullable String failure() {
         return failure;
     }
@@ -103,7 +103,7 @@ public final class Exchange {
         return answeredNanos - sentNanos;
     }
 
-    /** The likeliest moment at which the robot did it: half way between sending and answer. */
+    /** The likeliest time of execution, ns: half way between sending and answer. */
     public long middleNanos() {
         return sentNanos + roundTripNanos() / 2;
     }

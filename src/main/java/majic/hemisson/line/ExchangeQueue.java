@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.Iterator;
 import org.jspecify.annotations.Nullable;
 
-/** The questions that wait for their turn. Guarded by its owner. */
+/** The questions that wait to be sent. Guarded by its owner. */
 final class ExchangeQueue {
     private final Deque<Exchange> waiting = new ArrayDeque<>();
 
@@ -13,12 +13,12 @@ final class ExchangeQueue {
         waiting.addLast(exchange);
     }
 
-    /** For what must be asked before anything else. */
+    /** Adds a question before all others. */
     void addFirst(Exchange exchange) {
         waiting.addFirst(exchange);
     }
 
-    /** Asks once more before all others, but for a stop that waits. */
+    /** Adds a question again before all others except a stop. */
     void repeat(Exchange exchange) {
         Exchange first = waiting.peekFirst();
         if (first != null && first.isOfStop()) {
@@ -30,7 +30,7 @@ final class ExchangeQueue {
         }
     }
 
-    /** Puts a way of stopping before everything, and throws away what was to move the robot. */
+    /** Adds a stop before all others, and discards the motions. */
     void stop(Question how) {
         discard(Question.Purpose.MOTION, "stopped");
         if (!holds(how.purpose())) {
@@ -38,7 +38,10 @@ final class ExchangeQueue {
         }
     }
 
-    /** The same, but behind what waits first: a robot that always sets its own speeds is asked other things, too. */
+    /**
+     * Adds a stop behind the first question, and discards the motions. For a robot that always sets its own speeds, so
+     * that other questions get through.
+     */
     void stopBehindFirst(Question how) {
         discard(Question.Purpose.MOTION, "stopped");
         Exchange first = waiting.pollFirst();
@@ -64,7 +67,7 @@ final class ExchangeQueue {
         return waiting.stream().anyMatch(exchange -> exchange.purpose() == purpose);
     }
 
-    /** Ends the waiting of all questions for one purpose. */
+    /** Discards all questions with a purpose. */
     void discard(Question.Purpose purpose, String why) {
         for (Iterator<Exchange> all = waiting.iterator(); all.hasNext(); ) {
             Exchange exchange = all.next();
@@ -75,7 +78,7 @@ final class ExchangeQueue {
         }
     }
 
-    /** Ends the waiting of all. */
+    /** Discards all. */
     void discardAll(String why) {
         waiting.forEach(exchange -> exchange.failed(why));
         waiting.clear();

@@ -8,8 +8,8 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a connection begins (Hemisson sheet 11): wait for quiet, end what somebody else left half said, ask who is there
- * and in which mode it runs, tell it to stand. Moves nothing.
+ * Connects (Hemisson sheet 11): waits for a quiet line, ends a command that an earlier program left incomplete, asks
+ * for firmware and mode, stops the robot. Moves nothing.
  */
 public final class Handshake {
     private static final double LONGEST_GREETING_S = 1;
@@ -23,10 +23,10 @@ public final class Handshake {
     }
 
     /**
-     * Goes through it, on the thread that connects.
+     * Runs on the thread that connects, which it blocks.
      *
-     * @return who answered
-     * @throws BotException if nobody does, or not a Hemisson; with what to try
+     * @return the robot that answered
+     * @throws BotException if no Hemisson answers; the message gives remedies
      */
     public Identity run() {
         waitForQuiet();
@@ -48,7 +48,9 @@ public final class Handshake {
         return identity;
     }
 
-    /** Everything that is watched from then on, and whether the robot takes a question that carries a stop. */
+    /**
+     * Asks the polled questions once, and tests whether the robot ignores the arguments of a stop behind a question.
+     */
     private void readFirst(Identity identity) {
         Stream.of(Question.PROXIMITY, Question.LIGHT, Question.REMOTE).forEach(this::ask);
         if (identity.listens() && !identity.isRoadNarrows()) {
@@ -57,14 +59,16 @@ public final class Handshake {
         }
     }
 
-    /** The answer about what is plugged in, of a robot that {@link #run} has stopped; null from firmware before 1.41. */
+    /**
+     * The answer about what is plugged in, of a robot that {@link #run} has stopped; null from firmware before 1.41.
+     */
     public @Nullable Reply scan() {
         return ask(Question.MODULES);
     }
 
     /**
-     * A robot started in an unknown mode would be deafened by a long command; its motors are held anyway. One that runs a
-     * behaviour of its own is told to stand once and will not keep to it (sheet 7).
+     * Stops the robot. One started in an unknown mode would be deafened by a long command; its motors are off anyway.
+     * One whose running mode moves it gets a single stop, because the mode overrides it (sheet 7).
      */
     private void letStand(Identity identity, @Nullable Reply speeds) {
         boolean held = speeds != null && speeds.numbers().stream().allMatch(speed -> speed == 0);
@@ -109,7 +113,7 @@ public final class Handshake {
         }
     }
 
-    /** A robot that is switched on just now greets in between, and is asked again. */
+    /** Asks again if the robot was switched on in between. */
     private @Nullable Reply ask(Question question) {
         Exchange exchange = askOnce(question);
         if (Exchange.RESET.equals(exchange.failure())) {
@@ -129,7 +133,7 @@ public final class Handshake {
         return await(() -> condition.getAsBoolean() || session.isClosed() || session.isTelnet(), patience());
     }
 
-    /** Long enough for both tries and the quiet between them. */
+    /** Long enough for both tries and the pause between them, seconds. */
     private double patience() {
         return 3 * session.timeoutSeconds() + 0.5;
     }

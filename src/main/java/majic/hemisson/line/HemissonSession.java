@@ -48,7 +48,7 @@ public final class HemissonSession {
         return closed;
     }
 
-    /** How the link came to its end by itself; null if it did not. */
+    /** The cause of the end of the link; null if it did not end by itself. */
     @Nullable
     String end() {
         return end;

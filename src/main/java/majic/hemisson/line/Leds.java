@@ -1,12 +1,12 @@
 package majic.hemisson.line;
 
 /**
- * The four lamps. The robot cannot be asked for them, so the driver keeps them (Hemisson sheet 8). Immutable.
+ * The four LEDs. The robot does not report them, so the driver keeps their state (Hemisson sheet 8). Immutable.
  *
- * @param onOff the lamp that the robot's heartbeat takes back within half a second
- * @param pgm the Pgm/Exec lamp
- * @param left the front left lamp
- * @param right the front right lamp
+ * @param onOff the On/Off LED, which the robot's heartbeat sets back within half a second
+ * @param pgm the Pgm/Exec LED
+ * @param left the front left LED
+ * @param right the front right LED
  */
 public record Leds(boolean onOff, boolean pgm, boolean left, boolean right) {
     public static final Leds OFF = new Leds(false, false, false, false);

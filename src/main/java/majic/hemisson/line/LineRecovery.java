@@ -1,14 +1,14 @@
 package majic.hemisson.line;
 
 /**
- * Whether the line may be used again after something went wrong: when it has been quiet for a while (Hemisson sheet 4.6),
- * or when it would not be quiet anyway, since noise must not hold up a stop for ever. Guarded by its owner.
+ * Whether the line may be used again after an error: when it has been quiet for a while (Hemisson sheet 4.6), or after
+ * a time limit, because noise must not delay a stop for ever. Guarded by its owner.
  */
 final class LineRecovery {
     /** How long the line must have been quiet, ns. */
     static final long QUIET_NANOS = 100_000_000;
 
-    /** Who still talks after so long does not answer anybody, ns. */
+    /** The time limit: what is still received then answers no question, ns. */
     static final long LONGEST_NANOS = 1_000_000_000;
 
     private long heardNanos;
@@ -28,7 +28,7 @@ final class LineRecovery {
         beganNanos = nowNanos;
     }
 
-    /** Whether nothing has come in for a while. */
+    /** Whether nothing was received for a while. */
     boolean isQuiet(long nowNanos) {
         return nowNanos - heardNanos >= QUIET_NANOS;
     }

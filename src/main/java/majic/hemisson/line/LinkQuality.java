@@ -17,7 +17,7 @@ public record LinkQuality(double roundTripMs, long answers, long misses, long re
         return misses > 0 && lastMissNanos >= nanos;
     }
 
-    /** Counts; guarded by its owner. */
+    /** Counts answers. Guarded by its owner. */
     static final class Meter {
         private static final double WEIGHT_OF_NEWEST = 0.1;
 

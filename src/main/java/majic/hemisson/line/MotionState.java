@@ -3,10 +3,10 @@ package majic.hemisson.line;
 import majic.hemisson.line.Question.Purpose;
 
 /**
- * Whether the robot stands, as far as its answers tell, and how it may be told to. Guarded by its owner.
+ * Whether the robot may move, as far as its answers show, and how it can be stopped. Guarded by its owner.
  *
- * <p>The answer to a stop is one letter, and after missed answers it could be a late one to an earlier command; nor does
- * it tell whether the digits arrived whole. So a robot that may have moved is asked for its speeds as well.
+ * <p>The answer to a stop is one letter. After missed answers it could be a late one to an earlier command, and it does
+ * not show whether the digits arrived whole. So a robot that may have moved is asked for its speeds as well.
  */
 final class MotionState {
     /** A running mode sets its speeds again within this time; those of a dance last longest (sheet 7), ns. */
@@ -21,10 +21,10 @@ final class MotionState {
     private long confirmations;
     private int disobeyed;
 
-    /** What is to be sent behind an answer. */
+    /** What is to be sent after an answer. */
     enum Next {
         NOTHING,
-        /** The question whether it stands. */
+        /** The question for its speeds. */
         VERIFY,
         /** The same question, but not without pause: its running mode may set its speeds again. */
         VERIFY_LATER,
@@ -39,19 +39,19 @@ final class MotionState {
         return mayMove;
     }
 
-    /** Whether what was asked last may not have arrived, so that late answers have to be reckoned with. */
+    /** Whether the last question may not have arrived, so that late answers are possible. */
     boolean isDoubtful() {
         return doubtful;
     }
 
-    /** Whether it may move though it has missed an answer since it began to, and has not confirmed since that it stands. */
+    /** Whether it may move, has missed an answer since it began to, and has not confirmed a stop since. */
     boolean isUnreached() {
         return unreached;
     }
 
     /**
-     * Whether the robot may be in a state in which it holds its motors at 0 and is deafened by more than two characters
-     * (Hemisson sheet 7). It is asked for its speeds then instead of being told to stand.
+     * Whether the robot may be in a state in which its motors are off and more than two characters deafen it (Hemisson
+     * sheet 7). It is then asked for its speeds instead of being sent a stop.
      */
     boolean isBrief() {
         return brief;
@@ -65,7 +65,7 @@ final class MotionState {
         return ownSpeeds;
     }
 
-    /** Whether its running mode has set its speeds again after a stop. */
+    /** Whether its running mode has set speeds again after a stop. */
     boolean isContrary() {
         return ownSpeeds && disobeyed > 1;
     }
@@ -87,12 +87,12 @@ final class MotionState {
         unreached |= mayMove;
     }
 
-    /** An older firmware cannot tell its speeds, and is believed (Hemisson sheet 4.3). */
+    /** Accepts a stop without verification: older firmware cannot report its speeds (Hemisson sheet 4.3). */
     void cannotTell() {
         stands();
     }
 
-    /** Its motors are off, and it may run in any mode. */
+    /** Records a reset: its motors are off, and it may run in any mode. */
     void wasReset() {
         doubtful = true;
         mayMove = false;
@@ -101,7 +101,11 @@ final class MotionState {
         brief = true;
     }
 
-    /** What the answer to a question says about it. */
+    /**
+     * Records an answer.
+     *
+     * @return what is to be sent next
+     */
     Next answered(Purpose purpose, Reply reply, long nowNanos) {
         return switch (purpose) {
             case ASK, MOTION -> Next.NOTHING;

@@ -1,8 +1,8 @@
 package majic.hemisson.line;
 
 /**
- * What the two motors are told, each -9 to 9, ahead positive. Immutable; values beyond are clamped, since the robot
- * silently misreads them (Hemisson sheet 4.3).
+ * The values of the two motors, each -9 to 9, ahead positive. Immutable; larger values are clamped, because the robot
+ * misreads them without an error (Hemisson sheet 4.3).
  *
  * @param left the left motor
  * @param right the right motor
@@ -16,7 +16,7 @@ public record MotorValues(int left, int right) {
         right = Math.max(-MAX, Math.min(MAX, right));
     }
 
-    /** What the robot says its motors are set to. */
+    /** The values that the robot reports. */
     public static MotorValues of(Reply speeds) {
         return new MotorValues(speeds.numbers().get(0), speeds.numbers().get(1));
     }

@@ -3,13 +3,13 @@ package majic.hemisson.line;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What came of a line from the robot, or of its staying away. Immutable.
+ * The result of a line from the robot, or of a timeout. Immutable.
  *
  * @param kind what happened
- * @param exchange what it happened to; null if to none
+ * @param exchange the exchange that it happened to; null if to none
  */
 record Outcome(Kind kind, @Nullable Exchange exchange) {
-    /** It had nothing to do with what was asked. */
+    /** No exchange was concerned. */
     static final Outcome NONE = new Outcome(Kind.NONE, null);
 
     /** The robot was switched on or reset. */

@@ -4,12 +4,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 
 /**
- * One command and what its answer looks like (Hemisson sheet 4.3 and 10; both dialects). Immutable.
+ * A command and the form of its answer (Hemisson sheet 4.3 and 10; both dialects). Immutable.
  *
  * @param text the command without its CR; at most 50 characters (sheet 4.2)
  * @param answer the form of a whole, undamaged answer
  * @param purpose what it is for
- * @param lineMs how long the robot hears nothing else for its sake, to the end of the answer, ms (sheet 4.6)
+ * @param lineMs how long the robot reads nothing else, to the end of the answer, ms (sheet 4.6)
  */
 public record Question(String text, Pattern answer, Purpose purpose, double lineMs) {
     /** Longer commands are sometimes corrupted (sheet 4.2). */
@@ -18,20 +18,20 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
     /** What takes the line for longer than this would hold up a stop, ms. */
     private static final double LONGEST_IN_MOTION_MS = 5;
 
-    /** A robot that nobody reads its commands holds two characters, the CR included (sheet 7). */
+    /** A robot in an unknown mode holds two characters, the CR included (sheet 7). */
     private static final int BRIEF = 1;
 
     private static final double MS_PER_CHARACTER = 0.088;
 
-    /** What a question is for; decides who goes first and what becomes of it when no answer comes. */
+    /** What a question is for; determines its priority and what happens without an answer. */
     public enum Purpose {
         /** Asks or switches something; may be repeated. */
         ASK,
         /** Makes the wheels turn. */
         MOTION,
-        /** Makes them stand; repeated until it is answered. */
+        /** Stops the wheels; repeated until it is answered. */
         STOP,
-        /** Asks whether they really stand. */
+        /** Asks for the speeds after a stop. */
         VERIFY
     }
 
@@ -48,19 +48,24 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
     static final Question STOP = new Question("D,0,0", wheelsAnswer(), Purpose.STOP, WHEELS_MS);
     static final Question VERIFY = new Question("E", SPEEDS.answer, Purpose.VERIFY, SPEEDS.lineMs);
 
-    /** Shows at connecting that the robot ignores what follows a letter; those behind it are the {@link #STOP_ARGUMENTS}. */
+    /**
+     * Shows at connecting that the robot ignores what follows a letter; those behind it are the {@link
+     * #STOP_ARGUMENTS}.
+     */
     static final Question CARRYING_A_STOP = ask(SPEEDS.carryingAStop(), SPEEDS.answer.pattern(), SPEEDS.lineMs);
 
     /** What a stop has behind its D. */
     static final String STOP_ARGUMENTS = ",0,0";
 
-    /** A stop behind a question that {@link #carryingAStop carries} its arguments; so brief that it deafens no robot. */
+    /**
+     * A stop behind a question that {@link #carryingAStop carries} its arguments; so brief that it deafens no robot.
+     */
     static final String BRIEF_STOP = "D";
 
-    /** A stop that nobody follows up, for a robot whose own behaviour sets its speeds again anyway. */
+    /** A stop that is not repeated, for a robot whose running mode overrides it anyway. */
     static final Question STAND_ONCE = ask("D,0,0", wheelsAnswer().pattern(), WHEELS_MS);
 
-    /** Ends half a command that somebody else left behind; answered by a refusal (sheet 11). */
+    /** Ends an incomplete command of another program; answered by a refusal (sheet 11). */
     static final Question NOTHING = ask("", "(?!)", 1.6);
 
     public Question {
@@ -107,7 +112,7 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
         return !text.isEmpty() && "DHL".indexOf(text.charAt(0)) >= 0;
     }
 
-    /** Whether it looks at something by a single letter, so that the robot does not mind what follows (sheet 4.2). */
+    /** Whether it reads something by a single letter, so that the robot ignores what follows (sheet 4.2). */
     boolean canCarryAStop() {
         return purpose == Purpose.ASK && text.length() == 1 && Character.isLetter(text.charAt(0));
     }
@@ -117,7 +122,7 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
         return text + STOP_ARGUMENTS;
     }
 
-    /** Whether it cannot deafen a robot that does not read what it is sent. */
+    /** Whether it is too short to deafen a robot that does not read it. */
     boolean isBrief() {
         return text.length() <= BRIEF;
     }
@@ -127,7 +132,7 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
         return (text + "\r").getBytes(StandardCharsets.ISO_8859_1);
     }
 
-    /** What a command to the wheels tells them. */
+    /** The motor values of a command to the wheels. */
     public MotorValues told() {
         String[] parts = text.split(",");
         return new MotorValues(Integer.parseInt(parts[1]), Integer.parseInt(parts[2]));

@@ -3,8 +3,8 @@ package majic.hemisson.line;
 /**
  * What a robot's receiver is known to survive. Immutable.
  *
- * @param readsBehindBriefAnswers whether it reads a whole command that arrives while it answers D, H or L, because those
- *     answers are so short (Hemisson sheet 15)
+ * @param readsBehindBriefAnswers whether it reads a whole command that arrives while it answers D, H or L, because
+ *     those answers are so short (Hemisson sheet 15)
  * @param ignoresArguments whether it ignores arguments behind a question and keeps them for a D without any (sheet 4.2)
  */
 record Receiver(boolean readsBehindBriefAnswers, boolean ignoresArguments) {

@@ -19,7 +19,7 @@ public record Reply(Kind kind, String text) {
     public enum Kind {
         /** The answer to a command: its letter in lower case, usually with values. */
         ANSWER,
-        /** The robot did not understand; both dialects (sheet 4.5 and 10). */
+        /** The robot refused a command; both dialects (sheet 4.5 and 10). */
         REFUSED,
         /** The first line after power-up or reset (sheet 3). */
         GREETING,
@@ -46,7 +46,7 @@ public record Reply(Kind kind, String text) {
         return numbers;
     }
 
-    /** What stands behind the letter and the comma; empty if nothing does. */
+    /** The text behind the letter and the comma; empty if there is none. */
     public String rest() {
         return text.length() > 2 ? text.substring(2) : "";
     }

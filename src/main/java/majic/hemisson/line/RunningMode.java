@@ -3,9 +3,9 @@ package majic.hemisson.line;
 import java.util.List;
 import java.util.Map;
 
-/** What the robot does by itself, as its four switches choose it when it is switched on (Hemisson sheet 7). */
+/** What the robot does by itself, as selected by its four switches when it is switched on (Hemisson sheet 7). */
 public final class RunningMode {
-    /** The mode in which it does what it is told, and nothing else. */
+    /** The mode that executes commands and nothing else. */
     static final String REMOTE_CONTROL = "remote control";
 
     private static final Map<List<Integer>, String> BY_SWITCHES = Map.of(
@@ -17,7 +17,7 @@ public final class RunningMode {
 
     private RunningMode() {}
 
-    /** In the words of the robot's manual; half a sentence for switches that choose none. */
+    /** The name in the robot's manual; half a sentence for switches that select no mode. */
     public static String of(List<Integer> switches) {
         return BY_SWITCHES.getOrDefault(switches, "none that is known");
     }

@@ -3,7 +3,7 @@ package majic.hemisson.line;
 import java.util.function.BooleanSupplier;
 import majic.time.Signal;
 
-/** How a connection ends: the robot is told to stand, whatever it does, and gets a moment to confirm (sheet 11). */
+/** Ends a connection: sends a stop and waits a moment for its confirmation (sheet 11). */
 final class SessionClose {
     /** How long to wait for the confirmation, seconds; a repetition of the stop fits in. */
     private static final double PATIENCE_S = 0.8;
@@ -13,11 +13,12 @@ final class SessionClose {
     private SessionClose() {}
 
     /**
-     * Says it. Another thread may order one more stop meanwhile; that does not undo a confirmation.
+     * Stops the robot and waits for the confirmation. A further stop from another thread does not undo a confirmation.
      *
-     * <p>It is said on the thread that closes; the robot's keeper may be gone, so overdue answers are looked for here.
+     * <p>Blocks the calling thread, which also checks for overdue answers, because the robot's timer thread may have
+     * ended.
      *
-     * @return whether the robot has confirmed that it stands
+     * @return whether the stop was confirmed
      */
     static boolean say(HemissonSession session, Signal changes) {
         Conversation conversation = session.conversation();

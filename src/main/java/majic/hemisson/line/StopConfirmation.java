@@ -8,14 +8,14 @@ import majic.time.Signal;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
-/** Makes the robot stand and waits until it has confirmed that it does. Thread-safe. */
+/** Stops the robot and waits until it confirms that it is stopped. Thread-safe. */
 public final class StopConfirmation {
     /** What a person can do about a robot that moves and cannot be reached. */
     public static final String HELP = "if it still moves, lift it, or press 5 on a TV remote control";
 
     private static final double BESIDE_ANSWERS_S = 0.9;
 
-    /** A robot that may set its own speeds is looked at for a while longer, seconds. */
+    /** Additional wait for a robot whose running mode sets speeds, seconds. */
     private static final double OWN_SPEEDS_S = 1;
 
     private final CurrentSession sessions;
@@ -24,10 +24,10 @@ public final class StopConfirmation {
     private final Supplier<@Nullable String> contrary;
 
     /**
-     * Does nothing yet.
+     * Sends nothing yet.
      *
-     * @param lost whether the connection was lost; while it is being closed the robot still answers
-     * @param contrary which speeds the wheels were found at in place of those that were told
+     * @param lost whether the connection was lost; during a close the robot still answers
+     * @param contrary the speeds that the robot reports instead of those sent
      */
     public StopConfirmation(
             CurrentSession sessions, Signal changes, BooleanSupplier lost, Supplier<@Nullable String> contrary) {
@@ -37,7 +37,7 @@ public final class StopConfirmation {
         this.contrary = contrary;
     }
 
-    /** Has it told to stand, in the next turn on the line; does not wait. */
+    /** Sends a stop in the next turn of the line; does not block. */
     public void order() {
         HemissonSession open = sessions.current();
         if (open != null) {
@@ -46,9 +46,9 @@ public final class StopConfirmation {
     }
 
     /**
-     * Waits for it, where the thread may wait.
+     * Blocks until the stop is confirmed, where the thread may block.
      *
-     * @throws BotException if it is not confirmed in time, or cannot be any more; says what a person can do
+     * @throws BotException if it is not confirmed in time, or cannot be any more; the message gives the remedy
      */
     public void confirm() {
         HemissonSession open = sessions.current();
@@ -86,7 +86,7 @@ public final class StopConfirmation {
     /**
      * Ends the connection with a stop.
      *
-     * @return what is to be said if it was not confirmed; null if all is well
+     * @return a message for the user if it was not confirmed, else null
      */
     public @Nullable String end() {
         HemissonSession open = sessions.current();

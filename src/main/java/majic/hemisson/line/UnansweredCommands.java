@@ -5,10 +5,10 @@ import java.util.Deque;
 import java.util.Iterator;
 
 /**
- * The commands that were sent and not answered, and what may be sent behind them without deafening the robot, should the
- * line deliver all of them at once. The receiver holds two characters while the robot answers; a third one deafens it
- * (Hemisson sheet 4.4). K-Team's firmware answers D, H and L so briefly that any command survives behind them (sheet
- * 15). Guarded by its owner.
+ * The commands that were sent and not answered, and what may be sent behind them without deafening the robot if the
+ * line delivers all of them together. The receiver holds two characters while the robot answers; a third one deafens it
+ * (Hemisson sheet 4.4). Some commands are answered so briefly that any command survives behind them ({@link Receiver}).
+ * Guarded by its owner.
  */
 final class UnansweredCommands {
     private static final int RECEIVER_HOLDS = 2;
@@ -37,7 +37,8 @@ final class UnansweredCommands {
     /**
      * How a question is sent now.
      *
-     * @param mayMove whether the robot may move; a question then carries the arguments of a stop, if the robot ignores them
+     * @param mayMove whether the robot may move; a question then carries the arguments of a stop, if the robot ignores
+     *     them
      */
     String wording(Question question, boolean mayMove) {
         if (question == Question.STOP && carryAStop()) {
@@ -47,7 +48,7 @@ final class UnansweredCommands {
         return carries ? question.carryingAStop() : question.text();
     }
 
-    /** Whether a command may be sent now. What the line has held longer than it stalls counts as lost. */
+    /** Whether a command may be sent now. Commands that the line has held longer than it can stall count as lost. */
     boolean admits(String text, long nowNanos) {
         return nowNanos - lastSentNanos >= stallNanos || waitingBehindAnAnswer(text.length() + 1) <= RECEIVER_HOLDS;
     }
@@ -79,7 +80,7 @@ final class UnansweredCommands {
         lastSentNanos = nowNanos;
     }
 
-    /** Takes note of an answer: what was sent before its command has been read as well. */
+    /** Records an answer: commands sent before the answered one have been read as well. */
     void answered(Reply reply) {
         if (commands.stream().noneMatch(sent -> sent.question().isAnsweredBy(reply))) {
             damagedAnswer();
@@ -93,12 +94,12 @@ final class UnansweredCommands {
         }
     }
 
-    /** Takes note of a line that answers nothing as it stands: a refusal, or a damaged answer, to the oldest command. */
+    /** Records a line that matches no command, a refusal or a damaged answer; it counts for the oldest command. */
     void damagedAnswer() {
         commands.pollFirst();
     }
 
-    /** The robot was reset: nothing that was sent before is left. */
+    /** Removes all, after a reset of the robot. */
     void clear() {
         commands.clear();
     }

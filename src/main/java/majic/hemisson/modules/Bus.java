@@ -28,13 +28,13 @@ final class Bus {
                 Question.msFor(1 + 4 * count));
     }
 
-    /** Writes one register; an absent module is not told from one that took it. */
+    /** Writes one register. The answer of an absent module is the same. */
     static Question write(int address, int register, int value) {
         return Question.ask(
                 String.format(Locale.ROOT, "W,%02X,%02X,%02X", address, register, value), "w", Question.msFor(1));
     }
 
-    /** Writes several bytes at once; the robot sends their count before them. */
+    /** Writes several bytes at once; the robot sends their count first. */
     static Question write(int address, int register, List<Integer> bytes) {
         String hex = bytes.stream()
                 .map(value -> String.format(Locale.ROOT, ",%02X", value))

@@ -5,7 +5,7 @@ import majic.bot.BotCommand;
 import majic.bot.ParameterTable;
 import majic.hemisson.readings.RobotReadings;
 
-/** Something plugged into the extension connector, as far as the robot can be asked about it (Hemisson sheet 9). */
+/** A module on the extension connector that the robot has commands for (Hemisson sheet 9). */
 interface ExtensionModule {
     /** Adds its parameters. */
     void describe(ParameterTable table, RobotReadings access);

@@ -12,8 +12,8 @@ import majic.hemisson.line.Question;
 import majic.hemisson.readings.RobotReadings;
 
 /**
- * Raw reading and writing on the I2C bus, for what there is no other word for. Reading moves nothing; what is written
- * may move whatever somebody has built on, so it belongs to whoever moves the robot.
+ * Raw reading and writing on the I2C bus, for modules without commands of their own. Reading moves nothing; writing may
+ * move an attached device, so it needs the permission to move.
  */
 public final class I2cCommands {
     private static final int HEX = 16;

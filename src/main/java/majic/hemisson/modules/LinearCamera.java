@@ -12,8 +12,8 @@ import majic.hemisson.line.Reply;
 import majic.hemisson.readings.RobotReadings;
 
 /**
- * The camera of one line of 102 pixels (Hemisson sheet 9 and 10). To read it takes the line for up to 37 ms, so it is not
- * done while the robot moves.
+ * The camera of one line of 102 pixels (Hemisson sheet 9 and 10). Reading it occupies the line for up to 37 ms, so it
+ * is refused while the robot moves.
  */
 final class LinearCamera implements ExtensionModule {
     private static final int ADDRESS = 0xC0;
@@ -51,7 +51,7 @@ final class LinearCamera implements ExtensionModule {
         }
     }
 
-    /** Adds the switch of its lamp. */
+    /** Adds the parameter that switches its light. */
     private interface LampSwitching {
         void describe(ParameterTable table, RobotReadings access, Parameter parameter);
     }
@@ -83,7 +83,7 @@ final class LinearCamera implements ExtensionModule {
                 LinearCamera::roadNarrowsLamp);
     }
 
-    /** There is a command to switch it, and none to ask for it. */
+    /** The firmware can switch the light but cannot report it. */
     private static void roadNarrowsLamp(ParameterTable table, RobotReadings access, Parameter parameter) {
         new UntoldSetting()
                 .describe(

@@ -42,7 +42,7 @@ enum ModuleKind {
                 .orElse(null);
     }
 
-    /** How it is spoken to; null for what nothing is known about. */
+    /** Its parameters and commands; null for a module without known commands. */
     @Nullable
     ExtensionModule module(boolean roadNarrows) {
         return switch (this) {

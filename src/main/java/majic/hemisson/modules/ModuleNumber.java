@@ -11,7 +11,7 @@ import majic.hemisson.line.Reply;
 import majic.hemisson.readings.RobotReadings;
 
 /**
- * One number of a module that can be read and set. Immutable.
+ * A number of a module that can be read and set. Immutable.
  *
  * @param get asks for it
  * @param number finds it in the answer
@@ -39,13 +39,13 @@ record ModuleNumber(Question get, Function<Reply, Integer> number, IntFunction<Q
                         Question.msFor(8)));
     }
 
-    /** Makes a number of it that can be read and set. */
+    /** Adds it as a parameter with numbers. */
     void describe(ParameterTable table, RobotReadings access, Parameter parameter) {
         table.add(parameter.inWholes(), access.wanted(get, reply -> Value.of(number.apply(reply), parameter.unit())))
                 .writes(values -> access.tell(set.apply((int) values.get(0).number())));
     }
 
-    /** Makes a switch of it. */
+    /** Adds it as a parameter that is on or off. */
     void describeSwitch(ParameterTable table, RobotReadings access, Parameter parameter) {
         table.add(parameter, access.wanted(get, reply -> Value.onOff(number.apply(reply) != 0)))
                 .writes(values -> access.tell(set.apply(values.get(0).isYes() ? 1 : 0)));

@@ -24,10 +24,10 @@ public record Modules(List<Found> found, boolean roadNarrows) {
     public static final List<String> COMMANDS = List.of("phrase", "say", "lcd", "lcdClear");
 
     /**
-     * One that answered.
+     * A module that answered.
      *
-     * @param address as the robot tells it, hex
-     * @param kind null for one that is not known
+     * @param address as the robot reports it, hex
+     * @param kind null for an unknown module
      */
     record Found(String address, @Nullable ModuleKind kind) {
         String name() {
@@ -55,7 +55,7 @@ public record Modules(List<Found> found, boolean roadNarrows) {
         return new Modules(found, letters);
     }
 
-    /** As people read it. */
+    /** The names of the modules, for users. */
     public String names() {
         return found.isEmpty() ? "none" : found.stream().map(Found::name).collect(Collectors.joining(", "));
     }

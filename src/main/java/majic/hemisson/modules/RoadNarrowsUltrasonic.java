@@ -51,7 +51,9 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
         });
     }
 
-    /** The robot measures only when it is asked, so a thread that must not wait gets nothing. */
+    /**
+     * Blocks for the measurement; unknown on a thread that must not block, because the robot measures only on request.
+     */
     private static Value measured(RobotReadings access, Function<List<Value>, Value> reading) {
         return WaitPolicy.isAllowed() ? reading.apply(echoes(access)) : Value.unknown("no echo yet");
     }

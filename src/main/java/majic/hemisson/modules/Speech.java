@@ -9,7 +9,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.hemisson.readings.RobotReadings;
 
-/** The speech module; by stock commands it speaks the phrases stored in it (Hemisson sheet 9). */
+/** The speech module; the stock commands play the phrases stored in it (Hemisson sheet 9). */
 final class Speech implements ExtensionModule {
     private static final int ADDRESS = 0xC4;
     private static final int COMMAND = 0x00;
@@ -30,12 +30,12 @@ final class Speech implements ExtensionModule {
         return List.of(phrase(number -> access.tell(Bus.write(ADDRESS, COMMAND, number))));
     }
 
-    /** Whether it speaks, however it is asked. */
+    /** Whether a phrase is being spoken; both firmwares have this parameter. */
     static Parameter speaking() {
         return Parameter.yesNo("speaking", "whether its voice is busy");
     }
 
-    /** The command that has a stored phrase spoken, however that is done. */
+    /** The command that speaks a stored phrase, for both firmwares. */
     static BotCommand phrase(IntConsumer speak) {
         Parameter number = Parameter.number("number", Unit.NONE, "which one")
                 .within(1, PHRASES)

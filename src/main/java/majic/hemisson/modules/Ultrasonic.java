@@ -42,7 +42,7 @@ final class Ultrasonic implements ExtensionModule {
     private final PingAndListen pingAndListen = new PingAndListen();
     private final UntoldSetting range = new UntoldSetting();
 
-    /** Pings and reads in turn; while the sensor listens it is not to be pinged again, whoever wants to. */
+    /** Pings and reads in turn. While the sensor listens, nothing may ping it again. */
     private static final class PingAndListen implements PolledQuestion {
         private long pingedNanos;
         private boolean listening;
@@ -60,7 +60,7 @@ final class Ultrasonic implements ExtensionModule {
             return PING;
         }
 
-        /** For somebody who pings out of turn; false if a ping is under way. */
+        /** Starts a ping out of turn; false if one is under way. */
         synchronized boolean begins(long nowNanos) {
             boolean mayPing = mayPing(nowNanos);
             if (mayPing) {
@@ -100,13 +100,13 @@ final class Ultrasonic implements ExtensionModule {
         });
     }
 
-    /** How far the sensor can be told to listen. */
+    /** The parameter for the range of the sensor, which can only be set. */
     static Parameter range() {
         return Parameter.number("ultrasonicRange", Unit.MM, "how far it listens; the robot does not tell it")
                 .within(RANGE_STEP_MM, RANGE_STEP_MM * 256);
     }
 
-    /** Who asks again and again is served by the robot's watch. */
+    /** Reads repeatedly requested values from the polled answers; pings only if there is none. */
     private Value measured(RobotReadings access, Question read, Function<Reply, Value> reading) {
         access.want(pingAndListen);
         Reply reply = read == FIRST ? access.last(FIRST, RECENT_NANOS) : null;

@@ -7,17 +7,17 @@ import majic.bot.Value;
 import majic.hemisson.line.Question;
 import majic.hemisson.readings.RobotReadings;
 
-/** A setting of a module that the robot takes and does not tell; what it took last is kept here. Thread-safe. */
+/** A setting of a module that the robot accepts but never reports; holds the value sent last. Thread-safe. */
 final class UntoldSetting {
     private volatile Value value = Value.unknown("not set since it was connected");
 
-    /** What a wish comes to. Immutable. */
+    /** What is sent for a value, and the value that results. Immutable. */
     record Order(Question question, Value value) {}
 
     /**
-     * Adds it.
+     * Adds the setting.
      *
-     * @param order what is sent for a value, and what it comes to
+     * @param order makes what is sent for a value
      */
     void describe(ParameterTable table, RobotReadings access, Parameter parameter, Function<Value, Order> order) {
         table.add(parameter, () -> value).writes(values -> take(access, order.apply(values.get(0))));

@@ -7,8 +7,8 @@ import majic.hemisson.line.HemissonSession;
 import majic.hemisson.line.StopConfirmation;
 
 /**
- * What is done and said when nobody answers any more. A robot lost in motion is told to stand until it hears, for it has
- * no watchdog (Hemisson sheet 5). Called by the keeper and the reader; never waits.
+ * Gives up connections that are lost or silent, and repeats the stop of a robot that was lost in motion until it
+ * confirms: it has no watchdog (Hemisson sheet 5). Called by the timer thread and the reader; never blocks.
  */
 final class ConnectionLoss {
     private static final double SILENCE_S = 2;
@@ -21,7 +21,7 @@ final class ConnectionLoss {
         this.notices = notices;
     }
 
-    /** Gives a connection up over which nothing was answered for too long. */
+    /** Gives up a connection without answers for too long. */
     void noticeSilence(HemissonSession open) {
         double silence = open.conversation().silentSeconds();
         if (silence < Math.max(SILENCE_S, 4 * open.timeoutSeconds())) {
@@ -37,13 +37,13 @@ final class ConnectionLoss {
         }
     }
 
-    /** Gives a connection up whose link is dead. */
+    /** Gives up a connection whose link has failed. */
     void broken(HemissonSession open, IOException cause) {
         lose(open, "connection lost: " + cause.getMessage(), "nothing in MAJIC can stop it now: ");
         open.close();
     }
 
-    /** Tells a robot to stand that was lost in motion; the connection is closed as soon as it does. */
+    /** Repeats the stop of a robot that was lost in motion; closes the connection once it is confirmed. */
     void standAfter(HemissonSession open) {
         if (open.conversation().isStanding()) {
             notices.accept("it answers again and stands; connect again to go on");

@@ -15,8 +15,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Moves the robot, which measures nothing of its way: legs that are timed (Hemisson sheet 13), and drives until they
- * expire. Thread-safe; {@code MajicBot} runs one motion at a time.
+ * Runs motions without feedback: timed ones (Hemisson sheet 13), and drives until they expire. Thread-safe; {@code
+ * MajicBot} runs one motion at a time.
  */
 public final class MotionRunner {
     private final CurrentSession sessions;
@@ -40,7 +40,7 @@ public final class MotionRunner {
     }
 
     /**
-     * Drives a leg, or as much of it as the guard allows; blocks until the robot has confirmed the stop at its end.
+     * Runs a timed motion, or the part of it that the guard allows; blocks until the stop at its end is confirmed.
      *
      * @throws MotionFailed if the robot missed an answer, disobeyed or was reset; it was stopped
      */
@@ -65,7 +65,7 @@ public final class MotionRunner {
         return driven;
     }
 
-    /** Begins no motion of a robot that has set its own speeds in place of a stop. */
+    /** Refuses to move a robot that has set its own speeds after a stop. */
     private void refuseContrary() {
         String found = overseer.wheels().found();
         if (found != null && conversation().isContrary()) {

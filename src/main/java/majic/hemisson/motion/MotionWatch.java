@@ -4,17 +4,17 @@ import majic.bot.MotionFailed;
 import majic.hemisson.line.LinkQuality;
 import org.jspecify.annotations.Nullable;
 
-/** When the motion under way must be over, and what went wrong in it. Thread-safe. */
+/** The deadline of the motion under way, and what went wrong in it. Thread-safe. */
 final class MotionWatch {
-    /** A drive that nobody renews has lapsed before this; calls nearer to each other are one drive, ns. */
+    /** A drive that is not renewed has expired before this; calls within this time are one drive, ns. */
     private static final long LONGEST_DRIVE_NANOS = 700_000_000;
 
-    /** How long after the planned end of a motion the robot is told to stand whatever the motion's thread does, ns. */
+    /** How long after its planned end a motion is stopped even if its own thread does nothing, ns. */
     private static final long OVERTIME_NANOS = 300_000_000;
 
     private static final long LINE_KEPT_FREE_NANOS = 10_000_000;
 
-    /** A longer silence would come near to 100 ms without a question. */
+    /** With a longer pause, questions would come more than 100 ms apart. */
     private static final long LONGEST_KEPT_FREE_NANOS = 40_000_000;
 
     private volatile long dueNanos = Long.MAX_VALUE;
@@ -31,7 +31,11 @@ final class MotionWatch {
         return trouble;
     }
 
-    /** Takes note of what went wrong; what follows from it is not worth telling. */
+    /**
+     * Records what went wrong, unless something is recorded already.
+     *
+     * @return whether it is the first since the motion began
+     */
     synchronized boolean meets(String newTrouble) {
         boolean first = trouble == null;
         if (first) {
@@ -40,7 +44,7 @@ final class MotionWatch {
         return first;
     }
 
-    /** Forgets earlier trouble, and sets when the motion that begins must be over at the latest. */
+    /** Clears earlier trouble, and sets the deadline of the motion that begins. */
     synchronized void begins(long latestNanos) {
         trouble = null;
         dueNanos = latestNanos;
@@ -52,9 +56,9 @@ final class MotionWatch {
     }
 
     /**
-     * Notes that somebody drives, once more or anew.
+     * Records that a drive begins or is renewed.
      *
-     * @throws MotionFailed if this drive has met with trouble; it does not resume until it was let go
+     * @throws MotionFailed if something went wrong in this drive; a new one may begin after it has expired
      */
     synchronized void drives(long nowNanos) {
         String met = trouble;
@@ -66,12 +70,16 @@ final class MotionWatch {
         begins(nowNanos + LONGEST_DRIVE_NANOS);
     }
 
-    /** Whether nobody has ended the motion though it was time. */
+    /** Whether the motion has not been ended though it is past its deadline. */
     boolean isOverdue(long nowNanos) {
         return nowNanos - dueNanos > OVERTIME_NANOS;
     }
 
-    /** Whether a question begun now could delay the stop of a timed motion, when answers take so long as these. */
+    /**
+     * Whether a question sent now could delay the stop of a timed motion.
+     *
+     * @param quality gives how long answers take
+     */
     boolean isEndNear(long nowNanos, LinkQuality quality) {
         long leftNanos = dueNanos - nowNanos;
         long answerNanos = (long) (2e6 * quality.roundTripMs());

@@ -7,24 +7,25 @@ import majic.hemisson.line.Reply;
 import majic.hemisson.line.RunningMode;
 import org.jspecify.annotations.Nullable;
 
-/** Compares the speeds that the wheels are set to with those that the robot was told last. Thread-safe. */
+/** Compares the speeds that the robot reports with those sent last. Thread-safe. */
 public final class MotorCheck {
     private volatile MotorValues told = MotorValues.STILL;
     private volatile @Nullable String found;
 
-    /** Takes note of what the robot confirmed. */
+    /** Records the values that the robot confirmed. */
     void told(MotorValues wheels) {
         told = wheels;
     }
 
-    /** What differed last; null if nothing does. */
+    /** The last difference, as half a sentence; null if there is none. */
     public @Nullable String found() {
         return found;
     }
 
     /**
-     * Compares them: what differs, and what a person can do about it; null if nothing does. The TV remote control and the running modes
-     * set speeds of their own (Hemisson sheet 7 and 8).
+     * Compares them. The TV remote control and the running modes set speeds of their own (Hemisson sheet 7 and 8).
+     *
+     * @return the difference and its remedy; null if there is none
      */
     @Nullable
     String compare(Reply speeds, Identity identity) {

@@ -5,11 +5,11 @@ import majic.bot.Pose;
 import majic.hemisson.line.MotorValues;
 
 /**
- * Where the robot should be by what its wheels were told: dead reckoning without any measurement. Immutable.
+ * Where the robot should be by the motor values that were sent: dead reckoning without any measurement. Immutable.
  *
- * @param from where the present wheel values began
+ * @param from where the present values began
  * @param sinceNanos when they began
- * @param wheels the present wheel values
+ * @param wheels the present motor values
  * @param table what they mean
  */
 public record PoseEstimate(Pose from, long sinceNanos, MotorValues wheels, SpeedTable table) {
@@ -22,12 +22,12 @@ public record PoseEstimate(Pose from, long sinceNanos, MotorValues wheels, Speed
         return from.after(table.speedMmPerSec(wheels) * seconds, table.turnDegPerSec(wheels) * seconds);
     }
 
-    /** Goes on with other wheel values from a moment on. */
+    /** The estimate with other motor values from a moment on. */
     public PoseEstimate then(MotorValues next, long nanos) {
         return new PoseEstimate(at(nanos), Math.max(nanos, sinceNanos), next, table);
     }
 
-    /** What is to be told of it. */
+    /** The state to publish. */
     public BotState state(long nowNanos, boolean moving) {
         return new BotState(at(nowNanos), table.speedMmPerSec(wheels), table.turnDegPerSec(wheels), moving, nowNanos);
     }

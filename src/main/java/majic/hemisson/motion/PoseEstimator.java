@@ -7,7 +7,7 @@ import majic.bot.Pose;
 import majic.hemisson.line.MotorValues;
 import majic.time.TimeSource;
 
-/** Where the robot should be by what its wheels were told, and what it publishes of that. Thread-safe. */
+/** Estimates the pose from the motor values and publishes it. Thread-safe. */
 public final class PoseEstimator {
     private final TimeSource time;
     private final Consumer<BotState> states;
@@ -31,24 +31,24 @@ public final class PoseEstimator {
         return track;
     }
 
-    /** Begins anew at the start, for a new connection. */
+    /** Starts again at the start pose, for a new connection. */
     void begin() {
         track = PoseEstimate.standing(Pose.START, time.nanos(), track.table());
     }
 
-    /** Goes on with another calibration. */
+    /** Uses another calibration from now on. */
     public void use(SpeedTable table) {
         long now = time.nanos();
         track = new PoseEstimate(track.at(now), now, track.wheels(), table);
     }
 
-    /** Takes note that the wheels were set, by whomever, from a moment on. */
+    /** Records the motor values from a moment on, and publishes the state. */
     void follow(MotorValues wheels, long nanos) {
         track = track.then(wheels, nanos);
         publish();
     }
 
-    /** Tells everybody where it should be now. */
+    /** Publishes where the robot should be now. */
     void publish() {
         boolean moving = !track.wheels().isStill() || mayMoveUntold.getAsBoolean();
         states.accept(track.state(time.nanos(), moving));

@@ -21,8 +21,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps an eye on the robot: asks what it sees all the while, more often while it moves, and notices missed answers,
- * disobedience and silence. Called by the keeper and the reader; never waits.
+ * Monitors the robot: polls it, more often while it moves, and stops it after a missed answer, a difference between the
+ * speeds sent and those it reports, or an overdue motion. Called by the timer thread and the reader; never blocks.
  */
 public final class RobotMonitor implements ConversationListener {
     private static final int IDLE_TICKS_PER_LOOK = 2;
@@ -36,7 +36,7 @@ public final class RobotMonitor implements ConversationListener {
     private final PoseEstimator reckoning;
     private final ConnectionLoss loss;
     private final MotorCheck wheels = new MotorCheck();
-    private volatile Identity identity = Identity.NOBODY;
+    private volatile Identity identity = Identity.NONE;
     private volatile @Nullable HemissonSession session;
     private volatile @Nullable Exchange look;
     private volatile boolean watching;
@@ -44,7 +44,7 @@ public final class RobotMonitor implements ConversationListener {
     private volatile boolean restarted;
     private long ticks;
 
-    /** The driver. Called by its timer thread and the reader; must not wait. */
+    /** The driver. Called by the timer thread and the reader; must not block. */
     public interface Owner {
         /** Whether the robot is connected, so that it is polled. */
         boolean isConnected();
@@ -80,7 +80,7 @@ public final class RobotMonitor implements ConversationListener {
         this.motion = new MotionWatch(time.nanos());
     }
 
-    /** Takes over a new connection. */
+    /** Starts with a new connection, before its first question. */
     public void begin(HemissonSession opened) {
         watching = false;
         modeUnknown = false;
@@ -97,12 +97,12 @@ public final class RobotMonitor implements ConversationListener {
         identity = found;
     }
 
-    /** The robot that answered last; {@link Identity#NOBODY} before the first. */
+    /** The robot that answered last; {@link Identity#NONE} before the first. */
     public Identity identity() {
         return identity;
     }
 
-    /** Begins to poll the robot, and warns if it runs in a mode of its own. */
+    /** Begins to poll the robot, and shows a warning if its running mode may move it. */
     public void watch() {
         watching = true;
         warnOfMode();
@@ -115,7 +115,7 @@ public final class RobotMonitor implements ConversationListener {
         }
     }
 
-    /** What it saw last; null before the first reading. */
+    /** The latest proximity readings; null before the first. */
     public @Nullable Proximity seen() {
         return senses.seen();
     }
@@ -136,7 +136,7 @@ public final class RobotMonitor implements ConversationListener {
         return wheels;
     }
 
-    /** Looks after everything whose time has come. Called by the keeper. */
+    /** Does everything that is due. Called by the timer thread. */
     public void tick() {
         HemissonSession open = session;
         if (open == null || open.isClosed()) {
@@ -176,7 +176,7 @@ public final class RobotMonitor implements ConversationListener {
         }
     }
 
-    /** A running mode of the robot's own sets the wheels whatever they are told; where they go then is asked for. */
+    /** Follows the values sent, unless a running mode overrides them; then the reported speeds are followed. */
     private void wasTold(Exchange exchange) {
         wheels.told(exchange.question().told());
         if (identity.isRemoteControlled() || !identity.tellsSpeeds()) {
@@ -249,8 +249,8 @@ public final class RobotMonitor implements ConversationListener {
     }
 
     /**
-     * It reads its switches anew, and so may run in another mode from now on (sheet 4.3). A greeting that was left in a
-     * buffer says nothing of a robot that is just being connected to; in mid session its speeds are asked for first.
+     * Handles a restart. The robot reads its switches again, so it may run in another mode from now on (sheet 4.3).
+     * During connecting the greeting may be an old one from a buffer; later the robot is asked for its speeds first.
      */
     @Override
     public void wasReset() {

@@ -20,9 +20,9 @@ public final class SpeedCalibration {
     private volatile SpeedTable table;
 
     /**
-     * Reads what was kept.
+     * Reads the settings.
      *
-     * @param changed takes each new table, also one that could not be kept; on the thread that changes it
+     * @param changed takes each new table, also one that could not be kept; called by the thread that changes it
      */
     public SpeedCalibration(Settings settings, String address, Consumer<SpeedTable> changed) {
         this.settings = settings;
@@ -38,7 +38,11 @@ public final class SpeedCalibration {
         return table;
     }
 
-    /** Takes another table, for the motions from the next one on, and keeps it; it holds also where that fails. */
+    /**
+     * Replaces and keeps the table, for the motions from the next one on.
+     *
+     * @throws RuntimeException if it could not be kept; it is used all the same
+     */
     public void learn(SpeedTable better) {
         table = better;
         try {
@@ -60,7 +64,7 @@ public final class SpeedCalibration {
         return String.format(Locale.ROOT, "%.2f", number);
     }
 
-    /** A setting that somebody edited into nonsense counts as none. */
+    /** A setting that is no sensible number counts as missing. */
     private double kept(String key, double usual, Range sensible) {
         return settings.get(prefix + key)
                 .filter(SpeedCalibration::isNumber)

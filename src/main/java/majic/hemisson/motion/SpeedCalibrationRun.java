@@ -9,22 +9,22 @@ import majic.bot.Range;
 import majic.bot.Unit;
 import majic.hemisson.line.MotorValues;
 
-/** How the robot is taught its pace: it drives or spins for a known time, and somebody measures how far it came. */
+/** Runs the calibration: the robot drives or spins for a known time, and the user measures how far it came. */
 public final class SpeedCalibrationRun implements CalibrateCommand.Pupil {
     private static final String FORWARD = "forward";
     private static final String SPIN = "spin";
 
-    /** Long enough for the errors of marking and timing not to matter. */
+    /** Long enough that errors of marking and timing do not matter, seconds. */
     private static final int LESSON_S = 10;
 
-    /** What is to be believed of its speed, as a multiple of what the manual says. */
+    /** The credible range of its speed, as a multiple of the speed in the manual. */
     private static final Range SENSIBLE = new Range(0.2, 2.7);
 
     private final SpeedCalibration calibration;
     private final MotionRunner motions;
     private final Pace pace;
 
-    /** How fast the robot usually goes. */
+    /** The usual speeds of the robot. */
     public interface Pace {
         /** Straight, mm/s. */
         double mmPerSec();

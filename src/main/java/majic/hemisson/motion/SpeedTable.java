@@ -6,8 +6,8 @@ import java.util.Locale;
 import majic.hemisson.line.MotorValues;
 
 /**
- * How fast the wheels run for each motor value, and how far apart they are, for one robot. Nothing on the robot measures
- * it, so it can only be calibrated by a person. Immutable.
+ * How fast the wheels run for each motor value, and how far apart they are, for one robot. Nothing on the robot
+ * measures it, so it can only be calibrated by a person. Immutable.
  *
  * @param speedsMmPerSec the mean speed of the two wheels for the motor values 1 to 9, mm/s, rising
  * @param wheelDistanceMm from wheel to wheel, mm

@@ -5,22 +5,22 @@ import majic.bot.Value;
 import majic.hemisson.line.MotorValues;
 
 /**
- * One motion of the open-loop robot: these wheel values for so long (Hemisson sheet 13). Motor values are whole numbers,
- * so where one wheel runs faster than the other it is eased for a share of the time. Immutable.
+ * A motion of the open-loop robot: motor values and a duration (Hemisson sheet 13). Motor values are whole numbers, so
+ * where one wheel runs faster than the other it is slowed for a share of the time. Immutable.
  *
- * @param wheels what the motors are told
- * @param eased what they are told in between, with the faster wheel one value lower
- * @param easedShare for which share of the time, 0 to 1
- * @param seconds for how long in all
- * @param perSecond what that makes in a second, mm or degrees, signed
- * @param unit of which of them
+ * @param wheels the motor values
+ * @param eased the motor values in between, with the faster wheel one value lower
+ * @param easedShare the share of the time for those, 0 to 1
+ * @param seconds the whole duration
+ * @param perSecond the way in a second, mm or degrees, signed
+ * @param unit of the way
  */
 public record TimedMotion(
         MotorValues wheels, MotorValues eased, double easedShare, double seconds, double perSecond, Unit unit) {
-    /** A leg shorter than this goes slower, so that the timing of the line matters less. */
+    /** A shorter motion is made slower, so that the timing of the line matters less. */
     private static final double SHORTEST_SECONDS = 0.4;
 
-    /** How long it goes on with both wheels before one is eased, and that, about. */
+    /** About how long both wheels keep the same value before one is slowed, seconds. */
     private static final double ROUND_SECONDS = 1;
 
     public static TimedMotion straight(double mm, double cruiseMmPerSec, SpeedTable table) {
@@ -50,12 +50,12 @@ public record TimedMotion(
         return new TimedMotion(wheels, wheels, 0, degrees / rate, rate, Unit.DEG);
     }
 
-    /** In how many rounds a wheel is eased. */
+    /** How often a wheel is slowed. */
     int rounds() {
         return easedShare == 0 ? 0 : (int) Math.max(1, Math.round(seconds / ROUND_SECONDS));
     }
 
-    /** What was covered in a time, always an estimate. */
+    /** The way covered in a time, an estimate. */
     Value covered(double afterSeconds) {
         return Value.about(perSecond * Math.max(0, afterSeconds), unit);
     }

@@ -10,7 +10,9 @@ import java.awt.geom.RoundRectangle2D;
 import majic.hemisson.readings.Proximity;
 import majic.panel.Ink;
 
-/** A bar where each infra-red sensor sits, pointing where it looks, filled the more the nearer something is; its figure. */
+/**
+ * A bar where each infra-red sensor sits, pointing where it looks, filled the more the nearer something is; its figure.
+ */
 final class BarsDrawing {
     private static final double HALF_WIDTH_MM = 6;
     private static final double GROUND_HALF_WIDTH_MM = 4.5;

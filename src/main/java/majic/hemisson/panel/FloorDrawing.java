@@ -13,8 +13,8 @@ import majic.panel.map.WayContent;
 import majic.panel.map.WayDrawing;
 
 /**
- * The floor with the way the robot should have come by what its wheels were told: dashed and called an estimate, since
- * nothing measures it. {@link #hear} is for the driver's threads, everything else for the event thread.
+ * The floor with the estimated way of the robot: dashed and marked as an estimate, because nothing measures it. {@link
+ * #hear} is for the driver's threads, everything else for the event thread.
  */
 final class FloorDrawing extends WayContent {
     private static final Reach REACH = new Reach(0.18, 400, 900, 200);

@@ -3,8 +3,8 @@ package majic.hemisson.panel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a person should know or do, the most urgent alone: how to stop a robot that nobody reaches, why a click came to
- * nothing, what is wrong with its switches. For the event thread.
+ * The most urgent advice for the user: how to stop a robot that cannot be reached, why a click was refused, or what is
+ * wrong with its switches. For the event thread.
  */
 final class HemissonAdvice {
     static final Words LIFT =
@@ -20,11 +20,11 @@ final class HemissonAdvice {
      * A piece of advice.
      *
      * @param text whole sentences; empty for none
-     * @param urgent whether a person must act at once
+     * @param urgent whether the user must act at once
      */
     record Words(String text, boolean urgent) {}
 
-    /** Notes why a click came to nothing, to be told for some seconds. */
+    /** Shows for some seconds why a click was refused. */
     void refused(String why, long nowNanos) {
         refusal = why;
         refusedNanos = nowNanos;

@@ -12,8 +12,8 @@ import majic.hemisson.readings.Clearance;
 import majic.panel.Ink;
 
 /**
- * The robot without its sensors and lamps: a round body, flat at the sides; wheels filled as far as their motors are
- * told to run, with an arrow; and at the rear the four switches. In the robot's frame, mm.
+ * The robot without its sensors and LEDs: a round body, flat at the sides; wheels filled in proportion to the values of
+ * their motors, with an arrow; and at the rear the four switches. In the robot's frame, mm.
  */
 final class HemissonBodyDrawing {
     static final double WHEEL_Y_MM = 47;
@@ -41,7 +41,7 @@ final class HemissonBodyDrawing {
         paintSwitches(pen, view.switches());
     }
 
-    /** Which way is ahead, also where nothing else tells. */
+    /** A mark for ahead. */
     private void paintNose(Graphics2D pen) {
         Path2D nose = new Path2D.Double();
         nose.moveTo(HULL_MM - 1, 0);

@@ -15,8 +15,8 @@ import majic.hemisson.readings.Proximity;
 import majic.panel.Ink;
 
 /**
- * The robot from above, its front upward, as large as the room allows: its body, around it the bars of its sensors over
- * the light that falls on them, and on it the lamps and the buzzer to click. For the event thread.
+ * The robot from above, its front upward, as large as fits: its body, around it the bars of its sensors over the light
+ * on them, and on it the LEDs and the buzzer to click. For the event thread.
  */
 final class HemissonDrawing extends JPanel {
     private static final long serialVersionUID = 1;
@@ -105,7 +105,7 @@ final class HemissonDrawing extends JPanel {
         screen.dispose();
     }
 
-    /** What the motor is told, behind its wheel. */
+    /** The value of the motor, behind its wheel. */
     private void paintSpeed(Graphics2D screen, Ink ink, double y, int told) {
         String text =
                 String.format(Locale.ROOT, "%+d", told).replace('-', '\u2212').replace("+0", "0");

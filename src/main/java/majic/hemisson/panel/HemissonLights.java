@@ -7,11 +7,11 @@ import majic.panel.Light;
 import majic.panel.Light.Kind;
 import majic.panel.LightsPanel;
 
-/** Whether it moves, how the line carries and in which mode it runs, each by word and shape. For the event thread. */
+/** Motion, line and running mode, each by word and shape. For the event thread. */
 final class HemissonLights {
     private static final String LONGEST = "answers missing";
 
-    /** A robot that is asked ten times a second has said nothing for too long. */
+    /** Longer than a robot that is polled ten times a second may be silent, seconds. */
     private static final double SILENT_S = 0.7;
 
     private final Light motors = new Light("motors", "What the wheels are told; nothing measures what they do");

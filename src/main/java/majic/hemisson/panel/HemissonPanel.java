@@ -15,8 +15,8 @@ import majic.panel.ReadingsPanel;
 import majic.panel.map.ZoomableMap;
 
 /**
- * Shows a Hemisson from above with its readings where its sensors sit, the way it should have come, how its line carries,
- * and what a person can do when nothing else can stop it. Clicks on lamps and buzzer are all that it sends.
+ * Shows a Hemisson from above with its readings where its sensors are, its estimated way, the quality of its line, and
+ * advice for the user when nothing else can stop it. It sends nothing but clicks on LEDs and the buzzer.
  */
 public final class HemissonPanel extends NewsPanel {
     private static final long serialVersionUID = 1;

@@ -14,15 +14,15 @@ import org.jspecify.annotations.Nullable;
 /**
  * What the panel shows, taken at one moment. Immutable.
  *
- * @param line how well it is reached
+ * @param line how well the robot is reached
  * @param seen its proximity readings; null before the first
- * @param light the light on its sensors; null while it is not known or too old
- * @param wheels what its motors are told
+ * @param light the light on its sensors; null while it is unknown or too old
+ * @param wheels the values of its motors
  * @param state where it should be
- * @param leds its lamps, as far as the driver knows
- * @param buzzing whether its buzzer is on, as far as the driver knows
- * @param identity who answered at connecting
- * @param switches its switches as they are now; empty if not told
+ * @param leds its LEDs, as last confirmed
+ * @param buzzing whether its buzzer is on, as last confirmed
+ * @param identity the robot that answered at connecting
+ * @param switches its switches as they are now; empty if unknown
  */
 public record HemissonScene(
         Line line,
@@ -38,11 +38,11 @@ public record HemissonScene(
     /**
      * How well the robot is reached.
      *
-     * @param connection how the connection stands
+     * @param connection the state of the connection
      * @param quality how the answers came
-     * @param missesAnswers whether one was missed lately
-     * @param silentS how long none has come, seconds
-     * @param outOfControl whether it may move though nobody can tell it anything
+     * @param missesAnswers whether one was missed recently
+     * @param silentS time since the last answer, seconds
+     * @param outOfControl whether it may move and cannot be reached
      */
     public record Line(
             Connection connection, LinkQuality quality, boolean missesAnswers, double silentS, boolean outOfControl) {}
@@ -51,12 +51,12 @@ public record HemissonScene(
         return line.connection() == Connection.CONNECTED;
     }
 
-    /** What the robot's running mode is called, as its switches stood at connecting. */
+    /** The name of the running mode, by the switches at connecting. */
     String mode() {
         return RunningMode.of(identity.switches());
     }
 
-    /** Whether it does what it is told and nothing else; also if it did not tell. */
+    /** Whether it executes commands and nothing else; true if it did not report its switches. */
     boolean isRemoteControlled() {
         return identity.isRemoteControlled();
     }

@@ -11,8 +11,8 @@ import javax.swing.JButton;
 import majic.panel.Ink;
 
 /**
- * A lamp or the buzzer on the drawing, shown as the driver believes it to be, whatever was clicked; a ring of dots while
- * the robot has not yet confirmed. For the event dispatch thread.
+ * An LED or the buzzer on the drawing in its last confirmed state; with a dotted ring while the robot has not yet
+ * confirmed a click. For the event dispatch thread.
  */
 public final class LedButton extends JButton {
     private static final long serialVersionUID = 1;

@@ -2,7 +2,7 @@ package majic.hemisson.panel;
 
 import java.util.function.Predicate;
 
-/** What can be clicked on the drawing: the four lamps and the buzzer, where they sit on the robot, mm. */
+/** The four LEDs and the buzzer, which can be clicked on the drawing; their places on the robot, mm. */
 enum LedOrBuzzer {
     LEFT("ledLeft", "front left lamp", 34, 25, view -> view.leds().left()),
     RIGHT("ledRight", "front right lamp", 34, -25, view -> view.leds().right()),
@@ -38,12 +38,12 @@ enum LedOrBuzzer {
         return words;
     }
 
-    /** Ahead of the robot's middle. */
+    /** Ahead of the centre of the robot. */
     double xMm() {
         return xMm;
     }
 
-    /** To the left of the robot's middle. */
+    /** To the left of the centre of the robot. */
     double yMm() {
         return yMm;
     }

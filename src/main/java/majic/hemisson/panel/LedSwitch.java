@@ -13,8 +13,8 @@ import majic.bot.Value.Flag.Words;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sends what was clicked, on a thread beside, one question at a time: clicks that come faster than the line takes them
- * end in the last one's wish. Thread-safe; whoever clicks never waits.
+ * Sends clicks to the robot on a background thread, one command at a time: after fast clicks the last one counts.
+ * Thread-safe; a click never blocks.
  */
 final class LedSwitch {
     private final BotControl bot;
@@ -25,11 +25,11 @@ final class LedSwitch {
     private boolean working;
 
     /**
-     * Nothing clicked yet.
+     * Sends nothing yet.
      *
      * @param background runs a task on a thread of its own
-     * @param isOn whether one is on now, as far as the driver can tell
-     * @param refused takes why one was not switched, on the background thread
+     * @param isOn whether one is on, as far as the driver can tell
+     * @param refused takes the cause when one was not switched; called by the background thread
      */
     LedSwitch(BotControl bot, Executor background, Predicate<LedOrBuzzer> isOn, Consumer<String> refused) {
         this.bot = bot;
@@ -38,7 +38,7 @@ final class LedSwitch {
         this.refused = refused;
     }
 
-    /** Switches a lamp over, from what was wanted of it last. */
+    /** Toggles one, from the state that was requested last. */
     void toggle(LedOrBuzzer lamp) {
         synchronized (wanted) {
             wanted.put(lamp, !wanted.getOrDefault(lamp, isOn.test(lamp)));
@@ -50,7 +50,7 @@ final class LedSwitch {
         background.execute(this::work);
     }
 
-    /** Whether the robot has not yet confirmed what was clicked. */
+    /** Whether the robot has not yet confirmed a click. */
     boolean isWaiting(LedOrBuzzer lamp) {
         synchronized (wanted) {
             return wanted.containsKey(lamp);

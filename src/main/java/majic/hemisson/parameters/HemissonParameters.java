@@ -6,13 +6,13 @@ import majic.hemisson.motion.SpeedCalibration;
 import majic.hemisson.readings.RobotReadings;
 
 /**
- * What can be read from and set on every Hemisson; {@link Modules} adds what is plugged in.
+ * The parameters of every Hemisson; {@link Modules} adds those of its modules.
  *
  * @param access reads from the robot and sends to it
  * @param lamps the LEDs and the buzzer
  * @param pins the pins of the extension connector
  * @param calibration what the motor values mean
- * @param robot what else is known of it
+ * @param robot what the driver has found out about it
  */
 public record HemissonParameters(
         RobotReadings access,

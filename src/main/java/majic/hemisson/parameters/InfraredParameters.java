@@ -12,7 +12,7 @@ import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
 import majic.hemisson.readings.RobotReadings;
 
-/** The eight infra-red sensors: how far, how near, how bright. */
+/** The eight infra-red sensors: distance, proximity and light. */
 final class InfraredParameters {
     private static final List<String> NAMES =
             List.of("front", "front right", "front left", "right", "left", "rear", "ground right", "ground left");

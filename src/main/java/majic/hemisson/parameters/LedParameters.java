@@ -7,7 +7,7 @@ import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.hemisson.line.Leds;
 
-/** The four lamps and the buzzer. */
+/** The four LEDs and the buzzer. */
 final class LedParameters {
     private final ParameterTable table;
     private final LedsAndBuzzer lamps;

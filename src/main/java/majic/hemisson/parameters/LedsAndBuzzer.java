@@ -5,7 +5,10 @@ import majic.hemisson.line.BlockingConversation;
 import majic.hemisson.line.Leds;
 import majic.hemisson.line.Question;
 
-/** The lamps and the buzzer: switched together, and never told by the robot, so their state is kept here. Thread-safe. */
+/**
+ * Switches the LEDs and the buzzer. The robot never reports them, so their last confirmed state is kept here.
+ * Thread-safe.
+ */
 public final class LedsAndBuzzer {
     private final BlockingConversation answers;
     private volatile Leds leds = Leds.OFF;
@@ -23,20 +26,20 @@ public final class LedsAndBuzzer {
         return buzzing;
     }
 
-    /** Changes the lamps and waits for the robot to confirm. */
+    /** Changes the LEDs and blocks until the robot confirms, where the thread may block. */
     void light(UnaryOperator<Leds> change) {
         Leds wanted = change.apply(leds);
         answers.tell(Question.leds(wanted));
         leds = wanted;
     }
 
-    /** Switches the buzzer and waits for the robot to confirm. */
+    /** Switches the buzzer and blocks until the robot confirms, where the thread may block. */
     void buzz(boolean on) {
         answers.tell(Question.buzzer(on));
         buzzing = on;
     }
 
-    /** After a reset all is off. */
+    /** Sets all to off, after a reset of the robot. */
     public void forget() {
         leds = Leds.OFF;
         buzzing = false;

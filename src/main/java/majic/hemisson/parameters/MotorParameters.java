@@ -13,7 +13,7 @@ import majic.hemisson.motion.SpeedCalibration;
 import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.readings.RobotReadings;
 
-/** What the motors are set to, and what that means on this robot. */
+/** The values of the motors, and the calibration that gives their speeds. */
 final class MotorParameters {
     private static final String TABLE = "speedTable";
 

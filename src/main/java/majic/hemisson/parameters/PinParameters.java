@@ -49,7 +49,7 @@ final class PinParameters {
                 .get();
     }
 
-    /** It counts as an output before the robot makes it one, so that no look comes behind the command. */
+    /** Records the output before the command is sent, so that no poll of the pin follows the command. */
     private void set(int pin, int level) {
         Integer before = pins.output(pin);
         pins.becomes(pin, level);

@@ -3,8 +3,8 @@ package majic.hemisson.parameters;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The pins of the extension connector that were set. Looking at a pin makes it an input again (Hemisson sheet 15), so what
- * was set is remembered here and such a pin is not looked at. Thread-safe.
+ * The pins of the extension connector that were set. Reading a pin makes it an input again (Hemisson sheet 15), so the
+ * level set last is kept here and such a pin is not read. Thread-safe.
  */
 public final class Pins {
     private static final int PINS = 3;
@@ -16,12 +16,12 @@ public final class Pins {
         return outputs[pin];
     }
 
-    /** Takes note of the level that a pin is set to from now on; null for an input. */
+    /** Records the level that a pin is set to from now on; null for an input. */
     synchronized void becomes(int pin, @Nullable Integer level) {
         outputs[pin] = level;
     }
 
-    /** After a reset all are inputs. */
+    /** Sets all to inputs, after a reset of the robot. */
     public synchronized void forget() {
         for (int pin = 0; pin < PINS; pin++) {
             outputs[pin] = null;

@@ -11,13 +11,13 @@ import majic.hemisson.line.Question;
 import majic.hemisson.modules.Modules;
 import majic.hemisson.readings.RobotReadings;
 
-/** What the robot tells of itself, how well it is heard, and what it has not. */
+/** Firmware, switches and line quality, and the parameters that a Hemisson cannot have. */
 public final class RobotParameters {
     private final ParameterTable table;
     private final RobotReadings access;
     private final Source source;
 
-    /** What is known of the robot beside its answers. Read by any thread. */
+    /** What the driver has found out about the robot. Called by any thread. */
     public interface Source {
         /** The robot that answered at connecting. */
         Identity identity();
@@ -62,7 +62,7 @@ public final class RobotParameters {
 
     private Value identified(Function<Identity, String> text) {
         Identity identity = source.identity();
-        return identity == Identity.NOBODY ? Value.unknown("not connected yet") : Value.text(text.apply(identity));
+        return identity == Identity.NONE ? Value.unknown("not connected yet") : Value.text(text.apply(identity));
     }
 
     private void describeLink() {

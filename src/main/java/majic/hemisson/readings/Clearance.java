@@ -3,13 +3,13 @@ package majic.hemisson.readings;
 import java.util.OptionalDouble;
 
 /**
- * How far the hull is from what the infra-red sensors see. A mere estimate: the readings depend on what the obstacle is
- * made of.
+ * How far the hull is from what the infra-red sensors see. An estimate: the readings depend on the material of the
+ * obstacle.
  *
- * <p>The hull counts as a disc of 60 mm. Ahead, whatever any of the five forward sensors sees within the strip that the
- * disc will sweep counts, and it counts by how far it lies ahead of the disc's foremost point: so a wall met at a
- * grazing angle and the corner of a box beside the middle sensor are near in time. The strip is a little wider than the
- * disc, since the wheels never pull alike.
+ * <p>The hull counts as a disc of 60 mm. Ahead, an obstacle counts if any of the five forward sensors sees it within
+ * the strip that the disc will sweep, with its distance from the foremost point of the disc; so a wall met at a grazing
+ * angle and the corner of a box beside the middle sensor are found in time. The strip is a little wider than the disc,
+ * because the wheels never turn at the same speed.
  */
 public final class Clearance {
     /** The radius of the hull, mm. */
@@ -24,7 +24,7 @@ public final class Clearance {
 
     private Clearance() {}
 
-    /** How far it may go ahead, mm; empty when nothing is in the way within range. */
+    /** Free way ahead, mm; empty when there is no obstacle in range. */
     public static OptionalDouble front(Proximity seen) {
         OptionalDouble nearest = OptionalDouble.empty();
         for (int sensor = Proximity.FRONT; sensor <= Proximity.LEFT; sensor++) {

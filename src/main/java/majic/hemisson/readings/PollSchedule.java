@@ -6,8 +6,8 @@ import majic.hemisson.line.Question;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What to ask next of a robot that is watched all the while: mostly what it sees, in between how bright it is, its
- * switches, the TV remote control and what else somebody wants. Used by one thread at a time.
+ * Chooses the next question of the polls: mostly proximity, in between light, switches, the TV remote control and what
+ * is polled on request. Used by one thread at a time.
  */
 public final class PollSchedule {
     private static final int ROUND = 16;
@@ -38,7 +38,7 @@ public final class PollSchedule {
         return mightBeRefused ? Question.PROXIMITY : usual;
     }
 
-    /** Every other turn goes to what it sees, so that a moving robot is seen through every 100 ms. */
+    /** Every other question is for proximity, so that a moving robot is polled for it every 100 ms. */
     private Question usual(boolean checksSpeeds) {
         return switch (turn) {
             case 3, 11 -> Question.LIGHT;

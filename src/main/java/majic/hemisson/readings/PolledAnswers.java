@@ -12,11 +12,11 @@ import majic.hemisson.line.Reply;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the robot answered last to what it is asked again and again, and what somebody wants it to be asked beside that.
+ * The last answers of the robot to the questions that are polled, and which questions are polled on request.
  * Thread-safe.
  */
 public final class PolledAnswers {
-    /** A wish is forgotten if nobody repeats it for so long, ns. */
+    /** A requested question that is not requested again for this time is no longer polled, ns. */
     private static final long WISH_NANOS = 3_000_000_000L;
 
     private final Map<String, Heard> heard = Collections.synchronizedMap(new Newest());
@@ -27,7 +27,9 @@ public final class PolledAnswers {
     /** An answer and when it came. */
     public record Heard(Reply reply, long nanos) {}
 
-    /** The answers used last, for raw questions could be ever new ones; in the order of use, so that common ones stay. */
+    /**
+     * The answers used last, because raw questions may be new each time; in the order of use, so that common ones stay.
+     */
     private static final class Newest extends LinkedHashMap<String, Heard> {
         private static final long serialVersionUID = 1;
         private static final int MOST = 100;
@@ -43,7 +45,7 @@ public final class PolledAnswers {
         }
     }
 
-    /** Takes in an answer, if it is one to a look. */
+    /** Records an answer. */
     public void take(Question question, Reply reply, long nowNanos) {
         heard.put(question.text(), new Heard(reply, nowNanos));
         if (question.equals(Question.PROXIMITY)) {
@@ -52,7 +54,7 @@ public final class PolledAnswers {
         }
     }
 
-    /** What it saw last; null before the first reading. */
+    /** The latest proximity readings; null before the first. */
     public @Nullable Proximity seen() {
         return seen;
     }
@@ -74,30 +76,30 @@ public final class PolledAnswers {
         return heard.containsKey(question.text());
     }
 
-    /** Notes that the robot does not understand a question; the connection may also have garbled one that it knows. */
+    /** Records that the robot refused a question, unless it has answered it before: the line may have garbled it. */
     public void refuse(Question question) {
         if (!knows(question)) {
             refused.add(question.text());
         }
     }
 
-    /** Whether the robot is known not to understand it. */
+    /** Whether the robot has refused it and never answered it. */
     boolean isRefused(Question question) {
         return refused.contains(question.text());
     }
 
-    /** Has something looked at for the next seconds. */
+    /** Polls a question for the next seconds. */
     void want(PolledQuestion look, long nowNanos) {
         wishes.put(look, nowNanos);
     }
 
-    /** What is wanted now. */
+    /** The questions that are polled on request now. */
     List<PolledQuestion> wanted(long nowNanos) {
         wishes.values().removeIf(sinceNanos -> nowNanos - sinceNanos > WISH_NANOS);
         return new ArrayList<>(wishes.keySet());
     }
 
-    /** Forgets all, for a new connection. */
+    /** Clears everything, for a new connection. */
     public void forget() {
         heard.clear();
         wishes.clear();

@@ -3,14 +3,14 @@ package majic.hemisson.readings;
 import majic.hemisson.line.Question;
 import org.jspecify.annotations.Nullable;
 
-/** Something that is looked at again and again, in turn with others. */
+/** A question that is polled on request, in turn with others. */
 @FunctionalInterface
 public interface PolledQuestion {
     /**
-     * What to ask when it is its turn.
+     * The question to send in this turn.
      *
      * @param nowNanos the robot's clock
-     * @return null if nothing is to be asked yet
+     * @return null to skip this turn
      */
     @Nullable
     Question next(long nowNanos);

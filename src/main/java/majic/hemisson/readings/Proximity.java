@@ -20,13 +20,13 @@ public record Proximity(List<Integer> raw) {
     public static final int GROUND_LEFT = 7;
     public static final int SENSORS = 8;
 
-    /** A reading below zero wraps round to this and above; so does nothing else away from a wall. */
+    /** A reading below zero wraps round to this and above; no other cause occurs away from a wall. */
     private static final int WRAPPED = 250;
 
     /** What a reading just before a true {@link #WRAPPED} must have been at least. */
     private static final int VERY_NEAR = 100;
 
-    /** Readings up to this say nothing: they occur with nothing in range. */
+    /** Readings up to this occur with nothing in range. */
     private static final int NOTHING = 4;
 
     private static final int[] VALUES = {250, 150, 48, 20, 13, 8, 5};
@@ -36,7 +36,7 @@ public record Proximity(List<Integer> raw) {
         raw = List.copyOf(raw);
     }
 
-    /** The next readings, in which a sensor that jumps to the top from far away is taken to see nothing. */
+    /** The next readings; a sensor that jumps from far away to the maximum counts as seeing nothing. */
     public Proximity next(List<Integer> readings) {
         Integer[] clean = new Integer[SENSORS];
         for (int sensor = 0; sensor < SENSORS; sensor++) {

@@ -12,10 +12,10 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The way from a parameter to the robot: what is heard of it all the while, and questions of its own. Thread-safe.
+ * Reads values for parameters: from the polled answers if they are recent, else by a question of its own. Thread-safe.
  *
- * <p>Who must not wait, as the guard of a robot that moves, is served with what was heard last; what nobody asks all the
- * while is asked from then on in turn with the rest.
+ * <p>A thread that must not block, such as one that checks a guard condition, gets the last polled value. A value
+ * outside the regular polls is polled for some seconds after each read.
  */
 public final class RobotReadings {
     /** The robot itself has new readings every 41 ms (Hemisson sheet 4.6). */
@@ -38,7 +38,7 @@ public final class RobotReadings {
         return time.nanos();
     }
 
-    /** Reads what the proximity sensors saw last. */
+    /** Reads from the latest proximity readings. */
     public Supplier<Value> seen(Function<Proximity, Value> reading) {
         return () -> {
             Proximity seen = senses.seen();
@@ -46,7 +46,7 @@ public final class RobotReadings {
         };
     }
 
-    /** Reads what is among the usual looks; asks where that is not fresh. */
+    /** Reads the answer to a question of the regular polls; asks if there is no recent one. */
     public Supplier<Value> asked(Question question, Function<Reply, Value> reading) {
         return () -> {
             Reply reply = reply(question);
@@ -54,7 +54,7 @@ public final class RobotReadings {
         };
     }
 
-    /** Reads what nobody but those asks for who want it. */
+    /** Reads the answer to a question that is polled only while something reads it. */
     public Supplier<Value> wanted(Question question, Function<Reply, Value> reading) {
         PolledQuestion look = now -> question;
         Supplier<Value> asked = asked(question, reading);
@@ -64,17 +64,19 @@ public final class RobotReadings {
         };
     }
 
-    /** Has something looked at for the next seconds. */
+    /** Polls a question for the next seconds. */
     public void want(PolledQuestion look) {
         senses.want(look, time.nanos());
     }
 
-    /** Lets a module do its work. */
+    /** Blocks while a module works. */
     public void pause(double seconds) {
         answers.pause(seconds);
     }
 
-    /** The answer to a question, fresh if there is time to wait for it; null if there is not and it was not heard. */
+    /**
+     * The answer to a question: recent if the thread may block for it; else the last polled one, null if there is none.
+     */
     @Nullable
     Reply reply(Question question) {
         boolean mayWait = WaitPolicy.isAllowed();
@@ -82,17 +84,17 @@ public final class RobotReadings {
         return last == null && mayWait ? ask(question) : last;
     }
 
-    /** What was heard of late. */
+    /** The last polled answer to a question; null if there is none of this age. */
     public @Nullable Reply last(Question question, long ageNanos) {
         return senses.last(question, time.nanos(), ageNanos);
     }
 
-    /** Asks something now and waits for the answer. */
+    /** Asks a question and blocks until the answer arrives. */
     public Reply ask(Question question) {
         return answers.ask(question);
     }
 
-    /** Tells the robot something, and waits until it has confirmed it where the thread may wait. */
+    /** Sends a command, and blocks until the robot confirms it where the thread may block. */
     public void tell(Question order) {
         answers.tell(order);
     }

@@ -88,7 +88,7 @@ class ConversationTest {
     }
 
     @Test
-    void aRobotThatMovedStandsWhenItsSpeedsSaySo() {
+    void aRobotThatMovedIsStoppedWhenItsSpeedsReadZero() {
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
         assertThat(conversation.mayMove()).isTrue();
@@ -114,7 +114,7 @@ class ConversationTest {
     }
 
     @Test
-    void aMissInMotionIsToldAsOneThoughTheRobotStandsByThen() {
+    void aMissInMotionIsReportedAsOneThoughTheRobotIsStoppedByThen() {
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
         conversation.ask(Question.PROXIMITY);
@@ -340,7 +340,7 @@ class ConversationTest {
     }
 
     @Test
-    void theAnswersOfAQuestionAndOfTheStopBehindItAreTold() {
+    void theAnswersToAQuestionAndToTheStopBehindItAreReported() {
         moveOnABufferedLine();
         Exchange look = conversation.ask(Question.PROXIMITY);
         conversation.stop();
@@ -390,7 +390,7 @@ class ConversationTest {
     }
 
     @Test
-    void aReceiverThatNobodyMeasuredIsSentNothingBehindAnything() {
+    void anUnmeasuredReceiverIsSentNothingBehindAnything() {
         conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
         conversation.brief(false);
         conversation.ask(Question.wheels(AHEAD));

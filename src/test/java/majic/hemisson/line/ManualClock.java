@@ -3,7 +3,7 @@ package majic.hemisson.line;
 import majic.time.Signal;
 import majic.time.TimeSource;
 
-/** A clock that a test moves by hand; nobody waits on it. */
+/** A clock that a test moves by hand; no thread waits on it. */
 final class ManualClock implements TimeSource {
     private long nanos = 1_000_000_000;
 

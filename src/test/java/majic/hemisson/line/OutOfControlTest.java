@@ -44,7 +44,7 @@ class OutOfControlTest {
     }
 
     @Test
-    void aRobotThatWasSwitchedOnAnewStands() {
+    void aRobotThatWasSwitchedOnAgainIsStationary() {
         conversation.ask(Question.wheels(new MotorValues(3, 3)));
         pass(0.3);
 

@@ -48,7 +48,7 @@ class ReceivingFuzzTest {
     }
 
     @FuzzTest
-    void noReplyUpsetsWhoAsked(byte[] wire) {
+    void noReplyBreaksTheDriver(byte[] wire) {
         for (String line : decode(wire, 512)) {
             Reply reply = Reply.of(line);
             QUESTIONS.stream()
@@ -68,7 +68,7 @@ class ReceivingFuzzTest {
         }
     }
 
-    /** What a robot that babbles may at most be told while it moves: to stand, and questions that take no time. */
+    /** The most that may be sent to a moving robot that sends noise: stops, and questions that take no time. */
     @FuzzTest
     void noAnswersMakeARobotMoveOrHoldUpItsStop(byte[] wire) {
         ManualClock clock = new ManualClock();

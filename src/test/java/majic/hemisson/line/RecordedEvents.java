@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Remembers what a conversation tells, in words. */
+/** Records the events of a conversation as text. */
 final class RecordedEvents implements ConversationListener {
     private final List<String> all = new ArrayList<>();
 

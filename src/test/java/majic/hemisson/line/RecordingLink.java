@@ -12,9 +12,9 @@ final class RecordingLink implements Link {
     private final List<String> commands = new ArrayList<>();
     private Consumer<String> peer = command -> {};
 
-    /** Has somebody answer at once, before the writing has come to its end. */
-    void answeredBy(Consumer<String> whoever) {
-        peer = whoever;
+    /** Sets what answers at once, before the write has returned. */
+    void answeredBy(Consumer<String> peer) {
+        this.peer = peer;
     }
 
     List<String> commands() {

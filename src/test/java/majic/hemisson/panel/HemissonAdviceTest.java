@@ -16,7 +16,7 @@ class HemissonAdviceTest {
     private final HemissonLights lights = new HemissonLights();
 
     @Test
-    void whatToDoIsSaidExactlyWhileARobotNobodyReachesMayBeMoving() {
+    void adviceIsShownExactlyWhileAnUnreachableRobotMayBeMoving() {
         assertThat(advice.on(Scenes.standing(Scenes.LOST_MOVING), 0).text()).contains("lift it", "5 on a TV remote");
         assertThat(advice.on(Scenes.standing(Scenes.LOST_MOVING), 0).urgent()).isTrue();
         assertThat(advice.on(Scenes.standing(Scenes.LOST), 0).text()).isEmpty();
@@ -64,7 +64,7 @@ class HemissonAdviceTest {
     }
 
     @Test
-    void motorsAreSaidToBeToldNotToTurn() {
+    void motorsAreShownByTheValuesSentAndNotAsTurning() {
         assertThat(light("motors", Scenes.driving(new MotorValues(3, 3)))).isEqualTo("GOOD told to move");
         assertThat(light("motors", Scenes.driving(MotorValues.STILL))).isEqualTo("QUIET told to stand");
         assertThat(light("motors", Scenes.dancing())).isEqualTo("WARNING moves by itself");
