@@ -41,7 +41,7 @@ public record Line(Kind kind, String text, @Nullable Object asker) {
         COMMAND,
         /** What became of a command, well or not. */
         ANSWER,
-        /** Something a robot or MAJIC says unasked. */
+        /** Something a robot or MAJIC reports unasked. */
         NOTICE,
         /** Why a line was refused or a script ended, or what went wrong in MAJIC itself. */
         ERROR

@@ -39,7 +39,7 @@ public final class Sampling {
      *
      * @param log where readings go
      * @param time the clock to go by; readings are timed from now on
-     * @param notices told when a robot can no longer be read; called on any thread
+     * @param notices receives a sentence when a robot can no longer be read; called on any thread
      */
     public Sampling(ParameterLog log, TimeSource time, Consumer<String> notices) {
         this.log = log;

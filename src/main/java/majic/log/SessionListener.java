@@ -1,13 +1,13 @@
 package majic.log;
 
-/** Hears what is said in a session. */
+/** Receives the lines of a session. */
 @FunctionalInterface
 public interface SessionListener {
     /**
-     * Something was said. Called on a thread that this listener alone has, one line at a time and in the order things
+     * Receives a line. Called on a thread of this listener alone, one line at a time and in the order things
      * happened; it may take its time.
      *
-     * @param line what was said
+     * @param line the line
      */
     void line(Line line);
 }

@@ -20,9 +20,9 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The session log: all that was said, with the time of day, in a file that is complete at every moment. Written by a
+ * The session log: every line of the session, with the time of day, in a file that is complete at every moment. Written by a
  * thread of its own, so that a slow disk holds up neither a robot nor the window. When it cannot be written, as on a full
- * disk, that is said once; what comes meanwhile is lost, and the log goes on as soon as possible with a line that says how much
+ * disk, that is reported once; what comes meanwhile is lost, and the log goes on as soon as possible with a line that tells how much
  * is missing. Thread-safe.
  */
 public final class SessionLog implements AutoCloseable {
@@ -65,7 +65,7 @@ public final class SessionLog implements AutoCloseable {
      * Begins a log in a directory, which is made if need be.
      *
      * @param directory where session logs are kept
-     * @param clock tells the time of day
+     * @param clock the time of day
      * @return the log; its file is named after the time
      * @throws IOException if the file cannot be made
      */
@@ -80,7 +80,7 @@ public final class SessionLog implements AutoCloseable {
     }
 
     /**
-     * A log that keeps nothing, for programs and tests that want none.
+     * A log that keeps nothing, for programs and tests without one.
      *
      * @return the log
      */
@@ -90,7 +90,7 @@ public final class SessionLog implements AutoCloseable {
 
     /**
      * Adds a line with the time of day. Returns at once; when the disk is thousands of lines behind, lines get lost,
-     * and the log says how many.
+     * and the log has their number.
      *
      * @param kind what sort of line it is, in one word
      * @param text the line; line ends and control characters in it are made visible
@@ -105,7 +105,7 @@ public final class SessionLog implements AutoCloseable {
     }
 
     /**
-     * Has somebody told when the log cannot be written any more, and when it can be again. Before, that goes to MAJIC's own
+     * Reports when the log cannot be written any more, and when it can be again. Before, that goes to MAJIC's own
      * log.
      *
      * @param listener gets a sentence, on the log's thread; may write to this log

@@ -9,10 +9,10 @@ import majic.script.record.SessionRecord;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A behaviour that could be given to a robot, and what can be told of it before any of its code is loaded. Immutable.
+ * A behaviour that could be given to a robot, with what is known before any of its code is loaded. Immutable.
  *
  * @param called what a line calls it: its name, or the path of its file
- * @param details what its author says of it
+ * @param details its description
  * @param roles the robots it asks for, the one it is loaded onto first
  * @param file the act's file; null for a script
  */

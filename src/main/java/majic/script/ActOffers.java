@@ -48,7 +48,7 @@ public final class ActOffers implements Completion.ActNames {
     }
 
     /**
-     * Reads what a behaviour says of itself.
+     * Reads the description of a behaviour.
      *
      * @param called its name, or the path of an act's file or of a script
      * @return what it is
@@ -99,8 +99,8 @@ public final class ActOffers implements Completion.ActNames {
     }
 
     /**
-     * The robots an act asks for. A file without code may be loaded to ask the act itself: an object stream does not say,
-     * and a script tells what it needs of them.
+     * The robots an act asks for. A file without code may be loaded to ask the act itself: an object stream does not show
+     * the roles, and a script has them.
      *
      * @throws BotException if it cannot be loaded
      */
@@ -109,7 +109,7 @@ public final class ActOffers implements Completion.ActNames {
     }
 
     /**
-     * The behaviours that need no path and can be given to each of some robots, as far as can be told of one robot.
+     * The behaviours that need no path and can be given to each of some robots, as far as one robot shows.
      *
      * @return their names, sorted
      */

@@ -43,7 +43,7 @@ public final class MajicParser {
     /**
      * A parser with nothing to do yet.
      *
-     * @param session what the lines act on, and where answers are told
+     * @param session what the lines act on, and where answers go
      * @param interactive true for a person at a prompt or window, who reads a {@code get} at once and whose
      *     {@code wait} never holds a {@code stop}; false for a pipe, where every line takes its turn
      */
@@ -70,22 +70,22 @@ public final class MajicParser {
 
     /**
      * Takes one line, checks it, and gives the orders in it or queues it behind a {@code wait}. Returns at once. Lines
-     * of an open block are kept until its {@code end}. The session's listeners hear the line, then what becomes of it;
-     * they hear of a refusal as well, so whoever calls need not show it again. A line with the word {@code stop} that
+     * of an open block are kept until its {@code end}. The session's listeners receive the line, then its answers;
+     * they receive a refusal as well, so the caller need not show it again. A line with the word {@code stop} that
      * cannot be understood is taken as STOP. Reads no file and waits for no robot: what a line with {@code act},
      * {@code trust} or {@code run} names is read on a thread of this parser, and the lines behind it wait for that; a
      * {@code stop} does not.
      *
      * @param text the line; if there are several, all up to the first wrong one are taken
      * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence; what is
-     *     wrong with a file is told to the listeners only
+     *     wrong with a file goes to the listeners only
      */
     public Optional<String> parseText(String text) {
         return parse(text, "", refusal -> {});
     }
 
     /**
-     * Takes one line as {@link #parseText(String)} does, and tells of a later refusal as well.
+     * Takes one line as {@link #parseText(String)} does, and reports a later refusal as well.
      *
      * @param text the line
      * @param refusedLater gets the same kind of sentence when the line was accepted, but a file that it names does not
@@ -97,7 +97,7 @@ public final class MajicParser {
     }
 
     /**
-     * Takes one line of several that nobody sees go by, as {@link #parseText} does; a refusal says which line it was.
+     * Takes one line of a file or pipe, as {@link #parseText} does; a refusal names its number.
      *
      * @param number of the line in its file or pipe, from 1
      * @param text the line
@@ -138,7 +138,7 @@ public final class MajicParser {
         } catch (ScriptException | BotException | ExecutionEnded e) {
             return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
         } catch (RuntimeException | Error e) {
-            return Optional.of(refuse(line, place, InternalError.told(line, e)));
+            return Optional.of(refuse(line, place, InternalError.report(line, e)));
         }
     }
 
@@ -283,7 +283,7 @@ public final class MajicParser {
     }
 
     /**
-     * Waits until few lines wait for their turn. Whoever reads a long pipe calls it before each line, so that the pipe
+     * Waits until few lines wait for their turn. Call it before each line of a long pipe, so that the pipe
      * waits and not the memory fills.
      *
      * @throws InterruptedException if the thread is interrupted meanwhile
@@ -293,7 +293,7 @@ public final class MajicParser {
     }
 
     /**
-     * At the end of a pipe: waits until all lines and all they began have ended, and everybody has heard of it.
+     * At the end of a pipe: waits until all lines and all they began have ended and the listeners have received the answers.
      *
      * @return as {@link #allSucceeded()}
      * @throws InterruptedException if the thread is interrupted meanwhile
@@ -324,7 +324,7 @@ public final class MajicParser {
     /**
      * Whether all lines and all they began have ended.
      *
-     * @return as soon as {@link #awaitAll()} would return, but for what is still to be told
+     * @return as soon as {@link #awaitAll()} would return, except for answers that listeners have not received yet
      */
     public boolean isDone() {
         return dispatcher.isDone();
@@ -365,9 +365,9 @@ public final class MajicParser {
     }
 
     /**
-     * Whether every line so far did what it was told.
+     * Whether every line so far succeeded.
      *
-     * @return false once a line was refused, or something it ordered failed or was stopped by anybody else
+     * @return false once a line was refused, or one of its commands failed or was stopped from elsewhere
      */
     public boolean allSucceeded() {
         return dispatcher.lines().trouble().isEmpty();

@@ -52,9 +52,9 @@ public final class ScriptAct extends MajicAct {
     /**
      * A behaviour from a script or a saved session.
      *
-     * @param title what its mistakes are told with
+     * @param title the name in messages about its mistakes
      * @param text the script, its lines apart by line breaks
-     * @throws BotException if it has mistakes, or says what only a session may say; one line for each, with its place
+     * @throws BotException if it has mistakes, or commands that only a session may have; one line for each, with its place
      */
     public ScriptAct(String title, String text) {
         this.title = title;
@@ -74,7 +74,7 @@ public final class ScriptAct extends MajicAct {
     }
 
     /**
-     * What its mistakes are told with.
+     * The name in messages about its mistakes.
      *
      * @return the name of the file it was made of
      */
@@ -109,7 +109,7 @@ public final class ScriptAct extends MajicAct {
         return Behaviour.of(title, text).roles();
     }
 
-    /** Tells it where it runs, before it is started; a robot for each role. */
+    /** Sets where it runs, before it is started; a robot for each role. */
     void enter(Execution line, Actions actions, Owner act, Map<String, List<Member>> robots) {
         stage = new Stage(line.state(), actions, act, first(robots), line.asker());
     }
@@ -121,7 +121,7 @@ public final class ScriptAct extends MajicAct {
     }
 
     /**
-     * Looks whether robots can do what it says to them, without telling them.
+     * Checks whether robots can do what it commands; sends nothing.
      *
      * @throws BotException if not, one line for each mistake, with its place
      */

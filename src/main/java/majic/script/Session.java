@@ -25,7 +25,7 @@ import majic.team.Team;
 import majic.team.TeamListener;
 
 /**
- * What everything in one running MAJIC has in common: the team, where robots come from, and what is said. Window,
+ * What all parts of one running MAJIC share: the team, the factory of robots, and the output. Window,
  * console and every socket have a {@link MajicParser} each, on the same session. It closes nothing by itself.
  * Thread-safe.
  */
@@ -40,11 +40,11 @@ public final class Session {
     private final Actions actions;
 
     /**
-     * A session with nobody listening yet.
+     * A session without listeners.
      *
-     * @param team the robots; its answers and notices are told to the session's listeners from now on
+     * @param team the robots; its answers and notices go to the session's listeners from now on
      * @param factory makes robots for {@code add}
-     * @param log gets everything that is said
+     * @param log gets every line
      * @param acts where behaviours are found
      * @param quit what {@code quit} does; must return at once
      */
@@ -65,7 +65,7 @@ public final class Session {
     }
 
     /**
-     * Says that something went wrong in MAJIC itself, as an error.
+     * Reports that something went wrong in MAJIC itself, as an error.
      *
      * @param text a sentence
      */
@@ -92,7 +92,7 @@ public final class Session {
     }
 
     /**
-     * What is kept of all that is said.
+     * The log of all lines.
      *
      * @return the session log
      */
@@ -110,25 +110,25 @@ public final class Session {
     }
 
     /**
-     * Begins to tell somebody what is said, on a thread of its own.
+     * Passes all lines from now on to a listener, on a thread of its own.
      *
-     * @param listener who
+     * @param listener what receives the lines
      */
     public void addListener(SessionListener listener) {
         output.addListener(listener);
     }
 
     /**
-     * Ends telling somebody, once all that was said so far has been told.
+     * Removes a listener, once all lines so far were passed to it.
      *
-     * @param listener who was added
+     * @param listener one that was added
      */
     public void removeListener(SessionListener listener) {
         output.removeListener(listener);
     }
 
     /**
-     * Does something on a listener's thread once the listener was told all that was said so far. Returns at once.
+     * Runs a task on a listener's thread once all lines so far were passed to it. Returns at once.
      *
      * @param listener one that was added; nothing happens for another
      * @param task what to do; must return soon
@@ -137,13 +137,13 @@ public final class Session {
         output.afterwards(listener, task);
     }
 
-    /** Waits until everybody has heard what was said so far, for one second at most. */
+    /** Waits until all listeners have received all lines so far, for one second at most. */
     public void flush() {
         output.flush();
     }
 
     /**
-     * Tells that a robot was connected and taken into the team past the script, by a dialog for instance, so that a
+     * Records that a robot was added to the team past the script, by a dialog for instance, so that a
      * saved session has it.
      *
      * @param member the robot
@@ -155,7 +155,7 @@ public final class Session {
 
     /**
      * The robot at an address that has lost its link. {@code add} connects it again under its number instead of taking
-     * in another one; so does whoever connects robots past the script.
+     * in another one; a dialog that connects robots must do the same.
      *
      * @param address as {@code add} would take it
      * @return a robot of the team; empty if none is lost there
@@ -185,7 +185,7 @@ public final class Session {
         return new Completion(team, factory, new Selection(team)::present, offers);
     }
 
-    /** Puts what the team says into words for the session. */
+    /** Turns the events of the team into lines of the session. */
     private final class TeamRelay implements TeamListener {
         @Override
         public void answered(Answer answer) {

@@ -32,7 +32,7 @@ import majic.team.Member;
 import majic.team.Order;
 import majic.time.Signal;
 
-/** Runs behaviours on the robots of a session: finds them, sees that robots and roles fit, ends them. Thread-safe. */
+/** Runs behaviours on the robots of a session: finds them, assigns robots to roles, ends them. Thread-safe. */
 final class SessionActs implements ActRunner {
     private static final int SHORTEST_HASH = 8;
 
@@ -41,7 +41,7 @@ final class SessionActs implements ActRunner {
     private final ActOffers offers;
     private final List<ActRun> running = new CopyOnWriteArrayList<>();
 
-    /** By robot, the leave of all that was ordered since its last {@code act off} and may still wait for its turn. */
+    /** By robot, the permit of all that was ordered since its last {@code act off} and may still wait for its turn. */
     private final Map<Member, Permit> ordered = new ConcurrentHashMap<>();
 
     SessionActs(SessionState state, Acts acts, ActOffers offers) {
@@ -55,11 +55,11 @@ final class SessionActs implements ActRunner {
      *
      * @param name what messages call it
      * @param roles the robots it asks for
-     * @param script what it says, if it is a script
+     * @param script the script, if it is one
      * @param fresh makes one to run
      */
     private record Found(String name, List<Role> roles, Optional<ScriptAct> script, Supplier<MajicAct> fresh) {
-        /** Of one whose code is MAJIC's own. */
+        /** For an act with code of MAJIC's own. */
         Found(String name, MajicAct act) {
             this(
                     name,

@@ -31,7 +31,7 @@ public final class RobotConnector {
     }
 
     /**
-     * Connects to a robot and takes it in; says so. One whose link is lost is connected again under the number it has.
+     * Connects to a robot, adds it to the team and answers. One whose link is lost is connected again under the number it has.
      * One that is here under just this number and address stays as it is, so that a saved session can be done again by
      * the team that did it.
      *
@@ -87,7 +87,7 @@ public final class RobotConnector {
         return team.members().stream().filter(member -> address.equalsIgnoreCase(addresses.get(member.number())));
     }
 
-    /** Says and keeps that a robot was taken in. */
+    /** Answers and records that a robot was added. */
     public void joined(Member member, String address) {
         addresses.put(member.number(), address);
         String label = member.bot().type().label();
@@ -125,7 +125,7 @@ public final class RobotConnector {
         }
     }
 
-    /** Stops a robot, closes it and lets it go; the session says so. */
+    /** Stops a robot, closes it and removes it from the team, which answers. */
     void remove(Member member) {
         boolean busy = !member.isIdle() || member.owner() != null;
         long atNanos = team.time().nanos();

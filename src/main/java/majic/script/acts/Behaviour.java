@@ -18,7 +18,7 @@ import majic.script.syntax.Statement;
 import majic.team.Member;
 
 /**
- * What MAJIC Script says as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a
+ * MAJIC Script as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a
  * saved session the lines that add robots count as saying of which type they are. Everything else of a session is refused.
  */
 public final class Behaviour {
@@ -33,7 +33,7 @@ public final class Behaviour {
     /**
      * Reads a behaviour.
      *
-     * @param title what its mistakes are told with
+     * @param title the name in messages about its mistakes
      * @param text the script
      * @return the behaviour
      * @throws BotException if it has mistakes, all of them in one message, each with its place
@@ -53,7 +53,7 @@ public final class Behaviour {
     }
 
     /**
-     * Looks whether robots can do what it says to them.
+     * Checks whether robots can do what it commands.
      *
      * @param actions for its commands
      * @param given the robots by role
@@ -119,7 +119,7 @@ public final class Behaviour {
                 .calling(found.commands(number).toArray(String[]::new));
     }
 
-    /** Only the robots know which of their own commands are raw. */
+    /** Which of its own commands are raw depends on the robot. */
     private List<Mistake> rawCommands(Selection robots) {
         return found.ownCommands().stream()
                 .filter(line ->

@@ -23,8 +23,8 @@ import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds out which robots a behaviour means, what each of them must have, and whether it says anything that only a session
- * may say.
+ * Finds out which robots a behaviour means, what each of them must have, and whether it has commands that only a session
+ * may have.
  */
 final class BehaviourInspection extends Inspection {
     private static final Pattern NAME = Pattern.compile("\\w+");
@@ -63,7 +63,7 @@ final class BehaviourInspection extends Inspection {
     }
 
     /**
-     * The parameters that a robot must have, as far as the script tells without one: a word that is held against another
+     * The parameters that a robot must have, as far as the script alone shows: a word that is held against another
      * may be a choice.
      *
      * @param number the robot's in the script, or {@link #ME}

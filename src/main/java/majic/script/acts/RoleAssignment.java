@@ -9,18 +9,18 @@ import majic.bot.BotException;
 import majic.script.record.SessionRecord;
 import majic.team.Member;
 
-/** Gives the robots of a line their parts in a behaviour, in the order they are named. */
+/** Assigns the robots of a line to the roles of a behaviour, in the order they are named. */
 public final class RoleAssignment {
     private RoleAssignment() {}
 
     /**
-     * Who plays what.
+     * Assigns robots to roles.
      *
      * @param act the behaviour, as it was typed
      * @param me the robot it is loaded onto
      * @param others the further robots
      * @return at least one robot for each role, in the order of the roles
-     * @throws BotException if they are too few, too many, or cannot play their parts
+     * @throws BotException if they are too few, too many, or do not fit their roles
      */
     public static Map<String, List<Member>> cast(String act, List<Role> roles, Member me, List<Member> others) {
         List<Member> given = new ArrayList<>(List.of(me));

@@ -13,7 +13,7 @@ import majic.script.syntax.ScriptException;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
-/** Finds out what a condition comes to, by asking the robots it speaks of. */
+/** Evaluates a condition by reading the robots it names. */
 public final class ConditionEvaluator implements Condition.Visitor<Truth> {
     private final Selection selection;
     private final @Nullable Member own;
@@ -55,7 +55,7 @@ public final class ConditionEvaluator implements Condition.Visitor<Truth> {
         return all;
     }
 
-    /** A robot whose link is gone still knows its last readings, but they tell nothing any more. */
+    /** The last readings of a robot that is not connected are out of date, so they count as unknown. */
     private Truth ask(Condition.Comparison comparison, Member member) {
         String who = member == own ? "" : member.number() + " ";
         if (!member.bot().isConnected()) {

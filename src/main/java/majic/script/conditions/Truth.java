@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
  * What a condition comes to: yes, no, or undecided because a reading cannot be had. Immutable.
  *
  * @param holds whether it is true; means nothing when undecided
- * @param undecided why it cannot be told; null when it can
+ * @param undecided why it is unknown; null if it is known
  */
 public record Truth(boolean holds, @Nullable String undecided) {
     static final Truth YES = new Truth(true, null);

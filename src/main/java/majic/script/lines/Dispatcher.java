@@ -28,7 +28,7 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Gets checked lines carried out: at once on the caller's thread, beside it, or in their turn behind others. Thread-safe.
+ * Runs checked lines: at once on the caller's thread, beside it, or in their turn. Thread-safe.
  */
 public final class Dispatcher {
     /** How many lines of a person may wait behind a {@code wait}. */
@@ -160,7 +160,7 @@ public final class Dispatcher {
                 && !line.scheduling().isQuick();
     }
 
-    /** Whether the files that a line names let it be done; if not, says so. Reads them, so it may block. */
+    /** Whether the files that a line names let it be done; if not, reports that. Reads them, so it may block. */
     private boolean filesAllow(SubmittedLine line) {
         if (!line.has(Trait.READS_FILES)) {
             return true;
@@ -176,7 +176,7 @@ public final class Dispatcher {
                     .findFirst()
                     .map(Mistake::message);
         } catch (RuntimeException | Error e) {
-            return Optional.of(InternalError.told(line.title(), e));
+            return Optional.of(InternalError.report(line.title(), e));
         }
     }
 
@@ -263,7 +263,7 @@ public final class Dispatcher {
         } catch (ScriptException | BotException e) {
             line.failed().accept(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
-            line.failed().accept(line.title() + ": " + InternalError.told(line.title(), e));
+            line.failed().accept(line.title() + ": " + InternalError.report(line.title(), e));
         }
     }
 

@@ -7,7 +7,7 @@ import majic.script.run.Trait;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
-/** The lines that wait for their turn, and the thread that carries them out one after the other. Thread-safe. */
+/** The lines that wait for their turn, and the thread that runs them one after the other. Thread-safe. */
 final class LineQueue {
     private final Team team;
     private final String name;
@@ -19,9 +19,9 @@ final class LineQueue {
     /**
      * An empty queue without a thread.
      *
-     * @param team whose clock the thread lives by, and at whose changes others wait for the queue
+     * @param team whose clock the thread uses, and whose changes wake threads that wait for the queue
      * @param name what a thread dump shows
-     * @param carryOut does a line, waiting as long as it takes; must not throw
+     * @param carryOut runs a line, however long it takes; must not throw
      */
     LineQueue(Team team, String name, Consumer<SubmittedLine> carryOut) {
         this.team = team;

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * A line or block with what decides when it runs. Immutable.
  *
- * @param statement what it says
+ * @param statement its tree
  * @param text as it was typed
  * @param scheduling when it runs
  * @param traits of its commands

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param text the lines that do it again
  * @param robots those that it makes do something, stops or waits for
  * @param begins those of them that had nothing to do before it; of a stop, those that may have been moving
- * @param finished others that had done what they were told by then, and when they had
+ * @param finished others that had finished their commands by then, and when
  * @param block the block it was done by; null for a line of its own
  */
 public record RecordedEvent(

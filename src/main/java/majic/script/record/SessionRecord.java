@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Collects what is done in a session, with its times, so that a script can do it again: commands, and what reaches the
- * robots past the script, as stops by button or key and driving by hand. Of these the team tells after they were sent, so
+ * robots past the script, as stops by button or key and driving by hand. The team reports these after they were sent, so
  * recording delays none of them. Thread-safe.
  */
 public final class SessionRecord {
@@ -72,7 +72,7 @@ public final class SessionRecord {
         return new RecordedEvent(RecordedEvent.Kind.COMMAND, now(), text, robots, begins, finished, block);
     }
 
-    /** Keeps that robots were waited for, as a line says it. */
+    /** Keeps that robots were waited for. */
     public synchronized void waited(String text, Set<Integer> robots, @Nullable RecordedBlock block) {
         keep(event(RecordedEvent.Kind.WAIT, now(), text, robots, block));
     }
@@ -174,7 +174,7 @@ public final class SessionRecord {
         return members.stream().map(Member::number).collect(Collectors.toCollection(TreeSet::new));
     }
 
-    /** Hears from the team what was done without a command. */
+    /** Records from the team what was done without a command. */
     private final class PastTheScript implements TeamListener {
         @Override
         public void answered(Answer answer) {
@@ -195,7 +195,7 @@ public final class SessionRecord {
             }
         }
 
-        /** A hand takes a robot that is free, and what was done by it is told when it lets go. */
+        /** Manual control takes a robot that is free; its commands are reported when it ends. */
         @Override
         public void ownerChanged(Member member) {
             Owner owner = member.owner();

@@ -10,7 +10,7 @@ import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robots that a script has to itself: those it has commanded so far. A behaviour has them on loan, and neither takes
+ * The robots that a script owns: those it has commanded so far. A behaviour has them on loan, and neither takes
  * nor gives back any; a line has none. Used by one thread.
  */
 final class ClaimedRobots {
@@ -22,8 +22,8 @@ final class ClaimedRobots {
     /**
      * None as yet.
      *
-     * @param owner who has them; null for a line
-     * @param lent whether they were given to him
+     * @param owner their owner; null for a line
+     * @param lent whether they are on loan to the owner
      */
     ClaimedRobots(Team team, @Nullable Owner owner, boolean lent) {
         this.team = team;
@@ -37,9 +37,9 @@ final class ClaimedRobots {
     }
 
     /**
-     * Takes robots, which may be his already.
+     * Claims robots, which may be claimed already.
      *
-     * @throws majic.bot.BotException if one is somebody else's; those before it were taken
+     * @throws majic.bot.BotException if one has another owner; those before it were claimed
      */
     void claim(Collection<Member> members) {
         if (owner == null) {

@@ -20,7 +20,7 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One line or one script while it runs: what it ordered, whose robots it has, whether it may go on. Used by the thread
+ * One line or one script while it runs: its commands, its robots, whether it may go on. Used by the thread
  * that runs it; {@link #end()} comes from any.
  */
 public final class Execution {
@@ -102,7 +102,7 @@ public final class Execution {
         return asker;
     }
 
-    /** Says what becomes of its lines. */
+    /** Sends an answer or another line. */
     void say(Line.Kind kind, String text) {
         state.output().say(kind, text, asker);
     }
@@ -118,7 +118,7 @@ public final class Execution {
         return this;
     }
 
-    /** A behaviour, whose robots were lent to it. */
+    /** A behaviour, with its robots on loan. */
     public static Execution ofAct(SessionState state, Owner act, Selection robots) {
         return new Execution(state, robots, Manner.IN_TURN, new QueuedCommands(), act, Recording.OFF);
     }
@@ -144,7 +144,7 @@ public final class Execution {
         lines.fail(what);
     }
 
-    /** Runs a file within this script; its mistakes are told with its name. */
+    /** Runs a file within this script; its mistakes are reported with its name. */
     void nested(String file, Runnable body) {
         if (files == MOST_FILES) {
             throw new ExecutionEnded(Answer.Outcome.FAILED, file + ": files run each other too deeply");
@@ -196,7 +196,7 @@ public final class Execution {
         team.changes().raise();
     }
 
-    /** Who has the robots to himself; null if nobody needs to. */
+    /** The owner of the robots; null for a line, which claims none. */
     public @Nullable Owner owner() {
         return owner;
     }
@@ -303,7 +303,7 @@ public final class Execution {
         await(() -> !lines.hasOpen(kind), Double.POSITIVE_INFINITY);
     }
 
-    /** STOP. A script that says it ends by it like all others. */
+    /** STOP. It ends the script that contains it like all others. */
     public void stopEverything() {
         own.forget(team.members());
         lines.forget(team.members());
@@ -326,7 +326,7 @@ public final class Execution {
         checkAlive();
     }
 
-    /** Waits until robots have nothing to do and nobody else has them. */
+    /** Waits until robots are idle and have no other owner. */
     public void awaitFinished(Collection<Member> members) {
         await(() -> members.stream().allMatch(this::isFinished), Double.POSITIVE_INFINITY);
     }
@@ -336,7 +336,7 @@ public final class Execution {
         return member.isIdle(owner) && (other == null || other == owner);
     }
 
-    /** Waits until robots have done what they were told, unless they are somebody else's anyway. */
+    /** Waits until robots have finished their commands, unless they have another owner. */
     void awaitReadable(Collection<Member> members) {
         await(
                 () -> members.stream()
@@ -357,7 +357,7 @@ public final class Execution {
 
     /**
      * Stops the robots of a script that still do something; those a stop is on its way to are left alone, and so is the
-     * one whose order failed: it stands, and its queue goes with the reason.
+     * one whose order failed: it is stationary, and its queue is dropped with the reason.
      */
     void stopAllUsed() {
         ended = true;
@@ -384,7 +384,7 @@ public final class Execution {
         });
     }
 
-    /** Whether a STOP came since this began; its order may be refused before the script hears of it. */
+    /** Whether a STOP came since this began; an order of the script may be refused before that. */
     boolean wasStopped() {
         return ended || team.stops().all() != stopsBefore || (team.isLatched() && !latchedBefore);
     }

@@ -2,7 +2,7 @@ package majic.script.run;
 
 import majic.team.Answer;
 
-/** A script cannot go on: something in it failed, or somebody stopped it. The message says why, as half a sentence. */
+/** A script cannot go on: something in it failed, or it was stopped. The message is the reason, as half a sentence. */
 public final class ExecutionEnded extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -17,7 +17,7 @@ public final class ExecutionEnded extends RuntimeException {
         return outcome;
     }
 
-    /** How answers tell it. */
+    /** The words in answers. */
     public String ending() {
         return outcome == Answer.Outcome.STOPPED ? "stopped" : "failed: " + getMessage();
     }

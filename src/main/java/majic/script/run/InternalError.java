@@ -3,14 +3,14 @@ package majic.script.run;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 
-/** What nobody has foreseen: the log gets all of it, the person a line. */
+/** Reports an unexpected error: the log gets its stack trace, the answer a sentence. */
 public final class InternalError {
     private static final Logger LOG = System.getLogger(InternalError.class.getName());
 
     private InternalError() {}
 
-    /** Logs it, and tells how to say it. */
-    public static String told(String doing, Throwable why) {
+    /** Logs it, and returns the words for the answer. */
+    public static String report(String doing, Throwable why) {
         LOG.log(Level.ERROR, doing + " failed", why);
         return "an error in MAJIC, see its log";
     }

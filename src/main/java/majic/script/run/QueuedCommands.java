@@ -25,7 +25,7 @@ public final class QueuedCommands {
      *
      * @param outcome how it ended
      * @param text the order with its robot
-     * @param robot whose order it was; null if it was a whole line
+     * @param robot the robot it was for; null for a whole line
      */
     record Trouble(
             Answer.Outcome outcome, String text, @Nullable Member robot) {}
@@ -35,7 +35,7 @@ public final class QueuedCommands {
         open.put(pending, member);
     }
 
-    /** Lets those orders end as they like, because whoever gave them stops them himself. */
+    /** Ignores how the orders of some robots end, because their source stops them itself. */
     synchronized void forget(Collection<Member> members) {
         look();
         open.forEach((pending, member) -> {

@@ -75,7 +75,7 @@ public record Recording(
                 block);
     }
 
-    /** The stop of a line is told by the team. */
+    /** The team reports the stop of a line. */
     private void keepStop(Set<Integer> robots, long atNanos, Execution execution) {
         if (execution.isScript()) {
             record.stopped(robots, atNanos, block);

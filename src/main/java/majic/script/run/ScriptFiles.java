@@ -32,7 +32,7 @@ public record ScriptFiles(BotFactory factory, Actions actions) {
      * Runs a file: within a script as a part of it, otherwise as a script of its own. Blocks until it has ended.
      *
      * @throws BotException if it cannot be read
-     * @throws ExecutionEnded if it has mistakes, which were said then, or ends before its time
+     * @throws ExecutionEnded if it has mistakes, which were reported then, or ends early
      */
     public void run(Path path, Execution execution) {
         String file = path.toString();
@@ -51,7 +51,7 @@ public record ScriptFiles(BotFactory factory, Actions actions) {
         }
     }
 
-    /** Parses and checks a script; throws {@link ExecutionEnded} if it has mistakes, after all of them were said. */
+    /** Parses and checks a script; throws {@link ExecutionEnded} if it has mistakes, after all were reported. */
     private List<Statement> checked(String file, String text, Execution execution) {
         List<Mistake> mistakes = new ArrayList<>();
         List<Statement> script = ScriptText.parse(

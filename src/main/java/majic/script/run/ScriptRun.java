@@ -26,7 +26,7 @@ public final class ScriptRun {
      * @param actions for its commands
      * @param title what answers call it
      * @param file where it stands; empty if it was typed
-     * @param waits whether it ends, and says so, only when its robots have finished
+     * @param waits whether it ends, with an answer, only when its robots have finished
      */
     public ScriptRun(Execution execution, Actions actions, String title, String file, boolean waits) {
         this.execution = execution;
@@ -37,7 +37,7 @@ public final class ScriptRun {
     }
 
     /**
-     * Runs it, and says how it ended.
+     * Runs it, and answers how it ended.
      *
      * @return whether it came to its end
      */
@@ -74,10 +74,10 @@ public final class ScriptRun {
         if (why instanceof BotException) {
             return execution.wasStopped() ? "stopped" : "failed: " + why.getMessage();
         }
-        return "failed: " + InternalError.told(title, why);
+        return "failed: " + InternalError.report(title, why);
     }
 
-    /** A mistake that shows only now is told as those found before anything ran are. */
+    /** A mistake found only now is reported like those found before the run. */
     private String where(ScriptException mistake) {
         if (file.isEmpty()) {
             return String.valueOf(mistake.getMessage());

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The rules for what comes behind a robot, in both forms: {@code move 500} and {@code .move(500)}. */
 public final class CommandParser {
-    /** The words of the commands that every robot knows. */
+    /** The words of the commands that every robot has. */
     public static final List<String> WORDS =
             List.of("act", "drive", "get", "help", "log", "move", "set", "stop", "turn", "wait");
 

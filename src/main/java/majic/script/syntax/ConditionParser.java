@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The rules for conditions. */
 final class ConditionParser {
-    /** Deeper than anybody thinks, and far from the end of the stack. */
+    /** Deeper than any sensible condition, and far from the end of the stack. */
     private static final int DEEPEST = 100;
 
     private final Cursor at;

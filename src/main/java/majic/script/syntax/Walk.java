@@ -10,7 +10,7 @@ public abstract class Walk implements Statement.Visitor<@Nullable Void> {
         statements.forEach(this::visit);
     }
 
-    /** Looks at one statement, and at those in it; who overrides it has to let it do so. */
+    /** Visits one statement and those in it; an override has to call this method. */
     public void visit(Statement statement) {
         statement.accept(this);
     }
