@@ -58,7 +58,7 @@ public class GetBenchmark {
     @Benchmark
     public UrbiValue get() {
         AiboSession session = driver.session();
-        return session.ask(session.links().stop(), "headPan.val", ANSWER_S);
+        return session.ask(session.connections().stop(), "headPan.val", ANSWER_S);
     }
 
     /** The least it can take. */

@@ -21,9 +21,9 @@ import majic.aibo.sound.PlayCommand;
 import majic.aibo.sound.RecordCommand;
 import majic.aibo.sound.Speaker;
 import majic.aibo.sound.Volume;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiConnection;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.UrbiVersion;
+import majic.aibo.urbi.Waiting;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
@@ -78,11 +78,11 @@ public final class MajicAibo extends MajicBot {
         Access access = new Access(dog.senses(), this::session);
         Volume volume = new Volume();
         this.parameters = new AiboParameters(table(), dog, access, volume);
-        parameters.describe(Dialect.V1_0);
+        parameters.describe(UrbiVersion.V1_0);
         new CalibrationParameters(dog.calibration(), this::learn).describe(table());
         add(CalibrateCommand.of(new Lesson(this::session, this::stride, this::learn)));
         add(new RawCommand(access).command());
-        add(new PlayCommand(new Speaker(() -> session().links().sensors(), volume)).command());
+        add(new PlayCommand(new Speaker(() -> session().connections().sensors(), volume)).command());
         add(new RecordCommand(this::session).command());
     }
 
@@ -129,7 +129,7 @@ public final class MajicAibo extends MajicBot {
     protected void open() {
         lostBecause = null;
         dog.forgetReadings();
-        AiboSession opening = new AiboSession(this::link, new Watch(time(), changes()), dog, new Voice());
+        AiboSession opening = new AiboSession(this::link, new Waiting(time(), changes()), dog, new Voice());
         session = opening;
         try {
             opening.open();
@@ -137,7 +137,7 @@ public final class MajicAibo extends MajicBot {
             session = null;
             throw e;
         }
-        parameters.describe(opening.links().sensors().dialect());
+        parameters.describe(opening.connections().sensors().version());
         every("aibo duties", DUTY_S, this::tend);
     }
 
@@ -204,12 +204,12 @@ public final class MajicAibo extends MajicBot {
 
     /** Makes what asks the dog for pictures and LEDs, not asking yet. */
     Spectator spectator(Spectator.Audience audience) {
-        return new Spectator(new Watch(time(), changes()), this::openSensors, audience);
+        return new Spectator(new Waiting(time(), changes()), this::openSensors, audience);
     }
 
     private @Nullable UrbiConnection openSensors() {
         AiboSession open = session;
-        return isConnected() && open != null ? open.links().sensors() : null;
+        return isConnected() && open != null ? open.connections().sensors() : null;
     }
 
     /** What there is while it is connected. */

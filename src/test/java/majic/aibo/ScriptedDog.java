@@ -11,7 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.TestClock;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.Waiting;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
 import majic.time.Signal;
@@ -152,8 +152,8 @@ public final class ScriptedDog implements AutoCloseable {
     }
 
     /** Where a part of a driver waits that lives by its clock. */
-    public Watch watch() {
-        return new Watch(time, time.signal());
+    public Waiting waiting() {
+        return new Waiting(time, time.signal());
     }
 
     public TestClock clock() {

@@ -42,7 +42,7 @@ class StopPathTest {
     @Test
     void aStopArrivesAtOnceThoughACommandIsStuckOnTheMotionConnection() throws InterruptedException {
         dog.stopReading(MOTION);
-        fill(aibo.session().links().motion());
+        fill(aibo.session().connections().motion());
         CompletableFuture<Void> drive = aside(() -> aibo.drive(50, 0));
         until(() -> aibo.session().runner().current() != null);
 

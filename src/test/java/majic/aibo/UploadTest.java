@@ -13,7 +13,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiRefusal;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.Waiting;
 import majic.bot.LinkLost;
 import majic.link.Links;
 import majic.time.TimeSource;
@@ -45,7 +45,7 @@ class UploadTest {
                         broken.add(why);
                     }
                 },
-                new Watch(TimeSource.system(), TimeSource.system().signal()));
+                new Waiting(TimeSource.system(), TimeSource.system().signal()));
         connection.open(1000);
         peer = server.accept();
     }

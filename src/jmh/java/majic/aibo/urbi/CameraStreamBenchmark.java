@@ -88,7 +88,7 @@ public class CameraStreamBenchmark {
                     "pictures",
                     Links.of("//127.0.0.1:" + camera.dog.port(), AiboType.PORT, 0),
                     this,
-                    new Watch(time, time.signal()));
+                    new Waiting(time, time.signal()));
             connection.open(CONNECT_MS);
         }
 

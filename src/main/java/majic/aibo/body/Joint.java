@@ -2,7 +2,7 @@ package majic.aibo.body;
 
 import java.util.Arrays;
 import java.util.List;
-import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Range;
 
 /** The 18 joints with the angles that they can take, degrees (URBI sheet 13). */
@@ -74,8 +74,8 @@ public enum Joint {
     }
 
     /** The angles that a generation of sticks allows; beyond them the dog clips without a word (URBI sheet 6). */
-    public Range range(Dialect dialect) {
-        return switch (dialect) {
+    public Range range(UrbiVersion version) {
+        return switch (version) {
             case V1_0 -> range;
             case V1_5 -> rangeOf15;
         };

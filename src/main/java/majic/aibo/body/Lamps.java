@@ -8,9 +8,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.UrbiVersion;
 
 /** How brightly the dog's LEDs shine and whether its ears are flicked, while somebody looks. Thread-safe. */
 public final class Lamps {
@@ -23,9 +23,9 @@ public final class Lamps {
     private final Map<String, Double> amounts = new ConcurrentHashMap<>();
 
     /** The order that makes the dog tell them, until {@link #stop}. */
-    public static String order(String tag, Dialect dialect) {
+    public static String order(String tag, UrbiVersion version) {
         String readings = DEVICES.stream()
-                .map(device -> dialect.labelled(tag + SIGN + DEVICES.indexOf(device), device + ".val"))
+                .map(device -> version.labelled(tag + SIGN + DEVICES.indexOf(device), device + ".val"))
                 .collect(Collectors.joining(" & "));
         return tag + ": every(" + PERIOD_MS + ") { " + readings + " },";
     }

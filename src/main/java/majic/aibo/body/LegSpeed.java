@@ -4,11 +4,11 @@ import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
-import majic.aibo.urbi.Ask;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.UrbiVersion;
 
 /**
  * The variables on the dog that hold the pace of its legs. All its clients share them, so they are put back as they were
@@ -17,7 +17,7 @@ import majic.aibo.urbi.UrbiValue;
 public final class LegSpeed {
     private static final Gait[] ONE_FOR_EACH_VARIABLE = {Gait.FORWARD, Gait.LEFT};
 
-    private final Map<Gait, Ask> found = new EnumMap<>(Gait.class);
+    private final Map<Gait, UrbiRequest> found = new EnumMap<>(Gait.class);
     private final Set<String> changed = new HashSet<>();
 
     /** Asks how they stand, on a connection; waits for nothing. */
@@ -44,7 +44,7 @@ public final class LegSpeed {
                     && ask.value() instanceof UrbiValue.Num number
                     && number.amount() > 0) {
                 commands.append(' ').append(gait.paceVariable()).append(" = ");
-                commands.append(Dialect.number(number.amount())).append(',');
+                commands.append(UrbiVersion.number(number.amount())).append(',');
             }
         });
         changed.clear();

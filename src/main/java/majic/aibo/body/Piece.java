@@ -1,6 +1,6 @@
 package majic.aibo.body;
 
-import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.UrbiRequest;
 
 /**
  * One piece of a gait: how much it is to cover, and by the server's clock how much of it the dog has done. Safe from any
@@ -16,10 +16,10 @@ public final class Piece {
     private final Stride stride;
     private final double amount;
     private final double durationMs;
-    private final Ask ask;
+    private final UrbiRequest ask;
 
     /** Covers an amount, mm or degrees, always positive. */
-    public Piece(Stride stride, double amount, Ask ask) {
+    public Piece(Stride stride, double amount, UrbiRequest ask) {
         this.stride = stride;
         this.amount = amount;
         this.durationMs = amount * stride.msPerUnit();

@@ -2,26 +2,26 @@ package majic.aibo.panel;
 
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
-import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.Waiting;
 import org.jspecify.annotations.Nullable;
 
 /** Asks for pictures, one at a time: none is asked for while an earlier one may still be on its way. Thread-safe. */
 final class Camera {
     static final double LONGEST_S = 4;
 
-    private final Watch watch;
+    private final Waiting waiting;
     private final Tags tags = new Tags();
     private final AtomicReference<@Nullable Request> pending = new AtomicReference<>();
 
-    private record Request(UrbiConnection on, Ask ask) {}
+    private record Request(UrbiConnection on, UrbiRequest ask) {}
 
-    Camera(Watch watch) {
-        this.watch = watch;
+    Camera(Waiting waiting) {
+        this.waiting = waiting;
     }
 
     /**
@@ -35,8 +35,8 @@ final class Camera {
     @Nullable
     UrbiValue next(UrbiConnection on, BooleanSupplier over) {
         Request request = request(on);
-        Ask ask = request.ask();
-        watch.await(() -> ask.isDone() || on.isEnded() || over.getAsBoolean(), LONGEST_S);
+        UrbiRequest ask = request.ask();
+        waiting.await(() -> ask.isDone() || on.isEnded() || over.getAsBoolean(), LONGEST_S);
         if (!ask.isDone() && over.getAsBoolean()) {
             return null;
         }
@@ -49,7 +49,7 @@ final class Camera {
         return picture;
     }
 
-    private static String why(Ask ask) {
+    private static String why(UrbiRequest ask) {
         String failure = ask.failure();
         return failure == null
                 ? "no picture came within " + (int) LONGEST_S + " s"
@@ -62,11 +62,11 @@ final class Camera {
         if (last != null && last.on() == on && !last.ask().isDone()) {
             return last;
         }
-        Request fresh = new Request(on, new Ask(tags.next(), Ask.Expects.VALUE));
+        Request fresh = new Request(on, new UrbiRequest(tags.next(), UrbiRequest.Expects.VALUE));
         if (!pending.compareAndSet(last, fresh)) {
             return request(on);
         }
-        on.send(fresh.ask(), on.dialect().labelled(fresh.ask().tag(), "camera.val") + ";");
+        on.send(fresh.ask(), on.version().labelled(fresh.ask().tag(), "camera.val") + ";");
         return fresh;
     }
 }

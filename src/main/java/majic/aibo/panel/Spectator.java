@@ -6,7 +6,7 @@ import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.Waiting;
 import majic.bot.BotException;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
@@ -29,7 +29,7 @@ public final class Spectator {
         void miss(String why);
     }
 
-    private final Watch watch;
+    private final Waiting waiting;
     private final Supplier<@Nullable UrbiConnection> connection;
     private final Audience audience;
     private final Camera camera;
@@ -41,11 +41,11 @@ public final class Spectator {
      *
      * @param connection the one for sensors and settings that is open now; null while none is
      */
-    public Spectator(Watch watch, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
-        this.watch = watch;
+    public Spectator(Waiting waiting, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
+        this.waiting = waiting;
         this.connection = connection;
         this.audience = audience;
-        this.camera = new Camera(watch);
+        this.camera = new Camera(waiting);
     }
 
     /** Begins or ends looking. Never waits. */
@@ -54,11 +54,11 @@ public final class Spectator {
         if (whether && last == null) {
             Look begun = new Look();
             current = begun;
-            watch.time().thread("aibo spectator", begun::run).start();
+            waiting.time().thread("aibo spectator", begun::run).start();
         } else if (!whether && last != null) {
             last.over = true;
             current = null;
-            watch.changes().raise();
+            waiting.changes().raise();
         }
     }
 
@@ -72,7 +72,7 @@ public final class Spectator {
                 UrbiConnection on = connection.get();
                 if (on == null) {
                     audience.miss("not connected");
-                    watch.await(() -> over || connection.get() != null, Signal.FOR_EVER);
+                    waiting.await(() -> over || connection.get() != null, Signal.FOR_EVER);
                 } else {
                     look(on);
                 }
@@ -82,13 +82,13 @@ public final class Spectator {
         private void look(UrbiConnection on) {
             String tag = tags.next();
             try {
-                on.send(Lamps.order(tag, on.dialect()));
+                on.send(Lamps.order(tag, on.version()));
                 while (sees(on)) {
                     picture(on);
                 }
                 on.send(Lamps.stop(tag));
             } catch (BotException e) {
-                watch.await(() -> !sees(on), AFTER_FAILURE_S);
+                waiting.await(() -> !sees(on), AFTER_FAILURE_S);
             }
         }
 
@@ -97,11 +97,11 @@ public final class Spectator {
         }
 
         private void picture(UrbiConnection on) {
-            long askedNanos = watch.time().nanos();
+            long askedNanos = waiting.time().nanos();
             try {
                 UrbiValue picture = camera.next(on, () -> !sees(on));
                 if (picture != null) {
-                    long nanos = watch.time().nanos();
+                    long nanos = waiting.time().nanos();
                     audience.see(picture, rate.arrived(nanos));
                     double tookS = (nanos - askedNanos) / 1e9;
                     pause(on, Math.max(tookS, LEAST_PERIOD_S - tookS));
@@ -113,7 +113,7 @@ public final class Spectator {
         }
 
         private void pause(UrbiConnection on, double seconds) {
-            watch.await(() -> !sees(on), seconds);
+            waiting.await(() -> !sees(on), seconds);
         }
     }
 }

@@ -7,11 +7,11 @@ import java.util.function.Supplier;
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
 import majic.aibo.session.AiboSession;
-import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
@@ -69,15 +69,15 @@ public final class Access {
         if (!WaitPolicy.isAllowed()) {
             return Collections.nCopies(expressions.size(), NOT_REPORTED);
         }
-        UrbiConnection on = open.links().sensors();
-        List<Ask> asks =
+        UrbiConnection on = open.connections().sensors();
+        List<UrbiRequest> asks =
                 expressions.stream().map(expression -> on.ask(tags, expression)).toList();
-        open.watch().await(() -> on.isEnded() || asks.stream().allMatch(Ask::isDone), ANSWER_S);
+        open.waiting().await(() -> on.isEnded() || asks.stream().allMatch(UrbiRequest::isDone), ANSWER_S);
         asks.forEach(on::forget);
         return asks.stream().map(ask -> value(ask, reading)).toList();
     }
 
-    private static Value value(Ask ask, DoubleFunction<Value> reading) {
+    private static Value value(UrbiRequest ask, DoubleFunction<Value> reading) {
         if (ask.value() instanceof UrbiValue.Num number && Double.isFinite(number.amount())) {
             return reading.apply(number.amount());
         }
@@ -92,13 +92,13 @@ public final class Access {
      */
     void tell(List<String> commands) {
         AiboSession open = session.get();
-        UrbiConnection on = open.links().sensors();
-        Ask ask = new Ask(tags.next(), Ask.Expects.END);
+        UrbiConnection on = open.connections().sensors();
+        UrbiRequest ask = new UrbiRequest(tags.next(), UrbiRequest.Expects.END);
         on.send(ask, ask.tag() + "+end: " + UrbiCommands.together(commands) + ";");
         if (!WaitPolicy.isAllowed()) {
             return;
         }
-        open.watch().await(() -> on.isEnded() || ask.isDone(), ANSWER_S);
+        open.waiting().await(() -> on.isEnded() || ask.isDone(), ANSWER_S);
         on.forget(ask);
         String failure = ask.failure();
         if (failure != null) {

@@ -4,7 +4,7 @@ import java.util.List;
 import majic.aibo.body.Dog;
 import majic.aibo.session.Limbs;
 import majic.aibo.sound.Volume;
-import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.ParameterTable;
 import majic.driver.ParameterTheme;
 
@@ -14,7 +14,7 @@ import majic.driver.ParameterTheme;
  */
 public final class AiboParameters {
     private final ParameterTable table;
-    private final List<ParameterTheme<Dialect>> themes;
+    private final List<ParameterTheme<UrbiVersion>> themes;
 
     public AiboParameters(ParameterTable table, Dog dog, Access access, Volume volume) {
         this.table = table;
@@ -32,7 +32,7 @@ public final class AiboParameters {
     }
 
     /** Describes what a dog with a stick of this generation has. */
-    public void describe(Dialect dialect) {
-        table.renew(fresh -> themes.forEach(theme -> theme.describe(fresh, dialect)));
+    public void describe(UrbiVersion version) {
+        table.renew(fresh -> themes.forEach(theme -> theme.describe(fresh, version)));
     }
 }

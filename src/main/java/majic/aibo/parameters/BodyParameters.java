@@ -5,8 +5,8 @@ import majic.aibo.body.Posture;
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
 import majic.aibo.session.AiboSession;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.BotException;
 import majic.bot.Motion;
 import majic.bot.Parameter;
@@ -16,7 +16,7 @@ import majic.driver.ParameterTheme;
 import majic.time.WaitPolicy;
 
 /** The dog as a whole: posture, motors, what it is. */
-final class BodyParameters implements ParameterTheme<Dialect> {
+final class BodyParameters implements ParameterTheme<UrbiVersion> {
     private static final double ASK_S = 4;
 
     private final Access access;
@@ -28,7 +28,7 @@ final class BodyParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         table.add(Parameter.choice("posture", Posture.words(), "how it stands, sits or lies"), this::posture)
                 .moves(this::take);
         table.add(
@@ -61,10 +61,10 @@ final class BodyParameters implements ParameterTheme<Dialect> {
 
     private Value version() {
         AiboSession open = access.open();
-        Dialect dialect = open.links().sensors().dialect();
-        String urbi = dialect == Dialect.V1_5 ? "URBI 1.5" : "URBI 1.0";
+        UrbiVersion version = open.connections().sensors().version();
+        String urbi = version == UrbiVersion.V1_5 ? "URBI 1.5" : "URBI 1.0";
         try {
-            return open.ask(open.links().sensors(), "system.name", ASK_S) instanceof UrbiValue.Str name
+            return open.ask(open.connections().sensors(), "system.name", ASK_S) instanceof UrbiValue.Str name
                     ? Value.text(name.text() + ", " + urbi)
                     : Value.text(urbi);
         } catch (BotException e) {

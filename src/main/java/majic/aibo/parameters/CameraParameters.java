@@ -1,8 +1,8 @@
 package majic.aibo.parameters;
 
 import java.util.List;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -10,7 +10,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** How the camera takes its pictures, in words where the dog has numbers (URBI sheet 13). */
-final class CameraParameters implements ParameterTheme<Dialect> {
+final class CameraParameters implements ParameterTheme<UrbiVersion> {
     private static final int BEST = 100;
 
     private final Access access;
@@ -20,7 +20,7 @@ final class CameraParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         words(table, "format", "format", 0, List.of("YCbCr", "jpeg"), "how the camera's pictures are sent");
         words(
                 table,

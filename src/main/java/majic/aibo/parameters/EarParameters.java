@@ -3,8 +3,8 @@ package majic.aibo.parameters;
 import java.util.ArrayList;
 import java.util.List;
 import majic.aibo.session.Limbs;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
@@ -13,7 +13,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** The ears, which know two places each (URBI sheet 13). */
-final class EarParameters implements ParameterTheme<Dialect> {
+final class EarParameters implements ParameterTheme<UrbiVersion> {
     private static final List<String> EARS = List.of("earL", "earR");
 
     private final Access access;
@@ -25,7 +25,7 @@ final class EarParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         describe(table, "earL", "whether the left ear is flicked");
         describe(table, "earR", "whether the right ear is flicked");
         Parameter right = Parameter.number("earR", Unit.NONE, "the right ear").within(0, 1);

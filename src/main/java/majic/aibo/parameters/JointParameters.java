@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import majic.aibo.body.Joint;
 import majic.aibo.session.Limbs;
-import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
@@ -16,7 +16,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** The joints, alone and by limbs: read as measured, set with an optional time that the motion is to take. */
-final class JointParameters implements ParameterTheme<Dialect> {
+final class JointParameters implements ParameterTheme<UrbiVersion> {
     private static final double LONGEST_MS = 30_000;
     private static final double FASTEST_DEG_PER_S = 500;
     private static final Parameter TIME =
@@ -31,17 +31,17 @@ final class JointParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         for (Joint joint : Joint.values()) {
-            Parameter angle = angle(joint, dialect).with(TIME);
+            Parameter angle = angle(joint, version).with(TIME);
             table.add(angle, access.sensed(joint.sensor(), Unit.DEG))
                     .moves((values, motion) -> turn(List.of(joint), values, motion));
         }
-        describeLimb(table, dialect, "head", List.of(Joint.NECK, Joint.HEAD_PAN, Joint.HEAD_TILT, Joint.MOUTH));
+        describeLimb(table, version, "head", List.of(Joint.NECK, Joint.HEAD_PAN, Joint.HEAD_TILT, Joint.MOUTH));
         for (String limb : List.of("tail", "legLF", "legRF", "legLH", "legRH")) {
-            describeLimb(table, dialect, limb, Joint.named(limb));
+            describeLimb(table, version, limb, Joint.named(limb));
         }
-        describeLimb(table, dialect, "legs", Joint.named("leg"));
+        describeLimb(table, version, "legs", Joint.named("leg"));
         table.add(
                         Parameter.number("jointSpeed", Unit.DEG_PER_S, "how fast joints turn that are given no time")
                                 .within(1, FASTEST_DEG_PER_S),
@@ -49,17 +49,17 @@ final class JointParameters implements ParameterTheme<Dialect> {
                 .writes(values -> limbs.setDegPerSec(values.get(0).number()));
     }
 
-    private static Parameter angle(Joint joint, Dialect dialect) {
-        Range range = joint.range(dialect);
+    private static Parameter angle(Joint joint, UrbiVersion version) {
+        Range range = joint.range(version);
         return Parameter.number(joint.urbiName(), Unit.DEG, joint.help()).within(range.min(), range.max());
     }
 
-    private void describeLimb(ParameterTable table, Dialect dialect, String name, List<Joint> joints) {
-        Range first = joints.get(0).range(dialect);
+    private void describeLimb(ParameterTable table, UrbiVersion version, String name, List<Joint> joints) {
+        Range first = joints.get(0).range(version);
         Parameter limb = Parameter.list(name, Unit.DEG, names(joints) + "; what set leaves out stays as it is")
                 .within(first.min(), first.max());
         for (Joint joint : joints.subList(1, joints.size())) {
-            limb = limb.with(angle(joint, dialect));
+            limb = limb.with(angle(joint, version));
         }
         table.add(
                         limb.with(TIME),

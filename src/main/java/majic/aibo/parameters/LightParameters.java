@@ -3,8 +3,8 @@ package majic.aibo.parameters;
 import java.util.ArrayList;
 import java.util.List;
 import majic.aibo.body.LedNames;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -12,7 +12,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** The 26 LEDs, alone and in groups (URBI sheet 13). None of it moves the dog. */
-final class LightParameters implements ParameterTheme<Dialect> {
+final class LightParameters implements ParameterTheme<UrbiVersion> {
     private static final List<String> PLACES = List.of("front", "middle", "rear");
 
     private final Access access;
@@ -24,7 +24,7 @@ final class LightParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         LedNames.FACE.forEach(led -> describe(table, led, "brightness of this LED of the face"));
         for (int place = 0; place < PLACES.size(); place++) {
             String where = "brightness of the back's %s LED, " + PLACES.get(place);

@@ -3,8 +3,8 @@ package majic.aibo.parameters;
 import java.util.List;
 import majic.aibo.body.Joint;
 import majic.aibo.session.Limbs;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
@@ -13,7 +13,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** How stiff each joint is. A dog whose legs go loose falls over, so setting it is a motion. */
-final class LoadParameters implements ParameterTheme<Dialect> {
+final class LoadParameters implements ParameterTheme<UrbiVersion> {
     private final Access access;
     private final Limbs limbs;
 
@@ -23,7 +23,7 @@ final class LoadParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         for (Joint joint : Joint.values()) {
             String variable = joint.urbiName() + ".load";
             table.add(

@@ -4,7 +4,7 @@ import java.util.Optional;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
-import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -12,7 +12,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** What the infra-red beams meet, in mm where the dog has cm. */
-final class RangeParameters implements ParameterTheme<Dialect> {
+final class RangeParameters implements ParameterTheme<UrbiVersion> {
     private final Dog dog;
     private final Senses senses;
 
@@ -22,7 +22,7 @@ final class RangeParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         table.add(
                 Parameter.number("distanceFront", Unit.MM, "the nearest thing in its way ahead, from the hull"),
                 this::front);

@@ -42,8 +42,9 @@ public final class RawCommand {
         AiboSession open = access.open();
         open.awaitFree(motion);
         List<UrbiMessage> answers = new CopyOnWriteArrayList<>();
-        Running running =
-                open.runner().command(open.links().motion(), "{ " + text + " }").unknown();
+        Running running = open.runner()
+                .command(open.connections().motion(), "{ " + text + " }")
+                .unknown();
         motion.send(open.guard()::renew);
         Runnable deaf = open.listen(answers::add);
         try {

@@ -2,7 +2,7 @@ package majic.aibo.parameters;
 
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
-import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -10,7 +10,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** What the dog feels and what it hears of itself, as it reports it. */
-final class SenseParameters implements ParameterTheme<Dialect> {
+final class SenseParameters implements ParameterTheme<UrbiVersion> {
     private static final double PERCENT = 100;
 
     private final Access access;
@@ -22,7 +22,7 @@ final class SenseParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         table.add(
                 Parameter.number("battery", Unit.PERCENT, "charge left"),
                 () -> senses.value(Sensor.CHARGE, PERCENT, Unit.PERCENT));

@@ -2,7 +2,7 @@ package majic.aibo.parameters;
 
 import java.util.List;
 import majic.aibo.sound.Volume;
-import majic.aibo.urbi.Dialect;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -10,7 +10,7 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** The speaker. The dog itself has no volume that could be set (URBI sheet 13). */
-final class SoundParameters implements ParameterTheme<Dialect> {
+final class SoundParameters implements ParameterTheme<UrbiVersion> {
     private final Access access;
     private final Volume volume;
 
@@ -20,7 +20,7 @@ final class SoundParameters implements ParameterTheme<Dialect> {
     }
 
     @Override
-    public void describe(ParameterTable table, Dialect dialect) {
+    public void describe(ParameterTable table, UrbiVersion version) {
         table.add(Parameter.onOff("beep", "on beeps once"), () -> Value.onOff(false))
                 .writes(values -> beep(values.get(0).isYes()));
         table.add(

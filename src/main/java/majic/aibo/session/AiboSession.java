@@ -4,16 +4,16 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Sensor;
-import majic.aibo.urbi.AiboLinks;
-import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.Waiting;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Motion;
@@ -41,7 +41,7 @@ public final class AiboSession {
         void lost(LinkLost cause);
     }
 
-    private final Watch watch;
+    private final Waiting waiting;
     private final Dog dog;
     private final Robot robot;
     private final Tags tags = new Tags();
@@ -49,7 +49,7 @@ public final class AiboSession {
     private final DogClock clock;
     private final BatteryWatch battery;
     private final Hearing hearing;
-    private final AiboLinks links;
+    private final AiboConnections connections;
     private final Runner runner;
     private final DogGuard guard;
     private final HeadSweep sweep;
@@ -58,47 +58,47 @@ public final class AiboSession {
     private final Driving driving;
     private volatile @Nullable Vigil vigil;
 
-    public AiboSession(Supplier<Link> link, Watch watch, Dog dog, Robot robot) {
-        this.watch = watch;
+    public AiboSession(Supplier<Link> link, Waiting waiting, Dog dog, Robot robot) {
+        this.waiting = waiting;
         this.dog = dog;
         this.robot = robot;
         Consumer<String> notice = robot::say;
-        this.clock = new DogClock(watch);
+        this.clock = new DogClock(waiting);
         this.battery = new BatteryWatch(notice);
-        this.hearing = new Hearing(watch, dog, poll, clock, battery, robot::sensed);
-        this.links = new AiboLinks(link, watch, this::heard, this::lost);
-        this.runner = new Runner(links, tags, watch, dog, robot::sensed);
-        this.guard = new DogGuard(links, tags, watch, clock);
-        this.sweep = new HeadSweep(links.sensors(), tags);
-        this.microphone = new Microphone(links.sensors(), tags);
+        this.hearing = new Hearing(waiting, dog, poll, clock, battery, robot::sensed);
+        this.connections = new AiboConnections(link, waiting, this::heard, this::lost);
+        this.runner = new Runner(connections, tags, waiting, dog, robot::sensed);
+        this.guard = new DogGuard(connections, tags, waiting, clock);
+        this.sweep = new HeadSweep(connections.sensors(), tags);
+        this.microphone = new Microphone(connections.sensors(), tags);
         this.feet = new Feet(this, dog, notice);
         this.driving = new Driving(this, notice);
     }
 
     /** Connects, sets up guard and readings; moves nothing. Leaves nothing open when it throws. */
     public void open() {
-        links.open();
+        connections.open();
         try {
-            dog.takeLeftovers().ifPresent(links.stop()::send);
+            dog.takeLeftovers().ifPresent(connections.stop()::send);
             if (!guard.install()) {
                 robot.say(
                         "the dog takes no guard that would end its walk when the link is lost; its walks end within 2 s");
             }
-            dog.legSpeed().look(links.sensors(), tags);
+            dog.legSpeed().look(connections.sensors(), tags);
             awaitFirstReadings();
-            vigil = new Vigil(links, hearing, tags, watch, clock);
-            links.announceOpened();
+            vigil = new Vigil(connections, hearing, tags, waiting, clock);
+            connections.announceOpened();
         } catch (BotException e) {
-            links.abort();
+            connections.abort();
             throw e;
         }
     }
 
     private void awaitFirstReadings() {
         for (Sensor.Rate rate : Sensor.Rate.values()) {
-            links.sensors().send(poll.order(rate, links.sensors().dialect()));
+            connections.sensors().send(poll.order(rate, connections.sensors().version()));
         }
-        boolean all = watch.await(() -> hearing.answered() == Sensor.values().length, FIRST_READINGS_S);
+        boolean all = waiting.await(() -> hearing.answered() == Sensor.values().length, FIRST_READINGS_S);
         if (!all && hearing.answered() == 0) {
             throw new BotException("the dog lets itself be connected but tells no reading within "
                     + (int) FIRST_READINGS_S + " s; restart the dog");
@@ -106,12 +106,12 @@ public final class AiboSession {
         hearing.listenAnew();
     }
 
-    public Watch watch() {
-        return watch;
+    public Waiting waiting() {
+        return waiting;
     }
 
-    public AiboLinks links() {
-        return links;
+    public AiboConnections connections() {
+        return connections;
     }
 
     DogClock clock() {
@@ -170,8 +170,8 @@ public final class AiboSession {
         if (!WaitPolicy.isAllowed()) {
             throw new UrbiRefusal("the dog tells it only when asked");
         }
-        Ask ask = on.ask(tags, expression);
-        watch.await(() -> ask.isDone() || on.isEnded(), seconds);
+        UrbiRequest ask = on.ask(tags, expression);
+        waiting.await(() -> ask.isDone() || on.isEnded(), seconds);
         on.forget(ask);
         UrbiValue value = ask.value();
         if (value == null) {
@@ -187,7 +187,7 @@ public final class AiboSession {
     /** Waits until the dog has ended what it did before this motion. */
     public void awaitFree(Motion motion) {
         motion.check();
-        if (!watch.await(() -> runner.current() == null, FREE_S)) {
+        if (!waiting.await(() -> runner.current() == null, FREE_S)) {
             throw new MotionFailed("the dog has not ended what it did before");
         }
         motion.check();
@@ -225,14 +225,14 @@ public final class AiboSession {
         if (watching.fallsSilent() && runner.current() != null) {
             robot.say("no word from the dog for " + Vigil.SILENCE_S + " s while it moves: it is told to stop");
             runner.halt(sweep.halt());
-            watch.changes().raise();
+            waiting.changes().raise();
         }
     }
 
     /** Stops, says goodbye, closes. */
     public void close() {
         driving.forget();
-        links.close(lastWords() + dog.legSpeed().restore());
+        connections.close(lastWords() + dog.legSpeed().restore());
     }
 
     /** What ends all that the dog does for this session. */

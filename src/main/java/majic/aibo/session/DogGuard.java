@@ -2,13 +2,13 @@ package majic.aibo.session;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import majic.aibo.urbi.AiboLinks;
-import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.Waiting;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,9 +27,9 @@ public final class DogGuard {
     private static final String FAR_AHEAD = "1000000000000";
     private static final double ANSWER_S = 4;
 
-    private final AiboLinks links;
+    private final AiboConnections connections;
     private final Tags tags;
-    private final Watch watch;
+    private final Waiting waiting;
     private final DogClock clock;
     private final String alive;
     private final String tag;
@@ -38,10 +38,10 @@ public final class DogGuard {
     private boolean armed;
     private long renewedNanos;
 
-    DogGuard(AiboLinks links, Tags tags, Watch watch, DogClock clock) {
-        this.links = links;
+    DogGuard(AiboConnections connections, Tags tags, Waiting waiting, DogClock clock) {
+        this.connections = connections;
         this.tags = tags;
-        this.watch = watch;
+        this.waiting = waiting;
         this.clock = clock;
         this.alive = tags.sharedVariable("alive");
         this.tag = tags.named("guard");
@@ -49,16 +49,16 @@ public final class DogGuard {
 
     /** Sets the guard up, disarmed; tells whether the server takes it. Moves nothing. */
     boolean install() {
-        UrbiConnection motion = links.motion();
-        long askedNanos = watch.time().nanos();
-        Ask time = motion.ask(tags, "time()");
-        Ask guard = new Ask(tag, Ask.Expects.END);
+        UrbiConnection motion = connections.motion();
+        long askedNanos = waiting.time().nanos();
+        UrbiRequest time = motion.ask(tags, "time()");
+        UrbiRequest guard = new UrbiRequest(tag, UrbiRequest.Expects.END);
         motion.send(
                 guard,
                 alive + " = " + FAR_AHEAD + "; " + tag + ": every(200) { if (time() - " + alive + " > " + PATIENCE_MS
                         + ") { stop walk & stop turn } },");
-        Ask pong = motion.ping(tags);
-        watch.await(() -> pong.isDone() || motion.isEnded(), ANSWER_S);
+        UrbiRequest pong = motion.ping(tags);
+        waiting.await(() -> pong.isDone() || motion.isEnded(), ANSWER_S);
         motion.forget(guard);
         if (guard.failure() == null && time.value() instanceof UrbiValue.Num serverMs) {
             stampAheadMs = time.doneMs() - serverMs.amount();
@@ -74,8 +74,8 @@ public final class DogGuard {
     public synchronized void renew() {
         if (installed) {
             armed = true;
-            renewedNanos = watch.time().nanos();
-            links.sensors().send(alive + " = " + Math.round(clock.estimateMs() - stampAheadMs) + ",");
+            renewedNanos = waiting.time().nanos();
+            connections.sensors().send(alive + " = " + Math.round(clock.estimateMs() - stampAheadMs) + ",");
         }
     }
 
@@ -84,14 +84,14 @@ public final class DogGuard {
      * told to stop and has not ended yet gets neither: the guard ends it if the stop does not.
      */
     synchronized void tend(@Nullable Running running) {
-        boolean due = watch.time().secondsSince(renewedNanos) >= RENEWAL_S;
+        boolean due = waiting.time().secondsSince(renewedNanos) >= RENEWAL_S;
         if (running != null && running.mayWalk()) {
             if (!running.isStopRequested() && (due || !armed)) {
                 renew();
             }
         } else if (armed && due) {
             armed = false;
-            links.sensors().send(alive + " = " + FAR_AHEAD + ",");
+            connections.sensors().send(alive + " = " + FAR_AHEAD + ",");
         }
     }
 

@@ -53,7 +53,7 @@ public final class Driving {
         if (stride != null && session.runner().current() == null) {
             session.feet().refuseFallen(session.dog().senses().posture());
         }
-        renewedNanos = session.watch().time().nanos();
+        renewedNanos = session.waiting().time().nanos();
         wanted = stride;
         if (stride == null) {
             session.halt();
@@ -123,7 +123,7 @@ public final class Driving {
 
     /** Whether somebody drives and has not said so for too long, as when the program stood still. */
     private boolean hasLapsed() {
-        return wanted != null && session.watch().time().secondsSince(renewedNanos) > LEASE_S;
+        return wanted != null && session.waiting().time().secondsSince(renewedNanos) > LEASE_S;
     }
 
     private void fail(String wrong) {
@@ -137,7 +137,7 @@ public final class Driving {
             return "no word from the dog for 1.5 s; it was told to stop";
         }
         boolean walks = running != null && running.piece() != null;
-        if (walks && session.watch().time().secondsSince(begunNanos) > OVERDUE_S) {
+        if (walks && session.waiting().time().secondsSince(begunNanos) > OVERDUE_S) {
             return "the dog did not tell the end of its walk in time; it was told to stop";
         }
         return underWay ? session.dog().senses().unfit() : null;
@@ -166,7 +166,7 @@ public final class Driving {
         session.guard().renew();
         Running piece = session.runner().piece(stride, PIECE_MS / stride.msPerUnit());
         latest = piece;
-        begunNanos = session.watch().time().nanos();
+        begunNanos = session.waiting().time().nanos();
         if (session.runner().start(piece, this::isWanted) && stride.gait() == Gait.FORWARD) {
             session.sweep().start();
         }

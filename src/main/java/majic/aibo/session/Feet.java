@@ -79,7 +79,7 @@ public final class Feet {
     }
 
     private Running rise(boolean powered) {
-        UrbiConnection on = session.links().motion();
+        UrbiConnection on = session.connections().motion();
         return powered
                 ? session.runner().command(on, Posture.STAND.call())
                 : session.runner()
@@ -91,7 +91,7 @@ public final class Feet {
         session.awaitFree(motion);
         if (!dog.senses().motorsOn().orElse(false)) {
             notice.accept("switches the dog's motors on");
-            Running switching = session.runner().command(session.links().motion(), "{ motors on; wait(1000) }");
+            Running switching = session.runner().command(session.connections().motion(), "{ motors on; wait(1000) }");
             perform(motion, switching, POWER_S);
             dog.senses().assumeMotors(true, switching.endedMs());
         }
@@ -109,14 +109,15 @@ public final class Feet {
             layDown(motion);
         }
         layingFailed = false;
-        Running switching = session.runner().command(session.links().motion(), UrbiCommands.toGroup("motors off"));
+        Running switching =
+                session.runner().command(session.connections().motion(), UrbiCommands.toGroup("motors off"));
         perform(motion, switching, POWER_S);
         dog.senses().assumeMotors(false, switching.endedMs());
     }
 
     private void layDown(Motion motion) {
         try {
-            perform(motion, session.runner().command(session.links().motion(), Posture.LAY.call()), POSTURE_S);
+            perform(motion, session.runner().command(session.connections().motion(), Posture.LAY.call()), POSTURE_S);
             String posture = posture();
             if (UP.contains(posture)) {
                 throw new MotionFailed("the dog was to lie down, but tells that it is in posture " + posture);
@@ -133,14 +134,14 @@ public final class Feet {
         power(motion);
         dog.setAfoot(false);
         layingFailed = false;
-        perform(motion, session.runner().command(session.links().motion(), posture.call()), POSTURE_S);
+        perform(motion, session.runner().command(session.connections().motion(), posture.call()), POSTURE_S);
         dog.setAfoot(posture == Posture.STAND);
     }
 
     /** What the dog takes its posture for; "unknown" also if it cannot tell. */
     public String posture() {
         try {
-            return session.ask(session.links().motion(), "robot.MyguessPosition()", GUESS_S)
+            return session.ask(session.connections().motion(), "robot.MyguessPosition()", GUESS_S)
                             instanceof UrbiValue.Str guess
                     ? guess.text()
                     : "unknown";
@@ -153,7 +154,7 @@ public final class Feet {
     public void perform(Motion motion, Running running, double seconds) {
         motion.send(() -> session.runner().start(running, () -> true));
         BooleanSupplier over = () -> running.isOver() || !stillGoes(motion);
-        boolean ended = session.watch().await(over, seconds);
+        boolean ended = session.waiting().await(over, seconds);
         motion.check();
         if (!ended) {
             running.requestStop();

@@ -1,9 +1,9 @@
 package majic.aibo.session;
 
 import java.util.concurrent.atomic.AtomicReference;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiVersion;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -59,8 +59,8 @@ public final class HeadSweep {
         if (tag != null) {
             String back = tags.next();
             homing.set(back);
-            sensors.send("stop " + tag + "; " + back + ": headPan.val = " + Dialect.number(homeDeg) + " time:" + BACK_MS
-                    + ",");
+            sensors.send("stop " + tag + "; " + back + ": headPan.val = " + UrbiVersion.number(homeDeg) + " time:"
+                    + BACK_MS + ",");
         }
     }
 

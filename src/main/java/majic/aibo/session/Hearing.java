@@ -13,14 +13,14 @@ import majic.aibo.body.Sensor;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.Waiting;
 
 /** Sorts what a dog says without being asked anew: readings, battery lines, the rest. Hears on the readers' threads. */
 final class Hearing {
     private static final Logger LOG = System.getLogger(Hearing.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
 
-    private final Watch watch;
+    private final Waiting waiting;
     private final Dog dog;
     private final Poll poll;
     private final DogClock clock;
@@ -30,24 +30,24 @@ final class Hearing {
     private volatile long lastWordNanos;
 
     /** Calls the last argument when a set of readings is in. */
-    Hearing(Watch watch, Dog dog, Poll poll, DogClock clock, BatteryWatch battery, Runnable whenSensed) {
-        this.watch = watch;
+    Hearing(Waiting waiting, Dog dog, Poll poll, DogClock clock, BatteryWatch battery, Runnable whenSensed) {
+        this.waiting = waiting;
         this.dog = dog;
         this.poll = poll;
         this.clock = clock;
         this.battery = battery;
         this.whenSensed = whenSensed;
-        this.lastWordNanos = watch.time().nanos();
+        this.lastWordNanos = waiting.time().nanos();
     }
 
     /** For how long no reading has come, seconds. */
     double silenceS() {
-        return watch.time().secondsSince(lastWordNanos);
+        return waiting.time().secondsSince(lastWordNanos);
     }
 
     /** Counts the silence from now on. */
     void listenAnew() {
-        lastWordNanos = watch.time().nanos();
+        lastWordNanos = waiting.time().nanos();
     }
 
     /** How many sensors the dog has answered for. */

@@ -7,8 +7,8 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import majic.aibo.body.Joint;
 import majic.aibo.body.Senses;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiCommands;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
 
 /** Moves joints, and waits until they are where they were told to be. Only ever on behalf of a motion. */
@@ -55,7 +55,7 @@ public final class Limbs {
         double ms = Math.rint(givenMs.orElseGet(() -> usualMs(targets)));
         List<String> commands = targets.entrySet().stream()
                 .map(target -> UrbiCommands.assign(target.getKey().urbiName() + ".val", target.getValue()) + " time:"
-                        + Dialect.number(ms))
+                        + UrbiVersion.number(ms))
                 .toList();
         prepare(open, targets, motion);
         perform(open, commands, ms / 1000, motion);
@@ -80,7 +80,7 @@ public final class Limbs {
     }
 
     private static void perform(AiboSession open, List<String> commands, double seconds, Motion motion) {
-        Running running = open.runner().command(open.links().sensors(), UrbiCommands.together(commands));
+        Running running = open.runner().command(open.connections().sensors(), UrbiCommands.together(commands));
         open.feet().perform(motion, running, seconds + LATE_S);
     }
 

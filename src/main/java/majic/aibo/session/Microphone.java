@@ -46,7 +46,7 @@ public final class Microphone {
         if (!ear.compareAndSet(null, new Ear(tag, hearer))) {
             throw new BotException("the dog is being recorded already; it makes one recording at a time");
         }
-        on.send(order + ": timeout(" + longestMs + ") loop { " + on.dialect().labelled(tag, "micro.val") + " },");
+        on.send(order + ": timeout(" + longestMs + ") loop { " + on.version().labelled(tag, "micro.val") + " },");
     }
 
     /** Ends it on the dog; what is on its way still goes nowhere. */

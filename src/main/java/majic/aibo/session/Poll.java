@@ -4,9 +4,9 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
 import majic.aibo.body.Sensor;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiVersion;
 import org.jspecify.annotations.Nullable;
 
 /** The standing order by which the dog reports its sensors, and the way back from tags to sensors (URBI sheet 8). */
@@ -22,9 +22,9 @@ final class Poll {
     }
 
     /** The order for all sensors of a rate; a name the dog does not know spoils only its own reading. */
-    String order(Sensor.Rate rate, Dialect dialect) {
+    String order(Sensor.Rate rate, UrbiVersion version) {
         String readings = rate.sensors().stream()
-                .map(sensor -> dialect.labelled(tags.named(sensor.tagName()), sensor.expression()))
+                .map(sensor -> version.labelled(tags.named(sensor.tagName()), sensor.expression()))
                 .collect(Collectors.joining(" & "));
         return pollTag(rate) + ": every(" + rate.periodMs() + ") { " + readings + " },";
     }

@@ -6,12 +6,12 @@ import java.util.function.UnaryOperator;
 import majic.aibo.body.Dog;
 import majic.aibo.body.Piece;
 import majic.aibo.body.Stride;
-import majic.aibo.urbi.AiboLinks;
-import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.UrbiRequest;
+import majic.aibo.urbi.Waiting;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
@@ -24,18 +24,18 @@ public final class Runner {
     private static final double CONFIRM_S = 5;
     private static final double AGAIN_S = 0.1;
 
-    private final AiboLinks links;
+    private final AiboConnections connections;
     private final Tags tags;
-    private final Watch watch;
+    private final Waiting waiting;
     private final Dog dog;
     private final Runnable whenOver;
     private final AtomicReference<@Nullable Running> current = new AtomicReference<>();
 
     /** Tells of each end by the last argument, on whatever thread notices it. */
-    Runner(AiboLinks links, Tags tags, Watch watch, Dog dog, Runnable whenOver) {
-        this.links = links;
+    Runner(AiboConnections connections, Tags tags, Waiting waiting, Dog dog, Runnable whenOver) {
+        this.connections = connections;
         this.tags = tags;
-        this.watch = watch;
+        this.waiting = waiting;
         this.dog = dog;
         this.whenOver = whenOver;
     }
@@ -47,10 +47,10 @@ public final class Runner {
 
     /** Makes a piece of a gait, to be started. */
     Running piece(Stride stride, double amount) {
-        Ask ask = ask();
+        UrbiRequest ask = ask();
         Piece piece = new Piece(stride, amount, ask);
         String commands = dog.legSpeed().order(stride) + " " + ask.tag() + "+begin+end: " + piece.call() + ",";
-        return new Running(links.motion(), ask, commands, piece);
+        return new Running(connections.motion(), ask, commands, piece);
     }
 
     /** Makes any other command that ends by itself, to be started. */
@@ -63,12 +63,12 @@ public final class Runner {
      * (URBI sheet 7), so what may go wrong there is to be marked with it.
      */
     Running command(UrbiConnection on, UnaryOperator<String> commandsForTag) {
-        Ask ask = ask();
+        UrbiRequest ask = ask();
         return new Running(on, ask, ask.tag() + "+end: " + commandsForTag.apply(ask.tag()) + ",", null);
     }
 
-    private Ask ask() {
-        return new Ask(tags.next(), Ask.Expects.END, this::clear);
+    private UrbiRequest ask() {
+        return new UrbiRequest(tags.next(), UrbiRequest.Expects.END, this::clear);
     }
 
     /** Starts it, if it still may be started once everybody can see that it is about to be; there is nothing else. */
@@ -108,35 +108,35 @@ public final class Runner {
         if (dropEnded()) {
             whenOver.run();
         }
-        watch.changes().raise();
+        waiting.changes().raise();
     }
 
     /** Sends the stop; does not wait for anything. */
     void halt(String further) {
         Running running = current.get();
         if (running == null) {
-            links.stop().send(UrbiCommands.STOP_GAITS + further);
+            connections.stop().send(UrbiCommands.STOP_GAITS + further);
         } else {
             running.requestStop();
             if (running.piece() == null) {
                 dog.setAfoot(false);
             }
-            links.stop().send(UrbiCommands.STOP_GAITS + running.stopCommands() + further);
+            connections.stop().send(UrbiCommands.STOP_GAITS + running.stopCommands() + further);
         }
     }
 
     /** Waits until the dog has executed the stop and what it was doing has ended. */
     public void confirm() {
         Running running = current.get();
-        Ask pong = links.stop().ping(tags);
+        UrbiRequest pong = connections.stop().ping(tags);
         BooleanSupplier stands =
                 () -> pong.isDone() && (running == null || running.isOver() || !running.isStopRequested());
-        long started = watch.time().nanos();
-        while (!watch.await(stands, AGAIN_S)) {
-            if (links.stop().isEnded()) {
+        long started = waiting.time().nanos();
+        while (!waiting.await(stands, AGAIN_S)) {
+            if (connections.stop().isEnded()) {
                 throw new LinkLost("the stop was sent, but the connection was lost before the dog confirmed it");
             }
-            if (watch.time().secondsSince(started) > CONFIRM_S) {
+            if (waiting.time().secondsSince(started) > CONFIRM_S) {
                 throw new BotException(
                         "the stop was sent, but the dog has not confirmed it within " + (int) CONFIRM_S + " s");
             }
@@ -148,7 +148,7 @@ public final class Runner {
     void pursue() {
         Running running = current.get();
         if (running != null && running.isStopRequested()) {
-            running.pursue(links.stop(), tags, UrbiCommands.STOP_GAITS);
+            running.pursue(connections.stop(), tags, UrbiCommands.STOP_GAITS);
         }
     }
 

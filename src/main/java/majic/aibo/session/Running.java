@@ -1,9 +1,9 @@
 package majic.aibo.session;
 
 import majic.aibo.body.Piece;
-import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,17 +12,17 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Running {
     private final UrbiConnection on;
-    private final Ask ask;
+    private final UrbiRequest ask;
     private final String commands;
     private final @Nullable Piece piece;
     private volatile boolean stopRequested;
     private volatile boolean unknown;
     private boolean written;
-    private @Nullable Ask arrival;
-    private @Nullable Ask execution;
+    private @Nullable UrbiRequest arrival;
+    private @Nullable UrbiRequest execution;
 
     /** A gait piece if there is one, otherwise any command with the ask's tag and the {@code +end} flag. */
-    Running(UrbiConnection on, Ask ask, String commands, @Nullable Piece piece) {
+    Running(UrbiConnection on, UrbiRequest ask, String commands, @Nullable Piece piece) {
         this.on = on;
         this.ask = ask;
         this.commands = commands;

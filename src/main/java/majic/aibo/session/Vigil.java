@@ -1,11 +1,11 @@
 package majic.aibo.session;
 
 import java.util.List;
-import majic.aibo.urbi.AiboLinks;
+import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
-import majic.aibo.urbi.Pulse;
+import majic.aibo.urbi.PingProbe;
 import majic.aibo.urbi.Tags;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.Waiting;
 
 /** Finds out that a dog no longer says or hears anything. Used by the keeper's thread. */
 final class Vigil {
@@ -14,27 +14,28 @@ final class Vigil {
 
     private static final double LOST_S = 4;
 
-    private final AiboLinks links;
+    private final AiboConnections connections;
     private final Hearing hearing;
-    private final List<Pulse> pulses;
+    private final List<PingProbe> probes;
     private boolean told;
 
     /** Begins to watch links that are open. */
-    Vigil(AiboLinks links, Hearing hearing, Tags tags, Watch watch, DogClock clock) {
-        this.links = links;
+    Vigil(AiboConnections connections, Hearing hearing, Tags tags, Waiting waiting, DogClock clock) {
+        this.connections = connections;
         this.hearing = hearing;
-        this.pulses =
-                List.of(new Pulse(links.motion(), tags, watch, clock), new Pulse(links.stop(), tags, watch, clock));
+        this.probes = List.of(
+                new PingProbe(connections.motion(), tags, waiting, clock),
+                new PingProbe(connections.stop(), tags, waiting, clock));
     }
 
     /** Breaks the connection if it does not reach the dog any more. */
     void tend() {
         if (hearing.silenceS() > LOST_S) {
-            links.broken(links.sensors(), "no word from the dog for " + (int) LOST_S + " s");
+            connections.broken(connections.sensors(), "no word from the dog for " + (int) LOST_S + " s");
         }
-        for (Pulse pulse : pulses) {
-            if (!pulse.beats()) {
-                links.broken(pulse.connection(), Pulse.silence());
+        for (PingProbe probe : probes) {
+            if (!probe.beats()) {
+                connections.broken(probe.connection(), PingProbe.silence());
             }
         }
     }

@@ -82,7 +82,7 @@ public final class Walker {
         }
         if (!running.isOver()) {
             motion.send(() -> session.runner().halt(""));
-            boolean ended = session.watch().await(running::isOver, LATE_S);
+            boolean ended = session.waiting().await(running::isOver, LATE_S);
             motion.check();
             if (!ended || !motion.guardReached()) {
                 throw failed("the dog did not tell the end of its walk in time; it was told to stop", piece.gait());

@@ -40,7 +40,7 @@ public final class RecordCommand {
     /** Takes the name at once: who is told after a minute that it cannot be written has spoken for nothing. */
     private String record(double seconds, LocalFile file, Motion motion) {
         AiboSession open = session.get();
-        Recording recording = new Recording(seconds, open.watch().changes()::raise);
+        Recording recording = new Recording(seconds, open.waiting().changes()::raise);
         file.create(WaveFile.write(new Pcm(NOTHING_YET, new byte[0])));
         try {
             listen(open, recording, seconds, motion);

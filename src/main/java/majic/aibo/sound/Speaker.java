@@ -4,10 +4,10 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
-import majic.aibo.urbi.Ask;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
+import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
@@ -65,7 +65,7 @@ public final class Speaker {
         return alone(() -> {
             UrbiConnection on = connection.get();
             awaitQuiet(on, motion, OTHERS_S);
-            Ask ask = new Ask(tags.next(), Ask.Expects.END);
+            UrbiRequest ask = new UrbiRequest(tags.next(), UrbiRequest.Expects.END);
             on.send(ask, ask.tag() + "+end: speaker.play(\"" + file + "\"),");
             boolean played = isPlayed(on, ask, motion);
             if (played) {
@@ -93,7 +93,7 @@ public final class Speaker {
         }
     }
 
-    private static boolean isPlayed(UrbiConnection on, Ask ask, Motion motion) {
+    private static boolean isPlayed(UrbiConnection on, UrbiRequest ask, Motion motion) {
         try {
             await(ask, LONGEST_OF_STICK_S, motion);
         } finally {
@@ -108,7 +108,7 @@ public final class Speaker {
         return !(ask.value() instanceof UrbiValue.Num answer && answer.amount() == 0);
     }
 
-    private static void end(UrbiConnection on, Ask ask) {
+    private static void end(UrbiConnection on, UrbiRequest ask) {
         try {
             on.send("stop " + ask.tag() + ",");
         } catch (LinkLost e) {
@@ -129,7 +129,7 @@ public final class Speaker {
     }
 
     private double leftMs(UrbiConnection on, Motion motion) {
-        Ask ask = on.ask(tags, "speaker.remain");
+        UrbiRequest ask = on.ask(tags, "speaker.remain");
         try {
             await(ask, ANSWER_S, motion);
         } finally {
@@ -142,7 +142,7 @@ public final class Speaker {
         return ask.value() instanceof UrbiValue.Num left ? left.amount() : 0;
     }
 
-    private static void await(Ask ask, double seconds, Motion motion) {
+    private static void await(UrbiRequest ask, double seconds, Motion motion) {
         if (!motion.await(ask::isDone, seconds)) {
             throw new UrbiRefusal("the dog did not answer within " + (int) seconds + " s");
         }

@@ -15,7 +15,7 @@ public final class DogClock {
     /** Where so many in a row contradict a bound, it was the bound that was garbled. */
     private static final int ENOUGH_AGAINST_IT = 3;
 
-    private final Watch watch;
+    private final Waiting waiting;
     private Bounds now = Bounds.NONE;
     private Bounds before = Bounds.NONE;
     private long renewedNanos;
@@ -31,13 +31,13 @@ public final class DogClock {
         }
     }
 
-    public DogClock(Watch watch) {
-        this.watch = watch;
-        this.renewedNanos = watch.time().nanos();
+    public DogClock(Waiting waiting) {
+        this.waiting = waiting;
+        this.renewedNanos = waiting.time().nanos();
     }
 
     private double nowMs() {
-        return watch.time().nanos() / 1e6;
+        return waiting.time().nanos() / 1e6;
     }
 
     /** Something with this time stamp has just come in. */
@@ -77,8 +77,8 @@ public final class DogClock {
     }
 
     private void renew() {
-        if (watch.time().secondsSince(renewedNanos) > KEPT_S) {
-            renewedNanos = watch.time().nanos();
+        if (waiting.time().secondsSince(renewedNanos) > KEPT_S) {
+            renewedNanos = waiting.time().nanos();
             before = now;
             now = Bounds.NONE;
         }

@@ -25,8 +25,8 @@ public final class RawText {
      * @throws UrbiRefusal if the server could not make sense of it; nothing is to be sent then
      */
     public static String checked(String text) {
-        Forbidden.check(text);
-        Program program = Program.of(text);
+        CommandFilter.check(text);
+        UrbiProgram program = UrbiProgram.of(text);
         String bare = program.bare();
         if (program.hasComments() || bare.contains("$$")) {
             throw new UrbiRefusal("comments and $$ would swallow what follows; leave them out");

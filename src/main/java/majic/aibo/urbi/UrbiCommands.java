@@ -24,6 +24,6 @@ public final class UrbiCommands {
 
     /** Returns an assignment of a number. */
     public static String assign(String variable, double amount) {
-        return variable + " = " + Dialect.number(amount);
+        return variable + " = " + UrbiVersion.number(amount);
     }
 }

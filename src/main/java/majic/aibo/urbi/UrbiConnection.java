@@ -33,19 +33,19 @@ public final class UrbiConnection {
     private final String purpose;
     private final Link link;
     private final Owner owner;
-    private final Watch watch;
-    private final Unanswered unanswered = new Unanswered();
+    private final Waiting waiting;
+    private final PendingRequests pending = new PendingRequests();
     private volatile boolean identified;
     private volatile boolean ended;
     private volatile boolean leaving;
-    private volatile Dialect dialect = Dialect.V1_0;
+    private volatile UrbiVersion version = UrbiVersion.V1_0;
     private volatile long lastTimeMs;
 
-    public UrbiConnection(String purpose, Link link, Owner owner, Watch watch) {
+    public UrbiConnection(String purpose, Link link, Owner owner, Waiting waiting) {
         this.purpose = purpose;
         this.link = link;
         this.owner = owner;
-        this.watch = watch;
+        this.waiting = waiting;
     }
 
     /** Opens the link and starts to listen. */
@@ -56,7 +56,7 @@ public final class UrbiConnection {
 
     /** What the server says. */
     private final class Messages implements LinkHandler<UrbiMessage> {
-        private final UrbiReader reader = new UrbiReader(watch.time());
+        private final UrbiReader reader = new UrbiReader(waiting.time());
 
         @Override
         public void decode(byte[] bytes, int count, Consumer<UrbiMessage> messages) {
@@ -72,19 +72,19 @@ public final class UrbiConnection {
         @Override
         public void ended(IOException cause) {
             ended = true;
-            watch.changes().raise();
+            waiting.changes().raise();
             breakDown(String.valueOf(cause.getMessage()));
         }
     }
 
     private void handle(UrbiMessage message) {
         lastTimeMs = Math.max(lastTimeMs, message.timeMs());
-        Ask answered = unanswered.answer(message, dialect);
+        UrbiRequest answered = pending.answer(message, version);
         if (answered != null) {
             raiseIfDone(answered);
         } else if (message.tag().equals("ident")) {
             identified = true;
-            watch.changes().raise();
+            waiting.changes().raise();
         } else {
             handleUnasked(message);
         }
@@ -92,20 +92,20 @@ public final class UrbiConnection {
 
     private void handleUnasked(UrbiMessage message) {
         if (message.tag().equals("start") && message.body() instanceof UrbiMessage.Info line) {
-            dialect = Dialect.of(line.text(), dialect);
+            version = UrbiVersion.of(line.text(), version);
         }
         owner.heard(message);
     }
 
-    private void raiseIfDone(Ask ask) {
+    private void raiseIfDone(UrbiRequest ask) {
         if (ask.isDone()) {
-            watch.changes().raise();
+            waiting.changes().raise();
         }
     }
 
     /** Expects nothing more for a command. */
-    public void forget(Ask ask) {
-        unanswered.remove(ask);
+    public void forget(UrbiRequest ask) {
+        pending.remove(ask);
     }
 
     /**
@@ -115,7 +115,7 @@ public final class UrbiConnection {
      * @throws UrbiRefusal if they are too long or harmful; nothing was sent
      */
     public void send(String commands) {
-        Forbidden.check(commands);
+        CommandFilter.check(commands);
         transmit(commands);
     }
 
@@ -136,7 +136,7 @@ public final class UrbiConnection {
      */
     public void upload(String variable, String format, byte[] bytes) {
         String header = variable + " = BIN " + bytes.length + " " + format + ";";
-        Forbidden.check(header);
+        CommandFilter.check(header);
         if (bytes.length > LARGEST_BINARY) {
             throw new UrbiRefusal("the dog takes " + LARGEST_BINARY + " bytes at once, not " + bytes.length);
         }
@@ -162,22 +162,22 @@ public final class UrbiConnection {
      * @throws LinkLost if the connection is broken; its owner knows then
      * @throws UrbiRefusal if they are too long or harmful; nothing was sent, and nothing is expected
      */
-    public Ask send(Ask ask, String commands) {
-        Forbidden.check(commands);
-        unanswered.add(ask);
+    public UrbiRequest send(UrbiRequest ask, String commands) {
+        CommandFilter.check(commands);
+        pending.add(ask);
         transmit(commands);
         return ask;
     }
 
     /** Asks for a value; it comes under a tag of its own. Throws as {@link #send} does. */
-    public Ask ask(Tags tags, String expression) {
-        Ask ask = new Ask(tags.next(), Ask.Expects.VALUE);
-        return send(ask, dialect.labelled(ask.tag(), expression) + ";");
+    public UrbiRequest ask(Tags tags, String expression) {
+        UrbiRequest ask = new UrbiRequest(tags.next(), UrbiRequest.Expects.VALUE);
+        return send(ask, version.labelled(ask.tag(), expression) + ";");
     }
 
     /** Asks for a sign of life: it tells that all that went out before has arrived (URBI sheet 9). Throws as {@link #send} does. */
-    public Ask ping(Tags tags) {
-        Ask pong = new Ask(tags.next(), Ask.Expects.PONG);
+    public UrbiRequest ping(Tags tags) {
+        UrbiRequest pong = new UrbiRequest(tags.next(), UrbiRequest.Expects.PONG);
         return send(pong, pong.tag() + ": ping;");
     }
 
@@ -216,8 +216,8 @@ public final class UrbiConnection {
         return ended;
     }
 
-    public Dialect dialect() {
-        return dialect;
+    public UrbiVersion version() {
+        return version;
     }
 
     /** The newest time stamp of the server, ms. */

@@ -2,9 +2,9 @@ package majic.aibo.body;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.UrbiVersion;
 import org.junit.jupiter.api.Test;
 
 class LampsTest {
@@ -12,7 +12,7 @@ class LampsTest {
 
     @Test
     void eachReadingFindsItsLamp() {
-        String order = Lamps.order("mjx_1", Dialect.V1_0);
+        String order = Lamps.order("mjx_1", UrbiVersion.V1_0);
 
         assertThat(order).contains("mjx_1_lamp0: ledF1.val").contains("mjx_1_lamp27: earR.val");
         assertThat(lamps.hear(message("mjx_1_lamp0", 0.5))).isTrue();
@@ -24,7 +24,7 @@ class LampsTest {
 
     @Test
     void laterServersAreAskedThroughChannels() {
-        assertThat(Lamps.order("t", Dialect.V1_5)).contains("t_lamp0 << ledF1.val");
+        assertThat(Lamps.order("t", UrbiVersion.V1_5)).contains("t_lamp0 << ledF1.val");
     }
 
     @Test

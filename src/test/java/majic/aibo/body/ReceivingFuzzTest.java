@@ -7,12 +7,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import majic.aibo.urbi.Ask;
-import majic.aibo.urbi.Dialect;
-import majic.aibo.urbi.Unanswered;
+import majic.aibo.urbi.PendingRequests;
 import majic.aibo.urbi.UrbiDecoder;
 import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Unit;
 
 /**
@@ -52,10 +52,10 @@ class ReceivingFuzzTest {
     void noMessageUpsetsTheDriver(byte[] wire) {
         Senses senses = new Senses();
         for (UrbiMessage message : new UrbiDecoder().feed(wire, wire.length)) {
-            Ask ask = new Ask(message.tag(), Ask.Expects.VALUE);
-            Unanswered unanswered = new Unanswered();
-            unanswered.add(ask);
-            unanswered.answer(message, Dialect.of(String.valueOf(message.body()), Dialect.V1_0));
+            UrbiRequest ask = new UrbiRequest(message.tag(), UrbiRequest.Expects.VALUE);
+            PendingRequests pending = new PendingRequests();
+            pending.add(ask);
+            pending.answer(message, UrbiVersion.of(String.valueOf(message.body()), UrbiVersion.V1_0));
             if (message.body() instanceof UrbiMessage.Result result) {
                 assertThat(ask.value()).isSameAs(result.value());
                 senses.put(Sensor.NEAR, result.value(), message.timeMs());

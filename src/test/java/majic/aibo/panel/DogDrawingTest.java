@@ -10,9 +10,9 @@ import majic.aibo.body.Dog;
 import majic.aibo.body.Joint;
 import majic.aibo.body.LedNames;
 import majic.aibo.body.Sensor;
-import majic.aibo.urbi.Dialect;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
+import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Settings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -39,7 +39,7 @@ class DogDrawingTest {
     @ParameterizedTest
     @EnumSource(Joint.class)
     void everyJointIsDrawnAsItIsMeasured(Joint joint) {
-        put(joint.sensor(), joint.range(Dialect.V1_0).max() / 2 - 10);
+        put(joint.sensor(), joint.range(UrbiVersion.V1_0).max() / 2 - 10);
 
         assertThat(differing()).isGreaterThan(30);
     }

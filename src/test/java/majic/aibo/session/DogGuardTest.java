@@ -6,11 +6,11 @@ import java.io.IOException;
 import java.util.List;
 import majic.aibo.AiboType;
 import majic.aibo.ScriptedDog;
-import majic.aibo.urbi.AiboLinks;
-import majic.aibo.urbi.Ask;
+import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.Tags;
-import majic.aibo.urbi.Watch;
+import majic.aibo.urbi.UrbiRequest;
+import majic.aibo.urbi.Waiting;
 import majic.link.Links;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -23,23 +23,24 @@ class DogGuardTest {
     private static final String DISARMED = "1000000000000";
 
     private ScriptedDog dog;
-    private Watch watch;
-    private AiboLinks links;
+    private Waiting waiting;
+    private AiboConnections connections;
     private DogGuard guard;
 
     @BeforeEach
     void install() throws IOException {
         dog = new ScriptedDog();
-        watch = dog.watch();
-        links = new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
-        links.open();
-        guard = new DogGuard(links, new Tags(), watch, new DogClock(watch));
+        waiting = dog.waiting();
+        connections =
+                new AiboConnections(() -> Links.of(dog.address(), AiboType.PORT, 0), waiting, said -> {}, lost -> {});
+        connections.open();
+        guard = new DogGuard(connections, new Tags(), waiting, new DogClock(waiting));
         guard.install();
     }
 
     @AfterEach
     void close() throws IOException {
-        links.abort();
+        connections.abort();
         dog.close();
     }
 
@@ -78,7 +79,7 @@ class DogGuardTest {
         guard.renew();
         Running stopped = walk(3000);
         stopped.requestStop();
-        watch.await(() -> false, 0.3);
+        waiting.await(() -> false, 0.3);
 
         guard.tend(stopped);
 
@@ -86,8 +87,8 @@ class DogGuardTest {
     }
 
     private Running walk(int ms) {
-        Ask ask = new Ask("w", Ask.Expects.END);
-        Running walk = new Running(links.motion(), ask, "w+begin+end: robot.walk(" + ms + "),", null).unknown();
+        UrbiRequest ask = new UrbiRequest("w", UrbiRequest.Expects.END);
+        Running walk = new Running(connections.motion(), ask, "w+begin+end: robot.walk(" + ms + "),", null).unknown();
         walk.start();
         dog.awaitReceived("robot.walk");
         return walk;
@@ -95,9 +96,9 @@ class DogGuardTest {
 
     /** What the guard's variable was set to up to now. */
     private List<String> settings() {
-        Ask pong = new Ask("p", Ask.Expects.PONG);
-        links.sensors().send(pong, "p: ping;");
-        watch.await(pong::isDone, 5);
+        UrbiRequest pong = new UrbiRequest("p", UrbiRequest.Expects.PONG);
+        connections.sensors().send(pong, "p: ping;");
+        waiting.await(pong::isDone, 5);
         return dog.received("alive = ");
     }
 }

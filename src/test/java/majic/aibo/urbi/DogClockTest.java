@@ -14,7 +14,7 @@ class DogClockTest {
 
     private final TestClock time = new TestClock();
     private final DogClock clock =
-            new DogClock(new Watch(time.time(), time.time().signal()));
+            new DogClock(new Waiting(time.time(), time.time().signal()));
 
     @AfterEach
     void stop() {

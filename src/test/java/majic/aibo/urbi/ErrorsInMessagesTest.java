@@ -23,7 +23,7 @@ class ErrorsInMessagesTest {
         ReplayLink link = new ReplayLink(line("[1:a] 1.000000"), line("[2:b] 2.000000"), line("[3:c] 3.000000"));
         TimeSource time = TimeSource.system();
 
-        new UrbiConnection("sensors", link, new Failing(), new Watch(time, time.signal())).open(1000);
+        new UrbiConnection("sensors", link, new Failing(), new Waiting(time, time.signal())).open(1000);
         ended.await();
 
         assertThat(tags).containsExactly("a", "b", "c");

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
  * A command that something is expected to come back for. Filled in by the reader of its connection; safe to look at
  * from any thread.
  */
-public final class Ask {
+public final class UrbiRequest {
     /** What makes a command answered. */
     public enum Expects {
         /** The first value under its tag. */
@@ -26,7 +26,7 @@ public final class Ask {
     private volatile long doneMs = -1;
     private volatile boolean done;
 
-    public Ask(String tag, Expects expects) {
+    public UrbiRequest(String tag, Expects expects) {
         this(tag, expects, () -> {});
     }
 
@@ -35,7 +35,7 @@ public final class Ask {
      *
      * @param whenDone called by the reader's thread, once
      */
-    public Ask(String tag, Expects expects, Runnable whenDone) {
+    public UrbiRequest(String tag, Expects expects, Runnable whenDone) {
         this.tag = tag;
         this.expects = expects;
         this.whenDone = whenDone;

@@ -12,17 +12,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(20)
-class AiboLinksTest {
+class AiboConnectionsTest {
     @Test
     void whatIsClosedWhileItConnectsConnectsNoFurther() throws IOException {
         try (ScriptedDog dog = new ScriptedDog()) {
-            Watch watch = dog.watch();
-            AiboLinks links =
-                    new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
+            Waiting waiting = dog.waiting();
+            AiboConnections connections = new AiboConnections(
+                    () -> Links.of(dog.address(), AiboType.PORT, 0), waiting, said -> {}, lost -> {});
 
-            links.close("stop walk;");
+            connections.close("stop walk;");
 
-            assertThatThrownBy(links::open).isInstanceOf(BotException.class);
+            assertThatThrownBy(connections::open).isInstanceOf(BotException.class);
             assertThat(dog.received()).isEmpty();
         }
     }

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 
 /** How commands are written for the two generations of servers (URBI sheet 1). */
-public enum Dialect {
+public enum UrbiVersion {
     /** 1.0 and before: a tag names the command whose values it marks. */
     V1_0("%s: %s"),
     /** 1.5: values are sent into a channel of that name. */
@@ -12,12 +12,12 @@ public enum Dialect {
 
     private final String labelled;
 
-    Dialect(String labelled) {
+    UrbiVersion(String labelled) {
         this.labelled = labelled;
     }
 
     /** The generation that a banner speaks of, or the given one if it speaks of none. */
-    public static Dialect of(String bannerLine, Dialect otherwise) {
+    public static UrbiVersion of(String bannerLine, UrbiVersion otherwise) {
         if (bannerLine.contains("URBI Kernel version 1.5")) {
             return V1_5;
         }

@@ -14,52 +14,53 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(20)
-class PulseTest {
+class PingProbeTest {
     private static final int STOP = 0;
 
     private final TestClock clock = new TestClock();
-    private final Watch watch =
-            new Watch(TimeSource.system(), TimeSource.system().signal());
+    private final Waiting waiting =
+            new Waiting(TimeSource.system(), TimeSource.system().signal());
     private ScriptedDog dog;
-    private AiboLinks links;
-    private Pulse pulse;
+    private AiboConnections connections;
+    private PingProbe probe;
 
     @BeforeEach
     void open() throws IOException {
         dog = ScriptedDog.inRealTime();
-        links = new AiboLinks(() -> Links.of(dog.address(), AiboType.PORT, 0), watch, said -> {}, lost -> {});
-        links.open();
-        Watch stepped = new Watch(clock.time(), clock.time().signal());
-        pulse = new Pulse(links.stop(), new Tags(), stepped, new DogClock(stepped));
+        connections =
+                new AiboConnections(() -> Links.of(dog.address(), AiboType.PORT, 0), waiting, said -> {}, lost -> {});
+        connections.open();
+        Waiting stepped = new Waiting(clock.time(), clock.time().signal());
+        probe = new PingProbe(connections.stop(), new Tags(), stepped, new DogClock(stepped));
     }
 
     @AfterEach
     void close() throws IOException {
-        links.abort();
+        connections.abort();
         dog.close();
         clock.close();
     }
 
     @Test
     void aConnectionThatDiedInSilenceIsFoundOut() throws InterruptedException {
-        links.stop().send("x = 1;");
+        connections.stop().send("x = 1;");
         dog.awaitReceived("x = 1");
         dog.stopReading(STOP);
 
-        assertThat(pulse.beats()).isTrue();
+        assertThat(probe.beats()).isTrue();
         clock.time().sleep(1);
-        assertThat(pulse.beats()).isTrue();
+        assertThat(probe.beats()).isTrue();
         clock.time().sleep(4.9);
-        assertThat(pulse.beats()).isTrue();
+        assertThat(probe.beats()).isTrue();
         clock.time().sleep(0.2);
-        assertThat(pulse.beats()).isFalse();
+        assertThat(probe.beats()).isFalse();
     }
 
     @Test
     void oneThatAnswersIsPingedOnceASecond() throws InterruptedException {
         clock.time().sleep(1);
-        assertThat(pulse.beats()).isTrue();
-        assertThat(pulse.beats()).isTrue();
+        assertThat(probe.beats()).isTrue();
+        assertThat(probe.beats()).isTrue();
 
         dog.awaitReceived("ping");
         assertThat(dog.received("ping")).hasSize(1);

@@ -7,26 +7,26 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** The commands of one connection that something is still expected to come back for, oldest first. Thread-safe. */
-public final class Unanswered {
+public final class PendingRequests {
     /**
      * A syntax error names a place; other troubles under the same tag answer no command (URBI sheet 11). Of the two lines
      * about a command that there was no room for the first one answers it (URBI sheet 2).
      */
     private static final Pattern ANSWERS_A_COMMAND = Pattern.compile("\\d+\\.\\d.*|Receive buffer full.*");
 
-    private final Map<String, Ask> asks = new LinkedHashMap<>();
+    private final Map<String, UrbiRequest> asks = new LinkedHashMap<>();
 
-    public synchronized void add(Ask ask) {
+    public synchronized void add(UrbiRequest ask) {
         asks.put(ask.tag(), ask);
     }
 
-    synchronized void remove(Ask ask) {
+    synchronized void remove(UrbiRequest ask) {
         asks.remove(ask.tag());
     }
 
     /** Hands a message to the command it answers; tells which that was, null if none. */
-    public @Nullable Ask answer(UrbiMessage message, Dialect dialect) {
-        Ask ask = addressee(message, dialect);
+    public @Nullable UrbiRequest answer(UrbiMessage message, UrbiVersion version) {
+        UrbiRequest ask = addressee(message, version);
         if (ask == null) {
             return null;
         }
@@ -41,15 +41,15 @@ public final class Unanswered {
         return ask;
     }
 
-    private synchronized @Nullable Ask addressee(UrbiMessage message, Dialect dialect) {
-        Ask tagged = asks.get(message.tag());
+    private synchronized @Nullable UrbiRequest addressee(UrbiMessage message, UrbiVersion version) {
+        UrbiRequest tagged = asks.get(message.tag());
         if (tagged != null) {
             return tagged;
         }
         if (message.isError()) {
             return answersACommand(message.body()) ? oldest(asks.values().stream()) : null;
         }
-        return message.tag().equals(UrbiMessage.NO_TAG) ? untagged(message.body(), dialect) : null;
+        return message.tag().equals(UrbiMessage.NO_TAG) ? untagged(message.body(), version) : null;
     }
 
     /** A syntax error carries the tag {@code error} whatever the command's was; before 1.0 it began with asterisks. */
@@ -61,15 +61,15 @@ public final class Unanswered {
     }
 
     /** Where servers leave tags out: 1.5 does so on all but flags and channels (URBI sheet 1). */
-    private @Nullable Ask untagged(UrbiMessage.Body body, Dialect dialect) {
+    private @Nullable UrbiRequest untagged(UrbiMessage.Body body, UrbiVersion version) {
         if (body instanceof UrbiMessage.Info info && info.text().startsWith("pong")) {
-            return oldest(asks.values().stream().filter(Ask::expectsPong));
+            return oldest(asks.values().stream().filter(UrbiRequest::expectsPong));
         }
-        boolean fails = body instanceof UrbiMessage.Failure && dialect == Dialect.V1_5;
+        boolean fails = body instanceof UrbiMessage.Failure && version == UrbiVersion.V1_5;
         return fails ? oldest(asks.values().stream()) : null;
     }
 
-    private static @Nullable Ask oldest(Stream<Ask> candidates) {
+    private static @Nullable UrbiRequest oldest(Stream<UrbiRequest> candidates) {
         return candidates.findFirst().orElse(null);
     }
 }

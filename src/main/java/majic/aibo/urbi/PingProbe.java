@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
  * Finds out whether a connection still reaches the dog that says nothing by itself, so that a stop connection that died
  * in silence is not noticed by the stop that needed it. One ping at a time (URBI sheet 9). Used by the keeper's thread.
  */
-public final class Pulse {
+public final class PingProbe {
     private static final double PERIOD_S = 1;
 
     /** An engine that takes two seconds to answer is slow, not dead. */
@@ -14,17 +14,17 @@ public final class Pulse {
 
     private final UrbiConnection connection;
     private final Tags tags;
-    private final Watch watch;
+    private final Waiting waiting;
     private final DogClock clock;
-    private @Nullable Ask ping;
+    private @Nullable UrbiRequest ping;
     private long sentNanos;
 
-    public Pulse(UrbiConnection connection, Tags tags, Watch watch, DogClock clock) {
+    public PingProbe(UrbiConnection connection, Tags tags, Waiting waiting, DogClock clock) {
         this.connection = connection;
         this.tags = tags;
-        this.watch = watch;
+        this.waiting = waiting;
         this.clock = clock;
-        this.sentNanos = watch.time().nanos();
+        this.sentNanos = waiting.time().nanos();
     }
 
     public UrbiConnection connection() {
@@ -33,8 +33,8 @@ public final class Pulse {
 
     /** Pings when it is time; false when the dog has owed an answer for too long. */
     public boolean beats() {
-        double seconds = watch.time().secondsSince(sentNanos);
-        Ask open = ping;
+        double seconds = waiting.time().secondsSince(sentNanos);
+        UrbiRequest open = ping;
         if (open != null && !open.isDone()) {
             return seconds <= PATIENCE_S;
         }
@@ -42,7 +42,7 @@ public final class Pulse {
             clock.answered(open.doneMs(), sentNanos);
         }
         if (seconds >= PERIOD_S) {
-            sentNanos = watch.time().nanos();
+            sentNanos = waiting.time().nanos();
             ping = connection.ping(tags);
         }
         return true;

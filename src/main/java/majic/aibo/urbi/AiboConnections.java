@@ -18,13 +18,13 @@ import org.jspecify.annotations.Nullable;
  * never waits behind anything. If one breaks, all end: what has not gone out is thrown away, lest a walk reach the dog
  * late, and a stop is sent over what is left.
  */
-public final class AiboLinks implements UrbiConnection.Owner {
-    private static final Logger LOG = System.getLogger(AiboLinks.class.getName());
+public final class AiboConnections implements UrbiConnection.Owner {
+    private static final Logger LOG = System.getLogger(AiboConnections.class.getName());
     private static final int OPEN_TIMEOUT_MS = 4000;
     private static final double IDENT_TIMEOUT_S = 4;
     private static final double GOODBYE_S = 1;
 
-    private final Watch watch;
+    private final Waiting waiting;
     private final UrbiConnection motion;
     private final UrbiConnection sensors;
     private final UrbiConnection stop;
@@ -33,11 +33,12 @@ public final class AiboLinks implements UrbiConnection.Owner {
     private @Nullable String brokenBecause;
     private boolean opened;
 
-    public AiboLinks(Supplier<Link> link, Watch watch, Consumer<UrbiMessage> listener, Consumer<LinkLost> whenLost) {
-        this.watch = watch;
+    public AiboConnections(
+            Supplier<Link> link, Waiting waiting, Consumer<UrbiMessage> listener, Consumer<LinkLost> whenLost) {
+        this.waiting = waiting;
         this.listener = listener;
         this.whenLost = whenLost;
-        Function<String, UrbiConnection> make = purpose -> new UrbiConnection(purpose, link.get(), this, watch);
+        Function<String, UrbiConnection> make = purpose -> new UrbiConnection(purpose, link.get(), this, waiting);
         this.motion = make.apply("motion");
         this.sensors = make.apply("sensors");
         this.stop = make.apply("stop");
@@ -70,7 +71,7 @@ public final class AiboLinks implements UrbiConnection.Owner {
     private void open(UrbiConnection connection) {
         try {
             connection.open(OPEN_TIMEOUT_MS);
-            watch.await(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
+            waiting.await(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
         } catch (IOException e) {
             throw new BotException(
                     refusal(e.getMessage() + "; is the dog on, in the network, and URBI on its stick?"), e);
@@ -123,7 +124,7 @@ public final class AiboLinks implements UrbiConnection.Owner {
         if (tell) {
             whenLost.accept(new LinkLost("connection lost: " + why));
         }
-        watch.changes().raise();
+        waiting.changes().raise();
     }
 
     /** Throws away what has not gone out yet but where a stop may still reach the dog, and sends that. */
@@ -148,12 +149,12 @@ public final class AiboLinks implements UrbiConnection.Owner {
         AtomicInteger left = new AtomicInteger(all().size());
         for (UrbiConnection connection : all()) {
             String words = connection == stop ? lastWords + " quit;" : "quit;";
-            watch.time()
+            waiting.time()
                     .thread("aibo goodbye", () -> sayGoodbye(connection, words, left))
                     .start();
         }
         try {
-            watch.await(() -> left.get() == 0, GOODBYE_S);
+            waiting.await(() -> left.get() == 0, GOODBYE_S);
         } finally {
             abortUnless(left.get() == 0);
         }
@@ -167,7 +168,7 @@ public final class AiboLinks implements UrbiConnection.Owner {
         } finally {
             connection.close();
             left.decrementAndGet();
-            watch.changes().raise();
+            waiting.changes().raise();
         }
     }
 

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class ForbiddenTest {
+class CommandFilterTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -28,7 +28,7 @@ class ForbiddenTest {
                 "# it is 5\" long\nstopall; echo \"done\"",
             })
     void whatHarmsADogIsRefused(String commands) {
-        assertThatThrownBy(() -> Forbidden.check(commands))
+        assertThatThrownBy(() -> CommandFilter.check(commands))
                 .isInstanceOf(UrbiRefusal.class)
                 .hasMessageContaining("is never sent to a dog");
     }
@@ -46,12 +46,12 @@ class ForbiddenTest {
                 "headPan.val->rangemin",
             })
     void whatOnlyLooksLikeItPasses(String commands) {
-        assertThatCode(() -> Forbidden.check(commands)).doesNotThrowAnyException();
+        assertThatCode(() -> CommandFilter.check(commands)).doesNotThrowAnyException();
     }
 
     @Test
     void aCommandLongerThanTheDogsQueueIsRefused() {
-        assertThatThrownBy(() -> Forbidden.check("x = " + "1".repeat(32_000)))
+        assertThatThrownBy(() -> CommandFilter.check("x = " + "1".repeat(32_000)))
                 .hasMessage("a command of 32004 bytes is too long for the dog, which takes 32000 at most");
     }
 }

@@ -11,7 +11,7 @@ import majic.time.TimeSource;
  * @param time the robot's clock
  * @param changes raised whenever something came from the dog that somebody may wait for
  */
-public record Watch(TimeSource time, Signal changes) {
+public record Waiting(TimeSource time, Signal changes) {
 
     /** Waits until something is so, for some seconds at most; tells whether it is. An interruption is a stop. */
     public boolean await(BooleanSupplier done, double seconds) {

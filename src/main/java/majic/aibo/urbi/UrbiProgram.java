@@ -4,18 +4,18 @@ package majic.aibo.urbi;
  * What of commands is program: comments are left out, and so is what stands in quotes, as the server's splitter sees it
  * (URBI sheet 3). A comment begins nowhere in quotes, and a quote nowhere in a comment, so both are looked for at once.
  */
-final class Program {
+final class UrbiProgram {
     private final String commands;
     private final StringBuilder bare = new StringBuilder();
     private boolean commented;
     private boolean open;
 
-    private Program(String commands) {
+    private UrbiProgram(String commands) {
         this.commands = commands;
     }
 
-    static Program of(String commands) {
-        Program program = new Program(commands);
+    static UrbiProgram of(String commands) {
+        UrbiProgram program = new UrbiProgram(commands);
         int at = 0;
         while (at < commands.length()) {
             at = program.take(at);

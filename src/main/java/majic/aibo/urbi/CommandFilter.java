@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
  * What never reaches a dog, whoever asks for it, for it makes the server unusable, ends what other programs run, or
  * takes a joint from its motor (URBI sheet 5, 9, 19 "Never send").
  */
-final class Forbidden {
+final class CommandFilter {
     /** The longest command; a server drops what is longer than its queue of 32 KiB (URBI sheet 2). */
     static final int LONGEST_BYTES = 32_000;
 
@@ -19,7 +19,7 @@ final class Forbidden {
             "(?<![\\w.])(?:head|headPan|headTilt|neck|mouth|tail\\w*|leg\\w+|ear\\w+|led\\w+|mode[RGB]|motors?)"
                     + "(?:\\.val)?\\s*=\\s*\"");
 
-    private Forbidden() {}
+    private CommandFilter() {}
 
     /**
      * Lets commands pass that may be sent.
@@ -31,7 +31,7 @@ final class Forbidden {
             throw new UrbiRefusal("a command of " + commands.length() + " bytes is too long for the dog, which takes "
                     + LONGEST_BYTES + " at most");
         }
-        String bare = Program.of(commands).bare();
+        String bare = UrbiProgram.of(commands).bare();
         refuse(
                 HARMFUL.matcher(RUNS_TEXT.matcher(bare).find() ? commands : bare),
                 "it would harm the dog or other programs on it");
