@@ -2,10 +2,10 @@ package majic.aibo;
 
 import javax.swing.JComponent;
 import majic.aibo.body.Calibration;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Gait;
+import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Paces;
-import majic.aibo.body.Piece;
 import majic.aibo.body.Stride;
 import majic.aibo.panel.AiboPanel;
 import majic.aibo.panel.Spectator;
@@ -48,7 +48,7 @@ public final class MajicAibo extends MajicBot {
     private static final double DUTY_S = 0.1;
 
     private final String address;
-    private final Dog dog;
+    private final DogState dog;
     private final AiboParameters parameters;
     private volatile @Nullable AiboSession session;
     private volatile @Nullable LinkLost lostBecause;
@@ -73,7 +73,7 @@ public final class MajicAibo extends MajicBot {
     public MajicAibo(String address, BotEnvironment environment) {
         super(new AiboType(), new Paces(calibration(address, environment)).profile(), environment);
         this.address = address;
-        this.dog = new Dog(calibration(address, environment));
+        this.dog = new DogState(calibration(address, environment));
         link(); // refuses a wrong address now and not when it is connected
         Access access = new Access(dog.senses(), this::session);
         Volume volume = new Volume();
@@ -198,7 +198,7 @@ public final class MajicAibo extends MajicBot {
     }
 
     /** What is known of the dog. */
-    Dog dog() {
+    DogState dog() {
         return dog;
     }
 
@@ -230,7 +230,7 @@ public final class MajicAibo extends MajicBot {
         public void sensed() {
             AiboSession open = session;
             Running running = open == null ? null : open.runner().current();
-            Piece piece = running == null ? null : running.piece();
+            GaitPiece piece = running == null ? null : running.piece();
             publish(dog.state(piece, running != null, time().nanos()));
         }
 

@@ -73,7 +73,7 @@ class SpectatorTest implements Spectator.Audience {
                         UrbiValue.Binary.class,
                         picture -> assertThat(picture.bytes()).hasSize(12));
         awaitReadings();
-        assertThat(aibo.dog().lamps().amount("ledF3")).contains(0.25);
+        assertThat(aibo.dog().leds().amount("ledF3")).contains(0.25);
     }
 
     @Test

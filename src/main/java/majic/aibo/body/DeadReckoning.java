@@ -6,10 +6,10 @@ import org.jspecify.annotations.Nullable;
 /** Where the dog should be by what it was told; it has no odometry (URBI sheet 15). Thread-safe. */
 public final class DeadReckoning {
     private Pose settled = Pose.START;
-    private @Nullable Piece walking;
+    private @Nullable GaitPiece walking;
 
     /** A piece begins where the last one ended. */
-    public synchronized void begin(Piece piece) {
+    public synchronized void begin(GaitPiece piece) {
         settle(Long.MAX_VALUE);
         walking = piece;
     }
@@ -26,7 +26,7 @@ public final class DeadReckoning {
 
     /** Where it is at a time of the server's clock. */
     synchronized Pose at(long serverMs) {
-        Piece piece = walking;
+        GaitPiece piece = walking;
         if (piece == null) {
             return settled;
         }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Function;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.bot.MajicBot;
 import majic.panel.Aside;
 import majic.panel.Dashboard;
@@ -46,7 +46,7 @@ public final class AiboPanel extends NewsPanel {
             "accelZ");
 
     private final transient MajicBot bot;
-    private final transient Dog dog;
+    private final transient DogState dog;
     private final DogDrawing drawing;
     private final transient CameraPanel camera = new CameraPanel();
     private final transient Spectator spectator;
@@ -54,7 +54,7 @@ public final class AiboPanel extends NewsPanel {
     private final BodyPanel body = new BodyPanel();
     private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
 
-    private AiboPanel(MajicBot bot, Dog dog, Function<Spectator.Audience, Spectator> spectators) {
+    private AiboPanel(MajicBot bot, DogState dog, Function<Spectator.Audience, Spectator> spectators) {
         super(bot);
         this.bot = bot;
         this.dog = dog;
@@ -85,7 +85,7 @@ public final class AiboPanel extends NewsPanel {
      * @param dog what is drawn
      * @param spectators makes what asks for the pictures that the panel shows
      */
-    public static JComponent create(MajicBot bot, Dog dog, Function<Spectator.Audience, Spectator> spectators) {
+    public static JComponent create(MajicBot bot, DogState dog, Function<Spectator.Audience, Spectator> spectators) {
         AiboPanel panel = new AiboPanel(bot, dog, spectators);
         panel.refreshOnNews();
         return panel;

@@ -9,7 +9,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Optional;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.bot.Value;
 import majic.panel.Ink;
@@ -29,7 +29,7 @@ final class BeamsDrawing {
     /** In smaller drawings the rings' numbers would cover the dog. */
     private static final double LEAST_REACH_PX = 75;
 
-    private final Dog dog;
+    private final DogState dog;
     private final Ink ink;
     private final double reachPx;
     private final double nosePx;
@@ -40,7 +40,7 @@ final class BeamsDrawing {
      * @param reachPx from where the head turns to where the farthest sensor ends
      * @param nosePx from where the head turns to its nose
      */
-    BeamsDrawing(Dog dog, Ink ink, double reachPx, double nosePx) {
+    BeamsDrawing(DogState dog, Ink ink, double reachPx, double nosePx) {
         this.dog = dog;
         this.ink = ink;
         this.reachPx = reachPx;

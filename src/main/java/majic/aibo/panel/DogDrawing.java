@@ -5,7 +5,7 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import javax.swing.JPanel;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.panel.Ink;
 
 /**
@@ -28,9 +28,9 @@ final class DogDrawing extends JPanel {
     private static final double NOSE_MM = 104;
     private static final double BEHIND_HEAD_MM = 270;
 
-    private final transient Dog dog;
+    private final transient DogState dog;
 
-    DogDrawing(Dog dog) {
+    DogDrawing(DogState dog) {
         this.dog = dog;
         setOpaque(false);
         getAccessibleContext().setAccessibleName("the Aibo from its side, from above, and its face");

@@ -8,7 +8,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import java.util.Optional;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.panel.Ink;
 
@@ -29,17 +29,17 @@ final class FaceDrawing {
     private static final List<String> MODES = List.of("modeR", "modeG", "modeB");
     private static final List<Color> MODE_COLOURS = List.of(LampDrawing.RED, LampDrawing.GREEN, LampDrawing.BLUE);
 
-    private final Dog dog;
+    private final DogState dog;
     private final Ink ink;
     private final boolean live;
-    private final LampDrawing lamps;
+    private final LampDrawing leds;
 
     /** A live dog's LEDs shine. */
-    FaceDrawing(Dog dog, Ink ink, boolean live) {
+    FaceDrawing(DogState dog, Ink ink, boolean live) {
         this.dog = dog;
         this.ink = ink;
         this.live = live;
-        this.lamps = new LampDrawing(ink, LAMP_MM, ink.grey(0.55));
+        this.leds = new LampDrawing(ink, LAMP_MM, ink.grey(0.55));
     }
 
     /** Paints with y upwards. */
@@ -59,22 +59,22 @@ final class FaceDrawing {
             int row = led / 2;
             double x = (led % 2 == 0 ? -1 : 1) * OFF_MIDDLE_MM.get(row);
             double y = 4 + ROW_MM * (row - (OFF_MIDDLE_MM.size() - 1) / 2.0);
-            lamps.paint(pen, x, y, LampDrawing.WHITE, amount("ledF" + (led + 1)));
+            leds.paint(pen, x, y, LampDrawing.WHITE, amount("ledF" + (led + 1)));
         }
     }
 
     /** The head's sensor with its two LEDs beside it, and the light of the wireless network. */
     private void paintTop(Graphics2D pen) {
         pad(pen, new RoundRectangle2D.Double(-15, 58, 30, 13, 13, 13), Sensor.HEAD_TOUCH);
-        lamps.paint(pen, -27, 61, LampDrawing.ORANGE, amount("ledHC"));
-        lamps.paint(pen, 27, 61, LampDrawing.WHITE, amount("ledHW"));
-        lamps.paint(pen, 43, 50, LampDrawing.BLUE, amount("ledWIFI"));
+        leds.paint(pen, -27, 61, LampDrawing.ORANGE, amount("ledHC"));
+        leds.paint(pen, 27, 61, LampDrawing.WHITE, amount("ledHW"));
+        leds.paint(pen, 43, 50, LampDrawing.BLUE, amount("ledWIFI"));
     }
 
     private void paintModes(Graphics2D pen) {
         for (int mode = 0; mode < MODES.size(); mode++) {
-            lamps.paint(pen, -45, 32 - mode * ROW_MM, MODE_COLOURS.get(mode), amount(MODES.get(mode)));
-            lamps.paint(pen, 45, 32 - mode * ROW_MM, MODE_COLOURS.get(mode), amount(MODES.get(mode)));
+            leds.paint(pen, -45, 32 - mode * ROW_MM, MODE_COLOURS.get(mode), amount(MODES.get(mode)));
+            leds.paint(pen, 45, 32 - mode * ROW_MM, MODE_COLOURS.get(mode), amount(MODES.get(mode)));
         }
     }
 
@@ -87,14 +87,14 @@ final class FaceDrawing {
     }
 
     private void paintEar(Graphics2D pen, int side, String device) {
-        boolean flicked = dog.lamps().amount(device).orElse(0.0) > 0.5;
+        boolean flicked = dog.leds().amount(device).orElse(0.0) > 0.5;
         AffineTransform hanging = AffineTransform.getTranslateInstance(side * 52, 36);
         hanging.rotate(side * Math.toRadians(flicked ? 50 : 14));
         part(pen, hanging.createTransformedShape(oval(0, -30, 14, 36)), ink.grey(0.45));
     }
 
     private Optional<Double> amount(String led) {
-        return live ? dog.lamps().amount(led) : Optional.empty();
+        return live ? dog.leds().amount(led) : Optional.empty();
     }
 
     private void pad(Graphics2D pen, Shape shape, Sensor sensor) {

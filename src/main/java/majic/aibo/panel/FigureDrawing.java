@@ -3,7 +3,7 @@ package majic.aibo.panel;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.util.List;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Limb;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.Skeleton;
@@ -27,14 +27,14 @@ final class FigureDrawing {
     /** A paw is seen whole: no leg hides the one it stands on. */
     private static final double BEHIND_PAW_MM = 20;
 
-    private final Dog dog;
+    private final DogState dog;
     private final Skeleton skeleton;
     private final View view;
     private final Ink ink;
     private final boolean live;
 
     /** A live dog's LEDs shine. */
-    FigureDrawing(Dog dog, View view, Ink ink, boolean live) {
+    FigureDrawing(DogState dog, View view, Ink ink, boolean live) {
         this.dog = dog;
         this.skeleton = new Skeleton(dog.senses());
         this.view = view;
@@ -87,12 +87,12 @@ final class FigureDrawing {
         parts.lamp(
                 skeleton.body(new Spot(x - 8, -24, height)),
                 COLOURS.get(place),
-                dog.lamps().amount(name + "C"));
+                dog.leds().amount(name + "C"));
         double left = view == View.SIDE ? -24 : 24;
         double further = view == View.SIDE ? 8 : -8;
         parts.lamp(
                 skeleton.body(new Spot(x + further, left, height)),
                 LampDrawing.WHITE,
-                dog.lamps().amount(name + "W"));
+                dog.leds().amount(name + "W"));
     }
 }

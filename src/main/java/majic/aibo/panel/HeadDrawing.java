@@ -1,7 +1,7 @@
 package majic.aibo.panel;
 
 import java.awt.Color;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.Skeleton;
 import majic.aibo.body.Spot;
@@ -17,11 +17,11 @@ final class HeadDrawing {
     /** The head sits on the neck and hides its upper end, however it is turned. */
     private static final double NECK_BEHIND_MM = 60;
 
-    private final Dog dog;
+    private final DogState dog;
     private final Skeleton skeleton;
     private final Ink ink;
 
-    HeadDrawing(Dog dog, Skeleton skeleton, Ink ink) {
+    HeadDrawing(DogState dog, Skeleton skeleton, Ink ink) {
         this.dog = dog;
         this.skeleton = skeleton;
         this.ink = ink;
@@ -44,15 +44,15 @@ final class HeadDrawing {
         parts.lamp(
                 skeleton.head(new Spot(18, -9, 52)),
                 LampDrawing.ORANGE,
-                dog.lamps().amount("ledHC"));
+                dog.leds().amount("ledHC"));
         parts.lamp(
                 skeleton.head(new Spot(18, 9, 52)),
                 LampDrawing.WHITE,
-                dog.lamps().amount("ledHW"));
+                dog.leds().amount("ledHW"));
         parts.lamp(
                 skeleton.head(new Spot(-42, 0, 26)),
                 LampDrawing.BLUE,
-                dog.lamps().amount("ledWIFI"));
+                dog.leds().amount("ledWIFI"));
     }
 
     private void addTouch(PartsDrawing parts) {
@@ -68,7 +68,7 @@ final class HeadDrawing {
 
     /** Hangs down, or stands off when it is flicked. */
     private void addEar(PartsDrawing parts, int side, String device) {
-        boolean flicked = dog.lamps().amount(device).orElse(0.0) > 0.5;
+        boolean flicked = dog.leds().amount(device).orElse(0.0) > 0.5;
         Spot root = new Spot(-16, side * 38, 34);
         Spot hang = new Spot(-4, 0, -EAR_MM).spread(side * (flicked ? 75.0 : 12.0));
         parts.bone(skeleton.head(root), skeleton.head(root.plus(hang)), 24, 0.45);

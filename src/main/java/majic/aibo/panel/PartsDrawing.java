@@ -22,7 +22,7 @@ final class PartsDrawing {
     private final View view;
     private final Ink ink;
     private final boolean live;
-    private final LampDrawing lamps;
+    private final LampDrawing leds;
     private final List<Part> parts = new ArrayList<>();
 
     private record Part(double depth, Consumer<Graphics2D> paint) {}
@@ -32,7 +32,7 @@ final class PartsDrawing {
         this.view = view;
         this.ink = ink;
         this.live = live;
-        this.lamps = new LampDrawing(ink, LAMP_MM, ink.grey(0.8));
+        this.leds = new LampDrawing(ink, LAMP_MM, ink.grey(0.8));
     }
 
     /** A round-ended part of this thickness. */
@@ -63,7 +63,7 @@ final class PartsDrawing {
 
     void lamp(Spot at, Color light, Optional<Double> amount) {
         Optional<Double> shown = live ? amount : Optional.empty();
-        parts.add(new Part(view.depth(at) - 1, pen -> lamps.paint(pen, view.across(at), view.up(at), light, shown)));
+        parts.add(new Part(view.depth(at) - 1, pen -> leds.paint(pen, view.across(at), view.up(at), light, shown)));
     }
 
     void paint(Graphics2D pen) {

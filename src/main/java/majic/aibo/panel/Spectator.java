@@ -1,7 +1,7 @@
 package majic.aibo.panel;
 
 import java.util.function.Supplier;
-import majic.aibo.body.Lamps;
+import majic.aibo.body.LedReadings;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
@@ -82,11 +82,11 @@ public final class Spectator {
         private void look(UrbiConnection on) {
             String tag = tags.next();
             try {
-                on.send(Lamps.order(tag, on.version()));
+                on.send(LedReadings.order(tag, on.version()));
                 while (sees(on)) {
                     picture(on);
                 }
-                on.send(Lamps.stop(tag));
+                on.send(LedReadings.stop(tag));
             } catch (BotException e) {
                 waiting.await(() -> !sees(on), AFTER_FAILURE_S);
             }

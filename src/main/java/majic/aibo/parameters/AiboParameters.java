@@ -1,7 +1,7 @@
 package majic.aibo.parameters;
 
 import java.util.List;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.session.Limbs;
 import majic.aibo.sound.Volume;
 import majic.aibo.urbi.UrbiVersion;
@@ -16,7 +16,7 @@ public final class AiboParameters {
     private final ParameterTable table;
     private final List<ParameterTheme<UrbiVersion>> themes;
 
-    public AiboParameters(ParameterTable table, Dog dog, Access access, Volume volume) {
+    public AiboParameters(ParameterTable table, DogState dog, Access access, Volume volume) {
         this.table = table;
         Limbs limbs = new Limbs(dog.senses(), access::open);
         this.themes = List.of(

@@ -1,7 +1,7 @@
 package majic.aibo.parameters;
 
 import java.util.Optional;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.UrbiVersion;
@@ -13,10 +13,10 @@ import majic.driver.ParameterTheme;
 
 /** What the infra-red beams meet, in mm where the dog has cm. */
 final class RangeParameters implements ParameterTheme<UrbiVersion> {
-    private final Dog dog;
+    private final DogState dog;
     private final Senses senses;
 
-    RangeParameters(Dog dog) {
+    RangeParameters(DogState dog) {
         this.dog = dog;
         this.senses = dog.senses();
     }

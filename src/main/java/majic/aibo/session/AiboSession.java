@@ -2,7 +2,7 @@ package majic.aibo.session;
 
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
@@ -42,7 +42,7 @@ public final class AiboSession {
     }
 
     private final Waiting waiting;
-    private final Dog dog;
+    private final DogState dog;
     private final Robot robot;
     private final Tags tags = new Tags();
     private final Poll poll = new Poll(tags);
@@ -58,7 +58,7 @@ public final class AiboSession {
     private final Driving driving;
     private volatile @Nullable Vigil vigil;
 
-    public AiboSession(Supplier<Link> link, Waiting waiting, Dog dog, Robot robot) {
+    public AiboSession(Supplier<Link> link, Waiting waiting, DogState dog, Robot robot) {
         this.waiting = waiting;
         this.dog = dog;
         this.robot = robot;
@@ -142,7 +142,7 @@ public final class AiboSession {
         return driving;
     }
 
-    public Dog dog() {
+    public DogState dog() {
         return dog;
     }
 

@@ -3,7 +3,7 @@ package majic.aibo.session;
 import java.util.function.Consumer;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
-import majic.aibo.body.Piece;
+import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Stride;
 import majic.bot.MotionFailed;
 import org.jspecify.annotations.Nullable;
@@ -183,7 +183,7 @@ public final class Driving {
         if (refusal != null) {
             return Gait.refusal(refusal);
         }
-        Piece piece = ended.piece();
+        GaitPiece piece = ended.piece();
         if (piece == null) {
             session.dog().senses().assumeMotors(true, ended.endedMs());
             session.dog().setAfoot(true);

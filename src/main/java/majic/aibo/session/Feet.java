@@ -3,7 +3,7 @@ package majic.aibo.session;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Posture;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
@@ -29,11 +29,11 @@ public final class Feet {
     private static final double POSTURE_S = 8;
 
     private final AiboSession session;
-    private final Dog dog;
+    private final DogState dog;
     private final Consumer<String> notice;
     private volatile boolean layingFailed;
 
-    Feet(AiboSession session, Dog dog, Consumer<String> notice) {
+    Feet(AiboSession session, DogState dog, Consumer<String> notice) {
         this.session = session;
         this.dog = dog;
         this.notice = notice;

@@ -8,7 +8,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.UrbiMessage;
@@ -21,7 +21,7 @@ final class Hearing {
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
 
     private final Waiting waiting;
-    private final Dog dog;
+    private final DogState dog;
     private final Poll poll;
     private final DogClock clock;
     private final BatteryWatch battery;
@@ -30,7 +30,7 @@ final class Hearing {
     private volatile long lastWordNanos;
 
     /** Calls the last argument when a set of readings is in. */
-    Hearing(Waiting waiting, Dog dog, Poll poll, DogClock clock, BatteryWatch battery, Runnable whenSensed) {
+    Hearing(Waiting waiting, DogState dog, Poll poll, DogClock clock, BatteryWatch battery, Runnable whenSensed) {
         this.waiting = waiting;
         this.dog = dog;
         this.poll = poll;
@@ -66,7 +66,7 @@ final class Hearing {
         Sensor sensor = poll.sensor(message);
         if (sensor != null) {
             sensed(sensor, message);
-        } else if (dog.lamps().hear(message)) {
+        } else if (dog.leds().hear(message)) {
             LOG.log(Level.TRACE, "lamp: {0}", message);
         } else if (message.tag().equals("power") && message.body() instanceof UrbiMessage.Info info) {
             heardPower(info.text(), message.timeMs());

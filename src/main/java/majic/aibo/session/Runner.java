@@ -3,8 +3,8 @@ package majic.aibo.session;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
-import majic.aibo.body.Dog;
-import majic.aibo.body.Piece;
+import majic.aibo.body.DogState;
+import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Stride;
 import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.Tags;
@@ -27,12 +27,12 @@ public final class Runner {
     private final AiboConnections connections;
     private final Tags tags;
     private final Waiting waiting;
-    private final Dog dog;
+    private final DogState dog;
     private final Runnable whenOver;
     private final AtomicReference<@Nullable Running> current = new AtomicReference<>();
 
     /** Tells of each end by the last argument, on whatever thread notices it. */
-    Runner(AiboConnections connections, Tags tags, Waiting waiting, Dog dog, Runnable whenOver) {
+    Runner(AiboConnections connections, Tags tags, Waiting waiting, DogState dog, Runnable whenOver) {
         this.connections = connections;
         this.tags = tags;
         this.waiting = waiting;
@@ -48,7 +48,7 @@ public final class Runner {
     /** Makes a piece of a gait, to be started. */
     Running piece(Stride stride, double amount) {
         UrbiRequest ask = ask();
-        Piece piece = new Piece(stride, amount, ask);
+        GaitPiece piece = new GaitPiece(stride, amount, ask);
         String commands = dog.legSpeed().order(stride) + " " + ask.tag() + "+begin+end: " + piece.call() + ",";
         return new Running(connections.motion(), ask, commands, piece);
     }
@@ -80,7 +80,7 @@ public final class Runner {
             current.compareAndSet(running, null);
             return false;
         }
-        Piece piece = running.piece();
+        GaitPiece piece = running.piece();
         if (piece != null) {
             dog.reckoning().begin(piece);
         }

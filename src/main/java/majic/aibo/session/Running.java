@@ -1,6 +1,6 @@
 package majic.aibo.session;
 
-import majic.aibo.body.Piece;
+import majic.aibo.body.GaitPiece;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRequest;
@@ -14,7 +14,7 @@ public final class Running {
     private final UrbiConnection on;
     private final UrbiRequest ask;
     private final String commands;
-    private final @Nullable Piece piece;
+    private final @Nullable GaitPiece piece;
     private volatile boolean stopRequested;
     private volatile boolean unknown;
     private boolean written;
@@ -22,7 +22,7 @@ public final class Running {
     private @Nullable UrbiRequest execution;
 
     /** A gait piece if there is one, otherwise any command with the ask's tag and the {@code +end} flag. */
-    Running(UrbiConnection on, UrbiRequest ask, String commands, @Nullable Piece piece) {
+    Running(UrbiConnection on, UrbiRequest ask, String commands, @Nullable GaitPiece piece) {
         this.on = on;
         this.ask = ask;
         this.commands = commands;
@@ -70,7 +70,7 @@ public final class Running {
         return ask.isDone();
     }
 
-    public @Nullable Piece piece() {
+    public @Nullable GaitPiece piece() {
         return piece;
     }
 

@@ -1,9 +1,9 @@
 package majic.aibo.session;
 
 import java.util.Objects;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Gait;
-import majic.aibo.body.Piece;
+import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Stride;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
@@ -20,7 +20,7 @@ public final class Walker {
     private static final double LATE_S = 3;
 
     private final AiboSession session;
-    private final Dog dog;
+    private final DogState dog;
     private final Motion motion;
     private double covered;
 
@@ -41,7 +41,7 @@ public final class Walker {
             lookAhead();
         }
         double durationMs = amount * stride.msPerUnit();
-        int pieces = (int) Math.ceil(durationMs / Piece.LONGEST_MS);
+        int pieces = (int) Math.ceil(durationMs / GaitPiece.LONGEST_MS);
         for (int piece = 0; piece < pieces && !motion.guardReached(); piece++) {
             walk(stride, amount / pieces);
         }
@@ -61,7 +61,7 @@ public final class Walker {
         session.awaitFree(motion);
         motion.send(session.guard()::renew);
         Running running = session.runner().piece(stride, amount);
-        Piece piece = Objects.requireNonNull(running.piece());
+        GaitPiece piece = Objects.requireNonNull(running.piece());
         motion.send(() -> session.runner().start(running, () -> true));
         motion.await(() -> running.isOver() || trouble() != null, piece.durationMs() / 1000 + LATE_S);
         settle(running, piece);
@@ -72,7 +72,7 @@ public final class Walker {
     }
 
     /** The piece is over, or has to be. */
-    private void settle(Running running, Piece piece) {
+    private void settle(Running running, GaitPiece piece) {
         motion.check();
         String failure = running.failure();
         String trouble = failure == null ? trouble() : Gait.refusal(failure);

@@ -5,14 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import majic.aibo.body.Calibration;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Test;
 
 class AiboPanelTest {
-    private final Dog dog = new Dog(new Calibration(Settings.inMemory(), "host"));
+    private final DogState dog = new DogState(new Calibration(Settings.inMemory(), "host"));
 
     @Test
     void theDrawingShowsWhereTheHeadLooksAndWhatItMeets() {

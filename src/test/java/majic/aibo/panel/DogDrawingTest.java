@@ -6,7 +6,7 @@ import java.awt.image.BufferedImage;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import majic.aibo.body.Calibration;
-import majic.aibo.body.Dog;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Joint;
 import majic.aibo.body.LedNames;
 import majic.aibo.body.Sensor;
@@ -26,7 +26,7 @@ class DogDrawingTest {
     private static final int HEIGHT = 500;
     private static final int PAINTINGS = 50;
 
-    private final Dog dog = new Dog(new Calibration(Settings.inMemory(), "host"));
+    private final DogState dog = new DogState(new Calibration(Settings.inMemory(), "host"));
     private final DogDrawing drawing = new DogDrawing(dog);
     private int[] before;
 
@@ -60,7 +60,7 @@ class DogDrawingTest {
         assertThat(differing()).isBetween(30L, 3000L);
     }
 
-    static Stream<String> lamps() {
+    static Stream<String> leds() {
         return Stream.concat(LedNames.all().stream(), Stream.of("earL", "earR"));
     }
 
@@ -109,9 +109,9 @@ class DogDrawingTest {
     }
 
     private void shine(String device, double amount) {
-        long index = lamps().takeWhile(name -> !name.equals(device)).count();
+        long index = leds().takeWhile(name -> !name.equals(device)).count();
         UrbiMessage.Body body = new UrbiMessage.Result(new UrbiValue.Num(amount));
-        dog.lamps().hear(new UrbiMessage(0, "t_lamp" + index, body));
+        dog.leds().hear(new UrbiMessage(0, "t_lamp" + index, body));
     }
 
     private long differing() {

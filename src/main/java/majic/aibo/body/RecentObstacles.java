@@ -11,7 +11,7 @@ import majic.bot.Pose;
  * narrow beam, much narrower than the dog, so what a sweep of the head has met is kept for the time of a sweep, in the
  * frame of the dead reckoning, and everything in the corridor that the dog needs counts. Thread-safe.
  */
-final class Surroundings {
+final class RecentObstacles {
     /** The beams start here, ahead of the turning centre. */
     static final double HEAD_AHEAD_MM = 120;
 

@@ -13,7 +13,7 @@ import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 
 /** How brightly the dog's LEDs shine and whether its ears are flicked, while somebody looks. Thread-safe. */
-public final class Lamps {
+public final class LedReadings {
     private static final String SIGN = "_lamp";
     private static final Pattern TAG = Pattern.compile("\\w+" + SIGN + "(\\d{1,2})");
     private static final int PERIOD_MS = 480;

@@ -6,7 +6,7 @@ import majic.aibo.urbi.UrbiRequest;
  * One piece of a gait: how much it is to cover, and by the server's clock how much of it the dog has done. Safe from any
  * thread.
  */
-public final class Piece {
+public final class GaitPiece {
     /** The longest time the dog is ever told to walk, ms: so long it would walk on if all links fell silent. */
     public static final double LONGEST_MS = 2000;
 
@@ -19,7 +19,7 @@ public final class Piece {
     private final UrbiRequest ask;
 
     /** Covers an amount, mm or degrees, always positive. */
-    public Piece(Stride stride, double amount, UrbiRequest ask) {
+    public GaitPiece(Stride stride, double amount, UrbiRequest ask) {
         this.stride = stride;
         this.amount = amount;
         this.durationMs = amount * stride.msPerUnit();

@@ -6,8 +6,8 @@ import java.util.Optional;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Test;
 
-class SurroundingsTest {
-    private final Surroundings surroundings = new Surroundings();
+class RecentObstaclesTest {
+    private final RecentObstacles surroundings = new RecentObstacles();
 
     @Test
     void aWallAheadIsMeasuredFromTheHull() {

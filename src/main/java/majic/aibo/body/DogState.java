@@ -7,19 +7,19 @@ import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
 
 /** What is known of the dog: its readings, what is around it, where it is. Outlives a connection. Thread-safe. */
-public final class Dog {
+public final class DogState {
     private final Calibration calibration;
     private final Senses senses = new Senses();
-    private final Lamps lamps = new Lamps();
+    private final LedReadings leds = new LedReadings();
     private final InfraRed infraRed = new InfraRed(senses);
-    private final Surroundings surroundings = new Surroundings();
+    private final RecentObstacles surroundings = new RecentObstacles();
     private final LegSpeed legSpeed = new LegSpeed();
     private final DeadReckoning reckoning = new DeadReckoning();
     private final AtomicReference<@Nullable String> leftovers = new AtomicReference<>();
     private volatile boolean afoot;
     private volatile long serverMs;
 
-    public Dog(Calibration calibration) {
+    public DogState(Calibration calibration) {
         this.calibration = calibration;
     }
 
@@ -31,8 +31,8 @@ public final class Dog {
         return senses;
     }
 
-    public Lamps lamps() {
-        return lamps;
+    public LedReadings leds() {
+        return leds;
     }
 
     public InfraRed infraRed() {
@@ -62,7 +62,7 @@ public final class Dog {
     /** Forgets what an earlier connection said. */
     public void forgetReadings() {
         senses.clear();
-        lamps.clear();
+        leds.clear();
         surroundings.clear();
         afoot = false;
     }
@@ -92,7 +92,7 @@ public final class Dog {
     }
 
     /** What it shares with all robots, while it walks a piece or none. */
-    public BotState state(@Nullable Piece piece, boolean moving, long nowNanos) {
+    public BotState state(@Nullable GaitPiece piece, boolean moving, long nowNanos) {
         double pace = piece == null ? 0 : piece.unitsPerSecond();
         boolean walks = piece != null && piece.gait().isWalk();
         return new BotState(reckoning.at(serverMs), walks ? pace : 0, walks ? 0 : pace, moving, nowNanos);
