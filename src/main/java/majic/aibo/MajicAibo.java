@@ -14,8 +14,8 @@ import majic.aibo.parameters.AiboParameters;
 import majic.aibo.parameters.CalibrationParameters;
 import majic.aibo.parameters.RawCommand;
 import majic.aibo.session.AiboSession;
-import majic.aibo.session.Lesson;
-import majic.aibo.session.Running;
+import majic.aibo.session.CalibrationRun;
+import majic.aibo.session.RunningMotion;
 import majic.aibo.session.Walker;
 import majic.aibo.sound.PlayCommand;
 import majic.aibo.sound.RecordCommand;
@@ -80,7 +80,7 @@ public final class MajicAibo extends MajicBot {
         this.parameters = new AiboParameters(table(), dog, access, volume);
         parameters.describe(UrbiVersion.V1_0);
         new CalibrationParameters(dog.calibration(), this::learn).describe(table());
-        add(CalibrateCommand.of(new Lesson(this::session, this::stride, this::learn)));
+        add(CalibrateCommand.of(new CalibrationRun(this::session, this::stride, this::learn)));
         add(new RawCommand(access).command());
         add(new PlayCommand(new Speaker(() -> session().connections().sensors(), volume)).command());
         add(new RecordCommand(this::session).command());
@@ -189,7 +189,7 @@ public final class MajicAibo extends MajicBot {
 
     @Override
     public void confirmHalt() {
-        session().runner().confirm();
+        session().executor().confirm();
     }
 
     @Override
@@ -229,7 +229,7 @@ public final class MajicAibo extends MajicBot {
         @Override
         public void sensed() {
             AiboSession open = session;
-            Running running = open == null ? null : open.runner().current();
+            RunningMotion running = open == null ? null : open.executor().current();
             GaitPiece piece = running == null ? null : running.piece();
             publish(dog.state(piece, running != null, time().nanos()));
         }

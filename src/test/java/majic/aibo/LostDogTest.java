@@ -89,7 +89,7 @@ class LostDogTest {
         dogs.dog.hangUp(STOP);
         dogs.until(() -> !dogs.aibo.isConnected());
 
-        assertThatThrownBy(() -> session.runner().confirm()).isInstanceOf(LinkLost.class);
+        assertThatThrownBy(() -> session.executor().confirm()).isInstanceOf(LinkLost.class);
     }
 
     private CompletableFuture<Void> walk() {

@@ -44,7 +44,7 @@ class StopPathTest {
         dog.stopReading(MOTION);
         fill(aibo.session().connections().motion());
         CompletableFuture<Void> drive = aside(() -> aibo.drive(50, 0));
-        until(() -> aibo.session().runner().current() != null);
+        until(() -> aibo.session().executor().current() != null);
 
         CompletableFuture<Void> stop = aside(this::stop);
         dog.awaitReceived("stop walk");

@@ -2,7 +2,7 @@ package majic.aibo.parameters;
 
 import java.util.List;
 import majic.aibo.body.DogState;
-import majic.aibo.session.Limbs;
+import majic.aibo.session.JointControl;
 import majic.aibo.sound.Volume;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.ParameterTable;
@@ -18,14 +18,14 @@ public final class AiboParameters {
 
     public AiboParameters(ParameterTable table, DogState dog, Access access, Volume volume) {
         this.table = table;
-        Limbs limbs = new Limbs(dog.senses(), access::open);
+        JointControl jointControl = new JointControl(dog.senses(), access::open);
         this.themes = List.of(
                 new RangeParameters(dog),
                 new BodyParameters(access),
                 new SenseParameters(access),
-                new JointParameters(access, limbs),
-                new LoadParameters(access, limbs),
-                new EarParameters(access, limbs),
+                new JointParameters(access, jointControl),
+                new LoadParameters(access, jointControl),
+                new EarParameters(access, jointControl),
                 new LightParameters(access),
                 new CameraParameters(access),
                 new SoundParameters(access, volume));

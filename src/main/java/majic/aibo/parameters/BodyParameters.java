@@ -40,22 +40,22 @@ final class BodyParameters implements ParameterTheme<UrbiVersion> {
 
     private Value posture() {
         if (WaitPolicy.isAllowed()) {
-            return Value.text(access.open().feet().posture());
+            return Value.text(access.open().postures().posture());
         }
         String told = senses.posture();
         return told == null ? senses.unknown(Sensor.POSTURE) : Value.text(told);
     }
 
     private void take(List<Value> values, Motion motion) {
-        access.open().feet().take(Posture.of(values.get(0).toString()), motion);
+        access.open().postures().take(Posture.of(values.get(0).toString()), motion);
         access.open().sweep().home(0);
     }
 
     private void power(List<Value> values, Motion motion) {
         if (values.get(0).isYes()) {
-            access.open().feet().power(motion);
+            access.open().postures().power(motion);
         } else {
-            access.open().feet().loosen(motion);
+            access.open().postures().loosen(motion);
         }
     }
 

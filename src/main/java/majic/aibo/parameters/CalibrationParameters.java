@@ -2,7 +2,7 @@ package majic.aibo.parameters;
 
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
-import majic.aibo.session.Lesson;
+import majic.aibo.session.CalibrationRun;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Range;
@@ -12,9 +12,9 @@ import majic.bot.Value;
 /** The four factors as parameters, for those who know them already: another computer has measured the same dog. */
 public final class CalibrationParameters {
     private final Calibration calibration;
-    private final Lesson.Learner learner;
+    private final CalibrationRun.Learner learner;
 
-    public CalibrationParameters(Calibration calibration, Lesson.Learner learner) {
+    public CalibrationParameters(Calibration calibration, CalibrationRun.Learner learner) {
         this.calibration = calibration;
         this.learner = learner;
     }

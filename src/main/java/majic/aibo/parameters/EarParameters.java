@@ -2,7 +2,7 @@ package majic.aibo.parameters;
 
 import java.util.ArrayList;
 import java.util.List;
-import majic.aibo.session.Limbs;
+import majic.aibo.session.JointControl;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
@@ -17,11 +17,11 @@ final class EarParameters implements ParameterTheme<UrbiVersion> {
     private static final List<String> EARS = List.of("earL", "earR");
 
     private final Access access;
-    private final Limbs limbs;
+    private final JointControl jointControl;
 
-    EarParameters(Access access, Limbs limbs) {
+    EarParameters(Access access, JointControl jointControl) {
         this.access = access;
-        this.limbs = limbs;
+        this.jointControl = jointControl;
     }
 
     @Override
@@ -39,7 +39,7 @@ final class EarParameters implements ParameterTheme<UrbiVersion> {
 
     private void describe(ParameterTable table, String ear, String help) {
         table.add(Parameter.onOff(ear, help), access.asked(ear + ".val", amount -> Value.onOff(amount > 0)))
-                .moves((values, motion) -> limbs.perform(
+                .moves((values, motion) -> jointControl.perform(
                         List.of(UrbiCommands.assign(ear + ".val", values.get(0).number())), 0, motion));
     }
 
@@ -49,6 +49,6 @@ final class EarParameters implements ParameterTheme<UrbiVersion> {
             commands.add(UrbiCommands.assign(
                     EARS.get(index) + ".val", Math.rint(values.get(index).number())));
         }
-        limbs.perform(commands, 0, motion);
+        jointControl.perform(commands, 0, motion);
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import majic.aibo.body.Joint;
-import majic.aibo.session.Limbs;
+import majic.aibo.session.JointControl;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
 import majic.bot.Parameter;
@@ -23,11 +23,11 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
             Parameter.number("time", Unit.MS, "how long it takes").within(0, LONGEST_MS);
 
     private final Access access;
-    private final Limbs limbs;
+    private final JointControl jointControl;
 
-    JointParameters(Access access, Limbs limbs) {
+    JointParameters(Access access, JointControl jointControl) {
         this.access = access;
-        this.limbs = limbs;
+        this.jointControl = jointControl;
     }
 
     @Override
@@ -45,8 +45,8 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
         table.add(
                         Parameter.number("jointSpeed", Unit.DEG_PER_S, "how fast joints turn that are given no time")
                                 .within(1, FASTEST_DEG_PER_S),
-                        () -> Value.of(limbs.degPerSec(), Unit.DEG_PER_S))
-                .writes(values -> limbs.setDegPerSec(values.get(0).number()));
+                        () -> Value.of(jointControl.degPerSec(), Unit.DEG_PER_S))
+                .writes(values -> jointControl.setDegPerSec(values.get(0).number()));
     }
 
     private static Parameter angle(Joint joint, UrbiVersion version) {
@@ -86,6 +86,6 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
         }
         OptionalDouble ms =
                 values.size() > given ? OptionalDouble.of(values.get(given).number()) : OptionalDouble.empty();
-        limbs.turn(targets, ms, motion);
+        jointControl.turn(targets, ms, motion);
     }
 }

@@ -2,7 +2,7 @@ package majic.aibo.parameters;
 
 import java.util.List;
 import majic.aibo.body.Joint;
-import majic.aibo.session.Limbs;
+import majic.aibo.session.JointControl;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
@@ -15,11 +15,11 @@ import majic.driver.ParameterTheme;
 /** How stiff each joint is. A dog whose legs go loose falls over, so setting it is a motion. */
 final class LoadParameters implements ParameterTheme<UrbiVersion> {
     private final Access access;
-    private final Limbs limbs;
+    private final JointControl jointControl;
 
-    LoadParameters(Access access, Limbs limbs) {
+    LoadParameters(Access access, JointControl jointControl) {
         this.access = access;
-        this.limbs = limbs;
+        this.jointControl = jointControl;
     }
 
     @Override
@@ -36,7 +36,7 @@ final class LoadParameters implements ParameterTheme<UrbiVersion> {
     }
 
     private void stiffen(Joint joint, String variable, double load, Motion motion) {
-        limbs.perform(List.of(UrbiCommands.assign(variable, load)), 0, motion);
+        jointControl.perform(List.of(UrbiCommands.assign(variable, load)), 0, motion);
         if (joint.isInALeg()) {
             access.open().dog().setAfoot(false);
         }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.aibo.session.AiboSession;
-import majic.aibo.session.Running;
+import majic.aibo.session.RunningMotion;
 import majic.aibo.urbi.RawText;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiText;
@@ -42,13 +42,13 @@ public final class RawCommand {
         AiboSession open = access.open();
         open.awaitFree(motion);
         List<UrbiMessage> answers = new CopyOnWriteArrayList<>();
-        Running running = open.runner()
+        RunningMotion running = open.executor()
                 .command(open.connections().motion(), "{ " + text + " }")
                 .unknown();
         motion.send(open.guard()::renew);
         Runnable deaf = open.listen(answers::add);
         try {
-            open.feet().perform(motion, running, LONGEST_S);
+            open.postures().perform(motion, running, LONGEST_S);
         } finally {
             deaf.run();
         }

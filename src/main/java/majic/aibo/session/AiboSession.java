@@ -45,18 +45,18 @@ public final class AiboSession {
     private final DogState dog;
     private final Robot robot;
     private final Tags tags = new Tags();
-    private final Poll poll = new Poll(tags);
+    private final PollCommands poll = new PollCommands(tags);
     private final DogClock clock;
     private final BatteryWatch battery;
-    private final Hearing hearing;
+    private final MessageRouter router;
     private final AiboConnections connections;
-    private final Runner runner;
+    private final MotionExecutor executor;
     private final DogGuard guard;
     private final HeadSweep sweep;
     private final Microphone microphone;
-    private final Feet feet;
-    private final Driving driving;
-    private volatile @Nullable Vigil vigil;
+    private final PostureControl postures;
+    private final AiboDrive driving;
+    private volatile @Nullable ConnectionMonitor monitor;
 
     public AiboSession(Supplier<Link> link, Waiting waiting, DogState dog, Robot robot) {
         this.waiting = waiting;
@@ -65,14 +65,14 @@ public final class AiboSession {
         Consumer<String> notice = robot::say;
         this.clock = new DogClock(waiting);
         this.battery = new BatteryWatch(notice);
-        this.hearing = new Hearing(waiting, dog, poll, clock, battery, robot::sensed);
+        this.router = new MessageRouter(waiting, dog, poll, clock, battery, robot::sensed);
         this.connections = new AiboConnections(link, waiting, this::heard, this::lost);
-        this.runner = new Runner(connections, tags, waiting, dog, robot::sensed);
+        this.executor = new MotionExecutor(connections, tags, waiting, dog, robot::sensed);
         this.guard = new DogGuard(connections, tags, waiting, clock);
         this.sweep = new HeadSweep(connections.sensors(), tags);
         this.microphone = new Microphone(connections.sensors(), tags);
-        this.feet = new Feet(this, dog, notice);
-        this.driving = new Driving(this, notice);
+        this.postures = new PostureControl(this, dog, notice);
+        this.driving = new AiboDrive(this, notice);
     }
 
     /** Connects, sets up guard and readings; moves nothing. Leaves nothing open when it throws. */
@@ -86,7 +86,7 @@ public final class AiboSession {
             }
             dog.legSpeed().look(connections.sensors(), tags);
             awaitFirstReadings();
-            vigil = new Vigil(connections, hearing, tags, waiting, clock);
+            monitor = new ConnectionMonitor(connections, router, tags, waiting, clock);
             connections.announceOpened();
         } catch (BotException e) {
             connections.abort();
@@ -98,12 +98,12 @@ public final class AiboSession {
         for (Sensor.Rate rate : Sensor.Rate.values()) {
             connections.sensors().send(poll.order(rate, connections.sensors().version()));
         }
-        boolean all = waiting.await(() -> hearing.answered() == Sensor.values().length, FIRST_READINGS_S);
-        if (!all && hearing.answered() == 0) {
+        boolean all = waiting.await(() -> router.answered() == Sensor.values().length, FIRST_READINGS_S);
+        if (!all && router.answered() == 0) {
             throw new BotException("the dog lets itself be connected but tells no reading within "
                     + (int) FIRST_READINGS_S + " s; restart the dog");
         }
-        hearing.listenAnew();
+        router.listenAnew();
     }
 
     public Waiting waiting() {
@@ -118,8 +118,8 @@ public final class AiboSession {
         return clock;
     }
 
-    public Runner runner() {
-        return runner;
+    public MotionExecutor executor() {
+        return executor;
     }
 
     public DogGuard guard() {
@@ -134,11 +134,11 @@ public final class AiboSession {
         return microphone;
     }
 
-    public Feet feet() {
-        return feet;
+    public PostureControl postures() {
+        return postures;
     }
 
-    public Driving driving() {
+    public AiboDrive driving() {
         return driving;
     }
 
@@ -148,7 +148,7 @@ public final class AiboSession {
 
     /** Whether the dog has said nothing for so long that it must not move. */
     boolean isSilent() {
-        return hearing.silenceS() > Vigil.SILENCE_S;
+        return router.silenceS() > ConnectionMonitor.SILENCE_S;
     }
 
     /** Says something to the person. */
@@ -158,7 +158,7 @@ public final class AiboSession {
 
     /** Has somebody hear, on the readers' threads, all that is neither a reading nor an answer; what it returns ends it. */
     public Runnable listen(Consumer<UrbiMessage> hearer) {
-        return hearing.listen(hearer);
+        return router.listen(hearer);
     }
 
     /**
@@ -187,7 +187,7 @@ public final class AiboSession {
     /** Waits until the dog has ended what it did before this motion. */
     public void awaitFree(Motion motion) {
         motion.check();
-        if (!waiting.await(() -> runner.current() == null, FREE_S)) {
+        if (!waiting.await(() -> executor.current() == null, FREE_S)) {
             throw new MotionFailed("the dog has not ended what it did before");
         }
         motion.check();
@@ -196,7 +196,7 @@ public final class AiboSession {
     /** Sends the stop for everything that moves. */
     public void halt() {
         driving.forget();
-        runner.halt(sweep.halt());
+        executor.halt(sweep.halt());
     }
 
     /**
@@ -205,26 +205,27 @@ public final class AiboSession {
      */
     public void haltAhead() {
         driving.forget();
-        runner.halt(sweep.stopCommand());
+        executor.halt(sweep.stopCommand());
     }
 
     /** The duties that come round ten times a second, on the keeper's thread. */
     public void tend() {
-        Vigil watching = vigil;
+        ConnectionMonitor watching = monitor;
         if (watching != null) {
             watching.tend();
             haltInSilence(watching);
         }
-        runner.pursue();
+        executor.pursue();
         driving.tend();
-        guard.tend(runner.current());
+        guard.tend(executor.current());
         sweep.tend();
     }
 
-    private void haltInSilence(Vigil watching) {
-        if (watching.fallsSilent() && runner.current() != null) {
-            robot.say("no word from the dog for " + Vigil.SILENCE_S + " s while it moves: it is told to stop");
-            runner.halt(sweep.halt());
+    private void haltInSilence(ConnectionMonitor watching) {
+        if (watching.fallsSilent() && executor.current() != null) {
+            robot.say("no word from the dog for " + ConnectionMonitor.SILENCE_S
+                    + " s while it moves: it is told to stop");
+            executor.halt(sweep.halt());
             waiting.changes().raise();
         }
     }
@@ -237,7 +238,7 @@ public final class AiboSession {
 
     /** What ends all that the dog does for this session. */
     private String lastWords() {
-        Running running = runner.current();
+        RunningMotion running = executor.current();
         String own = running == null ? "" : " " + running.stopCommands();
         return UrbiCommands.STOP_GAITS + own + sweep.halt() + " " + guard.stop() + " " + poll.stop()
                 + microphone.stopCommand() + " ";
@@ -245,16 +246,16 @@ public final class AiboSession {
 
     private void heard(UrbiMessage message) {
         if (!microphone.hears(message)) {
-            hearing.heard(message);
+            router.heard(message);
         }
     }
 
     private void lost(LinkLost cause) {
         driving.forget();
-        if (runner.current() != null || sweep.isSweeping()) {
+        if (executor.current() != null || sweep.isSweeping()) {
             dog.leave(lastWords());
         }
         robot.lost(battery.explained(cause));
-        runner.abandon();
+        executor.abandon();
     }
 }

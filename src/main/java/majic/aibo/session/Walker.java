@@ -36,7 +36,7 @@ public final class Walker {
         if (motion.guardReached() || amount == 0) {
             return 0;
         }
-        session.feet().stand(motion);
+        session.postures().stand(motion);
         if (stride.gait() == Gait.FORWARD) {
             lookAhead();
         }
@@ -60,9 +60,9 @@ public final class Walker {
     private void walk(Stride stride, double amount) {
         session.awaitFree(motion);
         motion.send(session.guard()::renew);
-        Running running = session.runner().piece(stride, amount);
+        RunningMotion running = session.executor().piece(stride, amount);
         GaitPiece piece = Objects.requireNonNull(running.piece());
-        motion.send(() -> session.runner().start(running, () -> true));
+        motion.send(() -> session.executor().start(running, () -> true));
         motion.await(() -> running.isOver() || trouble() != null, piece.durationMs() / 1000 + LATE_S);
         settle(running, piece);
         covered += piece.covered();
@@ -72,7 +72,7 @@ public final class Walker {
     }
 
     /** The piece is over, or has to be. */
-    private void settle(Running running, GaitPiece piece) {
+    private void settle(RunningMotion running, GaitPiece piece) {
         motion.check();
         String failure = running.failure();
         String trouble = failure == null ? trouble() : Gait.refusal(failure);
@@ -81,7 +81,7 @@ public final class Walker {
             throw failed(trouble, piece.gait());
         }
         if (!running.isOver()) {
-            motion.send(() -> session.runner().halt(""));
+            motion.send(() -> session.executor().halt(""));
             boolean ended = session.waiting().await(running::isOver, LATE_S);
             motion.check();
             if (!ended || !motion.guardReached()) {

@@ -77,7 +77,7 @@ class DogGuardTest {
     @Test
     void leavesAWalkThatWasToldToStopToItself() {
         guard.renew();
-        Running stopped = walk(3000);
+        RunningMotion stopped = walk(3000);
         stopped.requestStop();
         waiting.await(() -> false, 0.3);
 
@@ -86,9 +86,10 @@ class DogGuardTest {
         assertThat(settings()).hasSize(2).last().asString().doesNotContain(DISARMED);
     }
 
-    private Running walk(int ms) {
+    private RunningMotion walk(int ms) {
         UrbiRequest ask = new UrbiRequest("w", UrbiRequest.Expects.END);
-        Running walk = new Running(connections.motion(), ask, "w+begin+end: robot.walk(" + ms + "),", null).unknown();
+        RunningMotion walk =
+                new RunningMotion(connections.motion(), ask, "w+begin+end: robot.walk(" + ms + "),", null).unknown();
         walk.start();
         dog.awaitReceived("robot.walk");
         return walk;

@@ -15,7 +15,7 @@ import majic.bot.Range;
 import majic.bot.Unit;
 
 /** How the dog is taught its pace: it walks or turns for a known time, and somebody measures how far it came. */
-public final class Lesson implements CalibrateCommand.Pupil {
+public final class CalibrationRun implements CalibrateCommand.Pupil {
     /** About a metre. */
     private static final int WALK_S = 12;
 
@@ -34,7 +34,7 @@ public final class Lesson implements CalibrateCommand.Pupil {
     }
 
     /** Goes in the stride that moves have now; what is learned holds for every pace. */
-    public Lesson(Supplier<AiboSession> session, Function<Gait, Stride> stride, Learner learner) {
+    public CalibrationRun(Supplier<AiboSession> session, Function<Gait, Stride> stride, Learner learner) {
         this.session = session;
         this.stride = stride;
         this.learner = learner;
@@ -49,7 +49,7 @@ public final class Lesson implements CalibrateCommand.Pupil {
     public Trial go(String direction, Motion motion) {
         Gait gait = Gait.of(direction);
         AiboSession open = session.get();
-        open.feet().stand(motion);
+        open.postures().stand(motion);
         letMark(gait, motion);
         Stride stride = this.stride.apply(gait);
         double amount = seconds(gait) * stride.unitsPerSecond();

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** Walks and drives that something else ends, and a hand that changes its mind. */
 @Timeout(30)
-class DrivingTest {
+class AiboDriveTest {
     private Dogs dogs;
 
     @BeforeEach

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** Postures, and a dog that must not fall when its motors go off. */
 @Timeout(30)
-class FeetTest {
+class PostureControlTest {
     private Dogs dogs;
 
     @BeforeEach

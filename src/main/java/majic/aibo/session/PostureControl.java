@@ -15,7 +15,7 @@ import majic.bot.MotionFailed;
 import org.jspecify.annotations.Nullable;
 
 /** Gets the dog onto its feet before it walks, with its motors on, and into other postures. */
-public final class Feet {
+public final class PostureControl {
     private static final Set<String> DOWN = Set.of("sit", "lay");
     private static final Set<String> FALLEN = Set.of("side", "back");
     private static final Set<String> UP = Set.of("stand", "sit");
@@ -33,7 +33,7 @@ public final class Feet {
     private final Consumer<String> notice;
     private volatile boolean layingFailed;
 
-    Feet(AiboSession session, DogState dog, Consumer<String> notice) {
+    PostureControl(AiboSession session, DogState dog, Consumer<String> notice) {
         this.session = session;
         this.dog = dog;
         this.notice = notice;
@@ -48,7 +48,7 @@ public final class Feet {
         boolean stands = posture.equals("stand") || (dog.isAfoot() && !DOWN.contains(posture));
         if (!powered || !stands) {
             notice.accept(rising(powered));
-            Running rise = rise(powered);
+            RunningMotion rise = rise(powered);
             perform(motion, rise, POSTURE_S);
             dog.senses().assumeMotors(true, rise.endedMs());
         }
@@ -65,7 +65,7 @@ public final class Feet {
 
     /** What gets it up, to be started by a drive. Null if it stands already, as far as is known. */
     @Nullable
-    Running rise() {
+    RunningMotion rise() {
         boolean powered = dog.senses().motorsOn().orElse(false);
         if (powered && (dog.isAfoot() || "stand".equals(dog.senses().posture()))) {
             return null;
@@ -78,11 +78,11 @@ public final class Feet {
         return powered ? "the dog stands up first" : "switches the dog's motors on and stands it up first";
     }
 
-    private Running rise(boolean powered) {
+    private RunningMotion rise(boolean powered) {
         UrbiConnection on = session.connections().motion();
         return powered
-                ? session.runner().command(on, Posture.STAND.call())
-                : session.runner()
+                ? session.executor().command(on, Posture.STAND.call())
+                : session.executor()
                         .command(on, tag -> "{ motors on; wait(1000); " + tag + ": " + Posture.STAND.call() + " }");
     }
 
@@ -91,7 +91,8 @@ public final class Feet {
         session.awaitFree(motion);
         if (!dog.senses().motorsOn().orElse(false)) {
             notice.accept("switches the dog's motors on");
-            Running switching = session.runner().command(session.connections().motion(), "{ motors on; wait(1000) }");
+            RunningMotion switching =
+                    session.executor().command(session.connections().motion(), "{ motors on; wait(1000) }");
             perform(motion, switching, POWER_S);
             dog.senses().assumeMotors(true, switching.endedMs());
         }
@@ -109,15 +110,15 @@ public final class Feet {
             layDown(motion);
         }
         layingFailed = false;
-        Running switching =
-                session.runner().command(session.connections().motion(), UrbiCommands.toGroup("motors off"));
+        RunningMotion switching =
+                session.executor().command(session.connections().motion(), UrbiCommands.toGroup("motors off"));
         perform(motion, switching, POWER_S);
         dog.senses().assumeMotors(false, switching.endedMs());
     }
 
     private void layDown(Motion motion) {
         try {
-            perform(motion, session.runner().command(session.connections().motion(), Posture.LAY.call()), POSTURE_S);
+            perform(motion, session.executor().command(session.connections().motion(), Posture.LAY.call()), POSTURE_S);
             String posture = posture();
             if (UP.contains(posture)) {
                 throw new MotionFailed("the dog was to lie down, but tells that it is in posture " + posture);
@@ -134,7 +135,7 @@ public final class Feet {
         power(motion);
         dog.setAfoot(false);
         layingFailed = false;
-        perform(motion, session.runner().command(session.connections().motion(), posture.call()), POSTURE_S);
+        perform(motion, session.executor().command(session.connections().motion(), posture.call()), POSTURE_S);
         dog.setAfoot(posture == Posture.STAND);
     }
 
@@ -151,8 +152,8 @@ public final class Feet {
     }
 
     /** Does one thing to its end, whatever the guard says: half risen is no way to stay. */
-    public void perform(Motion motion, Running running, double seconds) {
-        motion.send(() -> session.runner().start(running, () -> true));
+    public void perform(Motion motion, RunningMotion running, double seconds) {
+        motion.send(() -> session.executor().start(running, () -> true));
         BooleanSupplier over = () -> running.isOver() || !stillGoes(motion);
         boolean ended = session.waiting().await(over, seconds);
         motion.check();

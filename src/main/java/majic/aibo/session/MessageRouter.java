@@ -16,13 +16,13 @@ import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.Waiting;
 
 /** Sorts what a dog says without being asked anew: readings, battery lines, the rest. Hears on the readers' threads. */
-final class Hearing {
-    private static final Logger LOG = System.getLogger(Hearing.class.getName());
+final class MessageRouter {
+    private static final Logger LOG = System.getLogger(MessageRouter.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
 
     private final Waiting waiting;
     private final DogState dog;
-    private final Poll poll;
+    private final PollCommands poll;
     private final DogClock clock;
     private final BatteryWatch battery;
     private final Runnable whenSensed;
@@ -30,7 +30,13 @@ final class Hearing {
     private volatile long lastWordNanos;
 
     /** Calls the last argument when a set of readings is in. */
-    Hearing(Waiting waiting, DogState dog, Poll poll, DogClock clock, BatteryWatch battery, Runnable whenSensed) {
+    MessageRouter(
+            Waiting waiting,
+            DogState dog,
+            PollCommands poll,
+            DogClock clock,
+            BatteryWatch battery,
+            Runnable whenSensed) {
         this.waiting = waiting;
         this.dog = dog;
         this.poll = poll;

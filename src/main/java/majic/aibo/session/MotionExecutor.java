@@ -18,9 +18,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The one thing that the dog is doing, and its end. A stop goes out on the stop connection at once, without looking at
- * anything; whether it has hit what it was meant for is found out afterwards, see {@link Running#pursue}. Thread-safe.
+ * anything; whether it has hit what it was meant for is found out afterwards, see {@link RunningMotion#pursue}. Thread-safe.
  */
-public final class Runner {
+public final class MotionExecutor {
     private static final double CONFIRM_S = 5;
     private static final double AGAIN_S = 0.1;
 
@@ -29,10 +29,10 @@ public final class Runner {
     private final Waiting waiting;
     private final DogState dog;
     private final Runnable whenOver;
-    private final AtomicReference<@Nullable Running> current = new AtomicReference<>();
+    private final AtomicReference<@Nullable RunningMotion> current = new AtomicReference<>();
 
     /** Tells of each end by the last argument, on whatever thread notices it. */
-    Runner(AiboConnections connections, Tags tags, Waiting waiting, DogState dog, Runnable whenOver) {
+    MotionExecutor(AiboConnections connections, Tags tags, Waiting waiting, DogState dog, Runnable whenOver) {
         this.connections = connections;
         this.tags = tags;
         this.waiting = waiting;
@@ -41,20 +41,20 @@ public final class Runner {
     }
 
     /** What the dog does now; null if nothing that it was told. */
-    public @Nullable Running current() {
+    public @Nullable RunningMotion current() {
         return current.get();
     }
 
     /** Makes a piece of a gait, to be started. */
-    Running piece(Stride stride, double amount) {
+    RunningMotion piece(Stride stride, double amount) {
         UrbiRequest ask = ask();
         GaitPiece piece = new GaitPiece(stride, amount, ask);
         String commands = dog.legSpeed().order(stride) + " " + ask.tag() + "+begin+end: " + piece.call() + ",";
-        return new Running(connections.motion(), ask, commands, piece);
+        return new RunningMotion(connections.motion(), ask, commands, piece);
     }
 
     /** Makes any other command that ends by itself, to be started. */
-    public Running command(UrbiConnection on, String commands) {
+    public RunningMotion command(UrbiConnection on, String commands) {
         return command(on, tag -> commands);
     }
 
@@ -62,9 +62,9 @@ public final class Runner {
      * Makes a command that ends by itself out of several. What stands inside of a block does not have the block's tag
      * (URBI sheet 7), so what may go wrong there is to be marked with it.
      */
-    Running command(UrbiConnection on, UnaryOperator<String> commandsForTag) {
+    RunningMotion command(UrbiConnection on, UnaryOperator<String> commandsForTag) {
         UrbiRequest ask = ask();
-        return new Running(on, ask, ask.tag() + "+end: " + commandsForTag.apply(ask.tag()) + ",", null);
+        return new RunningMotion(on, ask, ask.tag() + "+end: " + commandsForTag.apply(ask.tag()) + ",", null);
     }
 
     private UrbiRequest ask() {
@@ -72,7 +72,7 @@ public final class Runner {
     }
 
     /** Starts it, if it still may be started once everybody can see that it is about to be; there is nothing else. */
-    boolean start(Running running, BooleanSupplier mayStill) {
+    boolean start(RunningMotion running, BooleanSupplier mayStill) {
         if (!take(running)) {
             throw new BotException("the dog has not yet ended what it did before");
         }
@@ -89,13 +89,13 @@ public final class Runner {
     }
 
     /** Who waited for an end may come with the next thing before that end was cleared away. */
-    private synchronized boolean take(Running running) {
+    private synchronized boolean take(RunningMotion running) {
         dropEnded();
         return current.compareAndSet(null, running);
     }
 
     private synchronized boolean dropEnded() {
-        Running ended = current.get();
+        RunningMotion ended = current.get();
         if (ended == null || !ended.isOver()) {
             return false;
         }
@@ -113,7 +113,7 @@ public final class Runner {
 
     /** Sends the stop; does not wait for anything. */
     void halt(String further) {
-        Running running = current.get();
+        RunningMotion running = current.get();
         if (running == null) {
             connections.stop().send(UrbiCommands.STOP_GAITS + further);
         } else {
@@ -127,7 +127,7 @@ public final class Runner {
 
     /** Waits until the dog has executed the stop and what it was doing has ended. */
     public void confirm() {
-        Running running = current.get();
+        RunningMotion running = current.get();
         UrbiRequest pong = connections.stop().ping(tags);
         BooleanSupplier stands =
                 () -> pong.isDone() && (running == null || running.isOver() || !running.isStopRequested());
@@ -146,7 +146,7 @@ public final class Runner {
 
     /** Goes on making sure that what was stopped ends; to be called now and then. */
     void pursue() {
-        Running running = current.get();
+        RunningMotion running = current.get();
         if (running != null && running.isStopRequested()) {
             running.pursue(connections.stop(), tags, UrbiCommands.STOP_GAITS);
         }
@@ -154,7 +154,7 @@ public final class Runner {
 
     /** The connection is gone: nobody will hear the end of anything. */
     void abandon() {
-        Running running = current.get();
+        RunningMotion running = current.get();
         if (running != null) {
             running.abandon("connection lost");
         }

@@ -12,7 +12,7 @@ import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
 
 /** Moves joints, and waits until they are where they were told to be. Only ever on behalf of a motion. */
-public final class Limbs {
+public final class JointControl {
     private static final double LEAST_MS = 100;
 
     /** A slow engine tells the end two seconds late. */
@@ -29,7 +29,7 @@ public final class Limbs {
     /** Quick, but not the jerk of a bare assignment. */
     private volatile double degPerSec = 120;
 
-    public Limbs(Senses senses, Supplier<AiboSession> session) {
+    public JointControl(Senses senses, Supplier<AiboSession> session) {
         this.senses = senses;
         this.session = session;
     }
@@ -51,7 +51,7 @@ public final class Limbs {
      */
     public void turn(Map<Joint, Double> targets, OptionalDouble givenMs, Motion motion) {
         AiboSession open = session.get();
-        open.feet().power(motion);
+        open.postures().power(motion);
         double ms = Math.rint(givenMs.orElseGet(() -> usualMs(targets)));
         List<String> commands = targets.entrySet().stream()
                 .map(target -> UrbiCommands.assign(target.getKey().urbiName() + ".val", target.getValue()) + " time:"
@@ -80,8 +80,8 @@ public final class Limbs {
     }
 
     private static void perform(AiboSession open, List<String> commands, double seconds, Motion motion) {
-        Running running = open.runner().command(open.connections().sensors(), UrbiCommands.together(commands));
-        open.feet().perform(motion, running, seconds + LATE_S);
+        RunningMotion running = open.executor().command(open.connections().sensors(), UrbiCommands.together(commands));
+        open.postures().perform(motion, running, seconds + LATE_S);
     }
 
     private double usualMs(Map<Joint, Double> targets) {

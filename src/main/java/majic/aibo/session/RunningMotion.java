@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * Something that moves the dog and that it was told to do: a piece of a gait, a posture, a timed joint. There is never
  * more than one. Safe from any thread.
  */
-public final class Running {
+public final class RunningMotion {
     private final UrbiConnection on;
     private final UrbiRequest ask;
     private final String commands;
@@ -22,7 +22,7 @@ public final class Running {
     private @Nullable UrbiRequest execution;
 
     /** A gait piece if there is one, otherwise any command with the ask's tag and the {@code +end} flag. */
-    Running(UrbiConnection on, UrbiRequest ask, String commands, @Nullable GaitPiece piece) {
+    RunningMotion(UrbiConnection on, UrbiRequest ask, String commands, @Nullable GaitPiece piece) {
         this.on = on;
         this.ask = ask;
         this.commands = commands;
@@ -30,7 +30,7 @@ public final class Running {
     }
 
     /** Says that nobody knows what it makes the dog do. */
-    public Running unknown() {
+    public RunningMotion unknown() {
         unknown = true;
         return this;
     }

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * at its speed as far as the legs can, in short pieces, each begun when the one before has ended, as long as somebody
  * drives. What goes wrong ends it, and is said when it is renewed. Nothing here waits.
  */
-public final class Driving {
+public final class AiboDrive {
     private static final double PIECE_MS = 600;
 
     /** A drive is renewed more often; one that is older ends, and does not go on when it is renewed later, seconds. */
@@ -32,9 +32,9 @@ public final class Driving {
     private volatile @Nullable Gait announced;
     private volatile boolean underWay;
     private volatile long begunNanos;
-    private @Nullable Running latest;
+    private @Nullable RunningMotion latest;
 
-    Driving(AiboSession session, Consumer<String> notice) {
+    AiboDrive(AiboSession session, Consumer<String> notice) {
         this.session = session;
         this.notice = notice;
     }
@@ -50,8 +50,8 @@ public final class Driving {
             fail(LATE);
         }
         refuseAfterFailure();
-        if (stride != null && session.runner().current() == null) {
-            session.feet().refuseFallen(session.dog().senses().posture());
+        if (stride != null && session.executor().current() == null) {
+            session.postures().refuseFallen(session.dog().senses().posture());
         }
         renewedNanos = session.waiting().time().nanos();
         wanted = stride;
@@ -110,14 +110,14 @@ public final class Driving {
             fail(LATE);
             return;
         }
-        Running running = session.runner().current();
+        RunningMotion running = session.executor().current();
         String wrong = trouble(running);
         if (wrong != null) {
             fail(wrong);
         } else if (running == null) {
             begin(stride);
         } else if (running.piece() != null && running.piece().gait() != stride.gait() && !running.isStopRequested()) {
-            session.runner().halt(session.sweep().halt());
+            session.executor().halt(session.sweep().halt());
         }
     }
 
@@ -132,7 +132,7 @@ public final class Driving {
     }
 
     /** Whether the drive must not go on; motors that are off before it has begun are switched on by it. */
-    private @Nullable String trouble(@Nullable Running running) {
+    private @Nullable String trouble(@Nullable RunningMotion running) {
         if (session.isSilent()) {
             return "no word from the dog for 1.5 s; it was told to stop";
         }
@@ -144,7 +144,7 @@ public final class Driving {
     }
 
     private synchronized void begin(Stride stride) {
-        if (session.runner().current() != null) {
+        if (session.executor().current() != null) {
             return;
         }
         String wrong = settle();
@@ -152,10 +152,10 @@ public final class Driving {
             fail(wrong);
             return;
         }
-        Running rise = underWay ? null : session.feet().rise();
+        RunningMotion rise = underWay ? null : session.postures().rise();
         if (rise != null) {
             latest = rise;
-            session.runner().start(rise, this::isWanted);
+            session.executor().start(rise, this::isWanted);
             return;
         }
         walk(stride);
@@ -164,17 +164,17 @@ public final class Driving {
     private void walk(Stride stride) {
         underWay = true;
         session.guard().renew();
-        Running piece = session.runner().piece(stride, PIECE_MS / stride.msPerUnit());
+        RunningMotion piece = session.executor().piece(stride, PIECE_MS / stride.msPerUnit());
         latest = piece;
         begunNanos = session.waiting().time().nanos();
-        if (session.runner().start(piece, this::isWanted) && stride.gait() == Gait.FORWARD) {
+        if (session.executor().start(piece, this::isWanted) && stride.gait() == Gait.FORWARD) {
             session.sweep().start();
         }
     }
 
     /** Looks at how the latest thing that was started has ended; tells what was wrong with it. */
     private @Nullable String settle() {
-        Running ended = latest;
+        RunningMotion ended = latest;
         latest = null;
         if (ended == null || ended.isStopRequested()) {
             return null;

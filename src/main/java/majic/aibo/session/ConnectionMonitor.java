@@ -8,21 +8,21 @@ import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.Waiting;
 
 /** Finds out that a dog no longer says or hears anything. Used by the keeper's thread. */
-final class Vigil {
+final class ConnectionMonitor {
     /** After so much silence a dog must not move. */
     static final double SILENCE_S = 1.5;
 
     private static final double LOST_S = 4;
 
     private final AiboConnections connections;
-    private final Hearing hearing;
+    private final MessageRouter router;
     private final List<PingProbe> probes;
     private boolean told;
 
     /** Begins to watch links that are open. */
-    Vigil(AiboConnections connections, Hearing hearing, Tags tags, Waiting waiting, DogClock clock) {
+    ConnectionMonitor(AiboConnections connections, MessageRouter router, Tags tags, Waiting waiting, DogClock clock) {
         this.connections = connections;
-        this.hearing = hearing;
+        this.router = router;
         this.probes = List.of(
                 new PingProbe(connections.motion(), tags, waiting, clock),
                 new PingProbe(connections.stop(), tags, waiting, clock));
@@ -30,7 +30,7 @@ final class Vigil {
 
     /** Breaks the connection if it does not reach the dog any more. */
     void tend() {
-        if (hearing.silenceS() > LOST_S) {
+        if (router.silenceS() > LOST_S) {
             connections.broken(connections.sensors(), "no word from the dog for " + (int) LOST_S + " s");
         }
         for (PingProbe probe : probes) {
@@ -42,7 +42,7 @@ final class Vigil {
 
     /** Whether a silence has begun that nobody was told of yet. */
     boolean fallsSilent() {
-        boolean silent = hearing.silenceS() > SILENCE_S;
+        boolean silent = router.silenceS() > SILENCE_S;
         boolean tell = silent && !told;
         told = silent;
         return tell;

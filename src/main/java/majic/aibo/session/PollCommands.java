@@ -10,11 +10,11 @@ import majic.aibo.urbi.UrbiVersion;
 import org.jspecify.annotations.Nullable;
 
 /** The standing order by which the dog reports its sensors, and the way back from tags to sensors (URBI sheet 8). */
-final class Poll {
+final class PollCommands {
     private final Tags tags;
     private final Map<String, Sensor> byTag = new HashMap<>();
 
-    Poll(Tags tags) {
+    PollCommands(Tags tags) {
         this.tags = tags;
         for (Sensor sensor : Sensor.values()) {
             byTag.put(tags.named(sensor.tagName()), sensor);
