@@ -8,8 +8,8 @@ import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Paces;
 import majic.aibo.body.Stride;
 import majic.aibo.panel.AiboPanel;
-import majic.aibo.panel.Spectator;
-import majic.aibo.parameters.Access;
+import majic.aibo.panel.PanelPoller;
+import majic.aibo.parameters.AiboAccess;
 import majic.aibo.parameters.AiboParameters;
 import majic.aibo.parameters.CalibrationParameters;
 import majic.aibo.parameters.RawCommand;
@@ -75,7 +75,7 @@ public final class MajicAibo extends MajicBot {
         this.address = address;
         this.dog = new DogState(calibration(address, environment));
         link(); // refuses a wrong address now and not when it is connected
-        Access access = new Access(dog.senses(), this::session);
+        AiboAccess access = new AiboAccess(dog.senses(), this::session);
         Volume volume = new Volume();
         this.parameters = new AiboParameters(table(), dog, access, volume);
         parameters.describe(UrbiVersion.V1_0);
@@ -194,7 +194,7 @@ public final class MajicAibo extends MajicBot {
 
     @Override
     public @Nullable JComponent display() {
-        return AiboPanel.create(this, dog, this::spectator);
+        return AiboPanel.create(this, dog, this::poller);
     }
 
     /** What is known of the dog. */
@@ -203,8 +203,8 @@ public final class MajicAibo extends MajicBot {
     }
 
     /** Makes what asks the dog for pictures and LEDs, not asking yet. */
-    Spectator spectator(Spectator.Audience audience) {
-        return new Spectator(new Waiting(time(), changes()), this::openSensors, audience);
+    PanelPoller poller(PanelPoller.Audience audience) {
+        return new PanelPoller(new Waiting(time(), changes()), this::openSensors, audience);
     }
 
     private @Nullable UrbiConnection openSensors() {

@@ -49,18 +49,18 @@ public final class AiboPanel extends NewsPanel {
     private final transient DogState dog;
     private final DogDrawing drawing;
     private final transient CameraPanel camera = new CameraPanel();
-    private final transient Spectator spectator;
+    private final transient PanelPoller poller;
     private final HeadPanel head;
     private final BodyPanel body = new BodyPanel();
     private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
 
-    private AiboPanel(MajicBot bot, DogState dog, Function<Spectator.Audience, Spectator> spectators) {
+    private AiboPanel(MajicBot bot, DogState dog, Function<PanelPoller.Audience, PanelPoller> pollers) {
         super(bot);
         this.bot = bot;
         this.dog = dog;
         this.drawing = new DogDrawing(dog);
         this.head = new HeadPanel(bot, dog.senses());
-        this.spectator = spectators.apply(camera);
+        this.poller = pollers.apply(camera);
         JPanel controls = controls();
         add(drawing);
         add(camera.view());
@@ -83,17 +83,17 @@ public final class AiboPanel extends NewsPanel {
      * Makes the panel; on the event dispatch thread.
      *
      * @param dog what is drawn
-     * @param spectators makes what asks for the pictures that the panel shows
+     * @param pollers makes what asks for the pictures that the panel shows
      */
-    public static JComponent create(MajicBot bot, DogState dog, Function<Spectator.Audience, Spectator> spectators) {
-        AiboPanel panel = new AiboPanel(bot, dog, spectators);
+    public static JComponent create(MajicBot bot, DogState dog, Function<PanelPoller.Audience, PanelPoller> pollers) {
+        AiboPanel panel = new AiboPanel(bot, dog, pollers);
         panel.refreshOnNews();
         return panel;
     }
 
     @Override
     protected void inSight(boolean seen) {
-        spectator.look(seen);
+        poller.look(seen);
     }
 
     @Override

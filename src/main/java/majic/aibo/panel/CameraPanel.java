@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * The camera's pictures on their way to the screen: decoded on the spectator's thread, shown by the next refresh. For the
  * event thread, except what a spectator calls.
  */
-final class CameraPanel implements Spectator.Audience {
+final class CameraPanel implements PanelPoller.Audience {
     private static final int WIDTH = 208;
     private static final int HEIGHT = 160;
 

@@ -27,19 +27,19 @@ final class FaceDrawing {
     private static final double ROW_MM = 13;
     private static final List<Double> OFF_MIDDLE_MM = List.of(9.0, 14.0, 18.0, 20.0, 19.0, 16.0, 10.0);
     private static final List<String> MODES = List.of("modeR", "modeG", "modeB");
-    private static final List<Color> MODE_COLOURS = List.of(LampDrawing.RED, LampDrawing.GREEN, LampDrawing.BLUE);
+    private static final List<Color> MODE_COLOURS = List.of(LedDrawing.RED, LedDrawing.GREEN, LedDrawing.BLUE);
 
     private final DogState dog;
     private final Ink ink;
     private final boolean live;
-    private final LampDrawing leds;
+    private final LedDrawing leds;
 
     /** A live dog's LEDs shine. */
     FaceDrawing(DogState dog, Ink ink, boolean live) {
         this.dog = dog;
         this.ink = ink;
         this.live = live;
-        this.leds = new LampDrawing(ink, LAMP_MM, ink.grey(0.55));
+        this.leds = new LedDrawing(ink, LAMP_MM, ink.grey(0.55));
     }
 
     /** Paints with y upwards. */
@@ -59,16 +59,16 @@ final class FaceDrawing {
             int row = led / 2;
             double x = (led % 2 == 0 ? -1 : 1) * OFF_MIDDLE_MM.get(row);
             double y = 4 + ROW_MM * (row - (OFF_MIDDLE_MM.size() - 1) / 2.0);
-            leds.paint(pen, x, y, LampDrawing.WHITE, amount("ledF" + (led + 1)));
+            leds.paint(pen, x, y, LedDrawing.WHITE, amount("ledF" + (led + 1)));
         }
     }
 
     /** The head's sensor with its two LEDs beside it, and the light of the wireless network. */
     private void paintTop(Graphics2D pen) {
         pad(pen, new RoundRectangle2D.Double(-15, 58, 30, 13, 13, 13), Sensor.HEAD_TOUCH);
-        leds.paint(pen, -27, 61, LampDrawing.ORANGE, amount("ledHC"));
-        leds.paint(pen, 27, 61, LampDrawing.WHITE, amount("ledHW"));
-        leds.paint(pen, 43, 50, LampDrawing.BLUE, amount("ledWIFI"));
+        leds.paint(pen, -27, 61, LedDrawing.ORANGE, amount("ledHC"));
+        leds.paint(pen, 27, 61, LedDrawing.WHITE, amount("ledHW"));
+        leds.paint(pen, 43, 50, LedDrawing.BLUE, amount("ledWIFI"));
     }
 
     private void paintModes(Graphics2D pen) {

@@ -19,7 +19,7 @@ final class FigureDrawing {
     static final double HIGH_MM = 305;
 
     private static final List<String> PLACES = List.of("F", "M", "R");
-    private static final List<Color> COLOURS = List.of(LampDrawing.BLUE, LampDrawing.ORANGE, LampDrawing.RED);
+    private static final List<Color> COLOURS = List.of(LedDrawing.BLUE, LedDrawing.ORANGE, LedDrawing.RED);
     private static final List<Sensor> PADS = List.of(Sensor.BACK_FRONT, Sensor.BACK_MIDDLE, Sensor.BACK_REAR);
     private static final double PAD_STEP_MM = 40;
     private static final int TAIL_PIECES = 6;
@@ -92,7 +92,7 @@ final class FigureDrawing {
         double further = view == View.SIDE ? 8 : -8;
         parts.lamp(
                 skeleton.body(new Spot(x + further, left, height)),
-                LampDrawing.WHITE,
+                LedDrawing.WHITE,
                 dog.leds().amount(name + "W"));
     }
 }

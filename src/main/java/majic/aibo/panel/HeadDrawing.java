@@ -43,16 +43,12 @@ final class HeadDrawing {
         addEar(parts, -1, "earR");
         parts.lamp(
                 skeleton.head(new Spot(18, -9, 52)),
-                LampDrawing.ORANGE,
+                LedDrawing.ORANGE,
                 dog.leds().amount("ledHC"));
         parts.lamp(
-                skeleton.head(new Spot(18, 9, 52)),
-                LampDrawing.WHITE,
-                dog.leds().amount("ledHW"));
+                skeleton.head(new Spot(18, 9, 52)), LedDrawing.WHITE, dog.leds().amount("ledHW"));
         parts.lamp(
-                skeleton.head(new Spot(-42, 0, 26)),
-                LampDrawing.BLUE,
-                dog.leds().amount("ledWIFI"));
+                skeleton.head(new Spot(-42, 0, 26)), LedDrawing.BLUE, dog.leds().amount("ledWIFI"));
     }
 
     private void addTouch(PartsDrawing parts) {

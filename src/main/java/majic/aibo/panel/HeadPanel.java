@@ -16,14 +16,14 @@ final class HeadPanel extends JPanel {
 
     private final transient MajicBot bot;
     private final transient Senses senses;
-    private final transient Grip grip;
+    private final transient SliderControl grip;
     private final transient Map<Joint, ReachSlider> sliders = new EnumMap<>(Joint.class);
 
     HeadPanel(MajicBot bot, Senses senses) {
         super(new MigLayout("insets 0, wrap 1, fillx, gap 0 1, novisualpadding", "[grow, fill]"));
         this.bot = bot;
         this.senses = senses;
-        this.grip = new Grip(bot);
+        this.grip = new SliderControl(bot);
         setOpaque(false);
         add(Joint.HEAD_PAN);
         add(Joint.HEAD_TILT);

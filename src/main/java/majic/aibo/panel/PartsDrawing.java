@@ -22,7 +22,7 @@ final class PartsDrawing {
     private final View view;
     private final Ink ink;
     private final boolean live;
-    private final LampDrawing leds;
+    private final LedDrawing leds;
     private final List<Part> parts = new ArrayList<>();
 
     private record Part(double depth, Consumer<Graphics2D> paint) {}
@@ -32,7 +32,7 @@ final class PartsDrawing {
         this.view = view;
         this.ink = ink;
         this.live = live;
-        this.leds = new LampDrawing(ink, LAMP_MM, ink.grey(0.8));
+        this.leds = new LedDrawing(ink, LAMP_MM, ink.grey(0.8));
     }
 
     /** A round-ended part of this thickness. */

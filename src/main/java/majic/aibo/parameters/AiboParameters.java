@@ -16,7 +16,7 @@ public final class AiboParameters {
     private final ParameterTable table;
     private final List<ParameterTheme<UrbiVersion>> themes;
 
-    public AiboParameters(ParameterTable table, DogState dog, Access access, Volume volume) {
+    public AiboParameters(ParameterTable table, DogState dog, AiboAccess access, Volume volume) {
         this.table = table;
         JointControl jointControl = new JointControl(dog.senses(), access::open);
         this.themes = List.of(

@@ -19,10 +19,10 @@ import majic.time.WaitPolicy;
 final class BodyParameters implements ParameterTheme<UrbiVersion> {
     private static final double ASK_S = 4;
 
-    private final Access access;
+    private final AiboAccess access;
     private final Senses senses;
 
-    BodyParameters(Access access) {
+    BodyParameters(AiboAccess access) {
         this.access = access;
         this.senses = access.senses();
     }

@@ -13,9 +13,9 @@ import majic.driver.ParameterTheme;
 final class CameraParameters implements ParameterTheme<UrbiVersion> {
     private static final int BEST = 100;
 
-    private final Access access;
+    private final AiboAccess access;
 
-    CameraParameters(Access access) {
+    CameraParameters(AiboAccess access) {
         this.access = access;
     }
 

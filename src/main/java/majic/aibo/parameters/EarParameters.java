@@ -16,10 +16,10 @@ import majic.driver.ParameterTheme;
 final class EarParameters implements ParameterTheme<UrbiVersion> {
     private static final List<String> EARS = List.of("earL", "earR");
 
-    private final Access access;
+    private final AiboAccess access;
     private final JointControl jointControl;
 
-    EarParameters(Access access, JointControl jointControl) {
+    EarParameters(AiboAccess access, JointControl jointControl) {
         this.access = access;
         this.jointControl = jointControl;
     }

@@ -22,10 +22,10 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
     private static final Parameter TIME =
             Parameter.number("time", Unit.MS, "how long it takes").within(0, LONGEST_MS);
 
-    private final Access access;
+    private final AiboAccess access;
     private final JointControl jointControl;
 
-    JointParameters(Access access, JointControl jointControl) {
+    JointParameters(AiboAccess access, JointControl jointControl) {
         this.access = access;
         this.jointControl = jointControl;
     }

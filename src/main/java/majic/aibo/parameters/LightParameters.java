@@ -15,11 +15,11 @@ import majic.driver.ParameterTheme;
 final class LightParameters implements ParameterTheme<UrbiVersion> {
     private static final List<String> PLACES = List.of("front", "middle", "rear");
 
-    private final Access access;
+    private final AiboAccess access;
     private volatile List<Value> former = List.of();
     private volatile boolean lit;
 
-    LightParameters(Access access) {
+    LightParameters(AiboAccess access) {
         this.access = access;
     }
 

@@ -14,10 +14,10 @@ import majic.driver.ParameterTheme;
 
 /** How stiff each joint is. A dog whose legs go loose falls over, so setting it is a motion. */
 final class LoadParameters implements ParameterTheme<UrbiVersion> {
-    private final Access access;
+    private final AiboAccess access;
     private final JointControl jointControl;
 
-    LoadParameters(Access access, JointControl jointControl) {
+    LoadParameters(AiboAccess access, JointControl jointControl) {
         this.access = access;
         this.jointControl = jointControl;
     }

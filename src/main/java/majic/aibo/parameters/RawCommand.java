@@ -21,9 +21,9 @@ public final class RawCommand {
     private static final double LONGEST_S = 30;
     private static final Set<String> NO_ANSWERS = Set.of("start", "ident", "power");
 
-    private final Access access;
+    private final AiboAccess access;
 
-    public RawCommand(Access access) {
+    public RawCommand(AiboAccess access) {
         this.access = access;
     }
 

@@ -13,10 +13,10 @@ import majic.driver.ParameterTheme;
 final class SenseParameters implements ParameterTheme<UrbiVersion> {
     private static final double PERCENT = 100;
 
-    private final Access access;
+    private final AiboAccess access;
     private final Senses senses;
 
-    SenseParameters(Access access) {
+    SenseParameters(AiboAccess access) {
         this.access = access;
         this.senses = access.senses();
     }

@@ -11,10 +11,10 @@ import majic.driver.ParameterTheme;
 
 /** The speaker. The dog itself has no volume that could be set (URBI sheet 13). */
 final class SoundParameters implements ParameterTheme<UrbiVersion> {
-    private final Access access;
+    private final AiboAccess access;
     private final Volume volume;
 
-    SoundParameters(Access access, Volume volume) {
+    SoundParameters(AiboAccess access, Volume volume) {
         this.access = access;
         this.volume = volume;
     }

@@ -40,7 +40,7 @@ public final class RecordCommand {
     /** Takes the name at once: who is told after a minute that it cannot be written has spoken for nothing. */
     private String record(double seconds, LocalFile file, Motion motion) {
         AiboSession open = session.get();
-        Recording recording = new Recording(seconds, open.waiting().changes()::raise);
+        SoundRecording recording = new SoundRecording(seconds, open.waiting().changes()::raise);
         file.create(WaveFile.write(new Pcm(NOTHING_YET, new byte[0])));
         try {
             listen(open, recording, seconds, motion);
@@ -52,7 +52,7 @@ public final class RecordCommand {
     }
 
     /** What is left of a recording that was not finished. */
-    private static String rest(Recording recording, LocalFile file) {
+    private static String rest(SoundRecording recording, LocalFile file) {
         try {
             return "the recording was not finished: " + kept(recording, file);
         } catch (BotException e) {
@@ -60,7 +60,7 @@ public final class RecordCommand {
         }
     }
 
-    private static String kept(Recording recording, LocalFile file) {
+    private static String kept(SoundRecording recording, LocalFile file) {
         Pcm sound = recording.sound();
         if (sound == null) {
             file.delete();
@@ -73,7 +73,7 @@ public final class RecordCommand {
         return Value.of(sound.seconds(), Unit.S) + " in " + file.name() + lost;
     }
 
-    private static void listen(AiboSession open, Recording recording, double seconds, Motion motion) {
+    private static void listen(AiboSession open, SoundRecording recording, double seconds, Motion motion) {
         open.microphone().start(recording::take, (long) ((seconds + QUIET_S) * 1000));
         try {
             for (int before = 0; !motion.await(recording::isDone, QUIET_S); before = recording.blocks()) {

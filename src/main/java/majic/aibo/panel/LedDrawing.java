@@ -7,7 +7,7 @@ import java.util.Optional;
 import majic.panel.Ink;
 
 /** An LED: a ring that fills with its light, with a glow around it; a bare ring while it is dark or not known. */
-final class LampDrawing {
+final class LedDrawing {
     static final Color WHITE = new Color(0xFFE38A);
     static final Color BLUE = new Color(0x3D9BFF);
     static final Color ORANGE = new Color(0xFF9326);
@@ -26,7 +26,7 @@ final class LampDrawing {
      * @param radius in the pen's units
      * @param ring around each
      */
-    LampDrawing(Ink ink, double radius, Color ring) {
+    LedDrawing(Ink ink, double radius, Color ring) {
         this.ink = ink;
         this.radius = radius;
         this.ring = ring;

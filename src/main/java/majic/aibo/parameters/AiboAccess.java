@@ -20,7 +20,7 @@ import majic.bot.Value;
 import majic.time.WaitPolicy;
 
 /** The way from a parameter to the dog: what it reports anyway, questions, and orders whose end it tells. Thread-safe. */
-public final class Access {
+public final class AiboAccess {
     /** A slow engine takes two seconds to answer. */
     private static final double ANSWER_S = 4;
 
@@ -30,7 +30,7 @@ public final class Access {
     private final Senses senses;
     private final Supplier<AiboSession> session;
 
-    public Access(Senses senses, Supplier<AiboSession> session) {
+    public AiboAccess(Senses senses, Supplier<AiboSession> session) {
         this.senses = senses;
         this.session = session;
     }

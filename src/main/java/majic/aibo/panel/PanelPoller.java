@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * a thread of its own while it looks, for no other may wait for a picture. Readings go first: after each picture the
  * connection is left to them for at least as long as the picture took. Thread-safe.
  */
-public final class Spectator {
+public final class PanelPoller {
     private static final double LEAST_PERIOD_S = 0.1;
     private static final double AFTER_FAILURE_S = 1;
 
@@ -41,7 +41,7 @@ public final class Spectator {
      *
      * @param connection the one for sensors and settings that is open now; null while none is
      */
-    public Spectator(Waiting waiting, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
+    public PanelPoller(Waiting waiting, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
         this.waiting = waiting;
         this.connection = connection;
         this.audience = audience;

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * What was recorded so far. The dog's clock tells where each block belongs: one that comes again is left out, and where
  * some are missing there is silence, so that the rest keeps its time. Filled by a reader's thread; safe from any.
  */
-final class Recording {
+final class SoundRecording {
     private final double seconds;
     private final Runnable whenDone;
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -26,7 +26,7 @@ final class Recording {
      *
      * @param whenDone called once it is full or has failed, by the reader's thread
      */
-    Recording(double seconds, Runnable whenDone) {
+    SoundRecording(double seconds, Runnable whenDone) {
         this.seconds = seconds;
         this.whenDone = whenDone;
     }

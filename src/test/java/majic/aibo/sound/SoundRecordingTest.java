@@ -13,12 +13,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class RecordingTest {
+class SoundRecordingTest {
     private static final int BLOCK = 2048;
     private static final int BLOCK_MS = 32;
 
     private final AtomicInteger done = new AtomicInteger();
-    private final Recording recording = new Recording(1, done::incrementAndGet);
+    private final SoundRecording recording = new SoundRecording(1, done::incrementAndGet);
 
     @Test
     void blocksFollowEachOtherUntilTheTimeIsFull() {
@@ -79,7 +79,7 @@ class RecordingTest {
         take(0, "wav 2 16000 16 1", Sounds.wav(8000, 0.032));
         assertThat(sound().format()).isEqualTo(new PcmFormat(1, 8000, 16, PcmFormat.Coding.SIGNED));
 
-        Recording other = new Recording(1, () -> {});
+        SoundRecording other = new SoundRecording(1, () -> {});
         other.take(message(0, "raw 1 8000 8 2", HexFormat.of().parseHex("8000FF")));
         assertThat(Objects.requireNonNull(other.sound()).bytes())
                 .isEqualTo(HexFormat.of().parseHex("00000080007F"));
@@ -93,7 +93,7 @@ class RecordingTest {
         assertThat(recording.failure()).isNull();
         assertThat(recording.lostMs()).isEqualTo(BLOCK_MS);
 
-        Recording other = new Recording(1, done::incrementAndGet);
+        SoundRecording other = new SoundRecording(1, done::incrementAndGet);
         other.take(message(0, "raw 0 0 0 0", new byte[7]));
         assertThat(other.failure())
                 .isEqualTo("the dog's microphone speaks of raw 0 0 0 0 in 7 bytes, which makes no sense");

@@ -11,13 +11,13 @@ import org.jspecify.annotations.Nullable;
  * everybody who moves a robot, and lets it go when the last joint has arrived. A stop ends it until the next drag. Never
  * waits; used by one thread.
  */
-final class Grip {
+final class SliderControl {
     private final MajicBot bot;
     private @Nullable ManualControl hand;
     private boolean dragging;
     private boolean held;
 
-    Grip(MajicBot bot) {
+    SliderControl(MajicBot bot) {
         this.bot = bot;
     }
 

@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
-import majic.aibo.panel.Spectator;
+import majic.aibo.panel.PanelPoller;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotListener;
 import majic.bot.BotState;
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(40)
-class SpectatorTest implements Spectator.Audience {
+class PanelPollerTest implements PanelPoller.Audience {
     private static final String ASKED = "camera.val";
     private static final String PICTURE = "BIN 12 YCbCr 2 2\nabcdefghijkl";
 
@@ -25,7 +25,7 @@ class SpectatorTest implements Spectator.Audience {
     private final Queue<String> missed = new ConcurrentLinkedQueue<>();
     private ScriptedDog dog;
     private MajicAibo aibo;
-    private Spectator spectator;
+    private PanelPoller poller;
 
     @BeforeEach
     void connect() throws IOException {
@@ -33,12 +33,12 @@ class SpectatorTest implements Spectator.Audience {
         dog.set(ASKED, PICTURE);
         dog.set("ledF3.val", "0.250000");
         aibo = new MajicAibo(dog.address(), dog.environment());
-        spectator = aibo.spectator(this);
+        poller = aibo.poller(this);
     }
 
     @AfterEach
     void close() throws IOException {
-        spectator.look(false);
+        poller.look(false);
         aibo.close();
         dog.close();
     }
@@ -65,7 +65,7 @@ class SpectatorTest implements Spectator.Audience {
     @Test
     void picturesAndLampsComeWhileSomebodyLooks() {
         aibo.connect();
-        spectator.look(true);
+        poller.look(true);
 
         next(seen);
         assertThat(next(seen))
@@ -79,9 +79,9 @@ class SpectatorTest implements Spectator.Audience {
     @Test
     void onceNobodyLooksNothingMoreIsAskedFor() {
         aibo.connect();
-        spectator.look(true);
+        poller.look(true);
         next(seen);
-        spectator.look(false);
+        poller.look(false);
         dog.awaitReceived("stop " + lampsTag());
         int asked = dog.received(ASKED).size();
         awaitReadings();
@@ -93,10 +93,10 @@ class SpectatorTest implements Spectator.Audience {
     void noSecondPictureIsAskedForWhileOneIsUnderWay() {
         dog.silentAbout = ASKED;
         aibo.connect();
-        spectator.look(true);
+        poller.look(true);
         dog.awaitReceived(ASKED);
-        spectator.look(false);
-        spectator.look(true);
+        poller.look(false);
+        poller.look(true);
 
         assertThat(next(missed)).isEqualTo("no picture came within 4 s");
         assertThat(dog.received(ASKED)).hasSize(1);
@@ -105,7 +105,7 @@ class SpectatorTest implements Spectator.Audience {
     @Test
     void aLostDogIsSaidToBeNotConnectedAndIsSeenAgainOnceItIsBack() {
         aibo.connect();
-        spectator.look(true);
+        poller.look(true);
         next(seen);
         dog.hangUp();
 
@@ -119,7 +119,7 @@ class SpectatorTest implements Spectator.Audience {
     void whatTheDogComplainsOfIsPassedOn() {
         dog.set(ASKED, "!!! Unknown identifier: camera.val");
         aibo.connect();
-        spectator.look(true);
+        poller.look(true);
 
         assertThat(next(missed)).isEqualTo("the dog gives no picture: Unknown identifier: camera.val");
     }
@@ -128,7 +128,7 @@ class SpectatorTest implements Spectator.Audience {
     void aLaterServerIsLookedAtAsWell() {
         dog.speaks15 = true;
         aibo.connect();
-        spectator.look(true);
+        poller.look(true);
 
         assertThat(next(seen)).isInstanceOf(UrbiValue.Binary.class);
     }
