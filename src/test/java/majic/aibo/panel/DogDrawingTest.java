@@ -65,8 +65,8 @@ class DogDrawingTest {
     }
 
     @ParameterizedTest
-    @MethodSource("lamps")
-    void everyLampAndEarIsShown(String device) {
+    @MethodSource("leds")
+    void everyLedAndEarIsShown(String device) {
         shine(device, 1);
 
         assertThat(differing()).isGreaterThan(30);
