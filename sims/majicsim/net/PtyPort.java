@@ -81,7 +81,7 @@ public final class PtyPort implements Port {
 
     private PtyPort start() {
         wiring.locked(() -> wiring.firmware().connected(line));
-        wiring.faults().attach(() -> {}, () -> wiring.locked(line::loseWhatIsUnderWay));
+        wiring.faults().attach(() -> {}, () -> wiring.locked(line::discardPending));
         thread.start();
         return this;
     }

@@ -4,7 +4,7 @@ import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * What the lines of all ports share: two lanes, the counters, and the ending. Guarded by the lab's lock, but for the counters. A
+ * What the lines of all ports share: the bytes on their way in both directions, the counters, and the ending. Guarded by the lab's lock, but for the counters. A
  * subclass writes bytes.
  */
 abstract class RobotLine implements Line {
@@ -13,8 +13,8 @@ abstract class RobotLine implements Line {
     private final String robot;
     private final String peer;
     private final Wiring wiring;
-    private final Lane out;
-    private final Lane in;
+    private final DelayedBytes out;
+    private final DelayedBytes in;
     private final AtomicLong consumed = new AtomicLong();
     private final AtomicLong written = new AtomicLong();
     private volatile Ending ending = Ending.NONE;
@@ -24,8 +24,8 @@ abstract class RobotLine implements Line {
         this.robot = robot;
         this.peer = peer;
         this.wiring = wiring;
-        this.out = new Lane(wiring.faults(), jitters, this::writeCounted);
-        this.in = new Lane(wiring.faults(), jitters, this::deliver);
+        this.out = new DelayedBytes(wiring.faults(), jitters, this::writeCounted);
+        this.in = new DelayedBytes(wiring.faults(), jitters, this::deliver);
     }
 
     /** Gives bytes to the client without blocking, and returns how many it took or keeps for later; the others are lost. */
@@ -59,7 +59,7 @@ abstract class RobotLine implements Line {
     }
 
     /**
-     * Hands bytes to the firmware, or shelves them; the reader's thread, without the lock. A failure of the firmware is logged,
+     * Hands bytes to the firmware, or keeps them for later; the reader's thread, without the lock. A failure of the firmware is logged,
      * and the line stays open.
      */
     final void receive(byte[] bytes) {
@@ -87,18 +87,18 @@ abstract class RobotLine implements Line {
     }
 
     /** A client waits for the place of one that has left: what is still kept from that one is delivered now. */
-    final void hurryIfClientLeft() {
+    final void deliverAllIfClientLeft() {
         if (ending == Ending.BY_CLIENT) {
-            in.hurry();
+            in.releaseAll();
         }
     }
 
     final void cut() {
         ending = Ending.CUT;
-        loseWhatIsUnderWay();
+        discardPending();
     }
 
-    final void loseWhatIsUnderWay() {
+    final void discardPending() {
         out.clear();
         in.clear();
     }

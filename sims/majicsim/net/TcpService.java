@@ -153,7 +153,7 @@ final class TcpService implements Runnable {
 
     private void makePlace() {
         if (clients == Clients.ONE) {
-            lines.forEach(line -> wiring.locked(line::hurryIfClientLeft));
+            lines.forEach(line -> wiring.locked(line::deliverAllIfClientLeft));
             endThoseThatAreOver();
         }
     }

@@ -167,6 +167,11 @@ public final class PioneerRobot implements Firmware {
         }
     }
 
+    /**
+     * The controller board, for tests.
+     *
+     * @return the same object always
+     */
     public Board board() {
         return board;
     }

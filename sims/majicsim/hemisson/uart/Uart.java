@@ -145,5 +145,6 @@ public final class Uart {
         return overrun || lookingRarely;
     }
 
+    /** A character from a client, with the time at which it has arrived. */
     public record Arrival(Line from, char character, double seconds) {}
 }

@@ -8,14 +8,14 @@ import java.util.function.Consumer;
  * One direction of a line: applies the ordered faults and keeps what is not due yet. Guarded by the lab's lock, but for {@link
  * #isEmpty()}.
  */
-final class Lane {
+final class DelayedBytes {
     private final Faults faults;
     private final boolean jitters;
     private final Consumer<byte[]> exit;
-    private final ArrayDeque<Piece> shelf = new ArrayDeque<>();
+    private final ArrayDeque<Piece> pending = new ArrayDeque<>();
     private volatile boolean empty = true;
 
-    Lane(Faults faults, boolean jitters, Consumer<byte[]> exit) {
+    DelayedBytes(Faults faults, boolean jitters, Consumer<byte[]> exit) {
         this.faults = faults;
         this.jitters = jitters;
         this.exit = exit;
@@ -25,26 +25,26 @@ final class Lane {
         byte[] bytes = faults.garbled(message);
         long due = faults.nowNanos() + faults.drawDelayNanos(jitters);
         if (faults.isHalving() && bytes.length > 1) {
-            shelve(due, Arrays.copyOfRange(bytes, 0, bytes.length / 2));
-            shelve(due + 1, Arrays.copyOfRange(bytes, bytes.length / 2, bytes.length));
+            keep(due, Arrays.copyOfRange(bytes, 0, bytes.length / 2));
+            keep(due + 1, Arrays.copyOfRange(bytes, bytes.length / 2, bytes.length));
         } else {
-            shelve(due, bytes);
+            keep(due, bytes);
         }
         release();
     }
 
     /** Lets out what is due; during an outage nothing is. */
     void release() {
-        while (!shelf.isEmpty() && !faults.isOutage() && shelf.peek().dueNanos() <= faults.nowNanos()) {
-            exit.accept(shelf.remove().bytes());
+        while (!pending.isEmpty() && !faults.isOutage() && pending.peek().dueNanos() <= faults.nowNanos()) {
+            exit.accept(pending.remove().bytes());
         }
-        empty = shelf.isEmpty();
+        empty = pending.isEmpty();
     }
 
     /** Lets out everything, due or not. */
-    void hurry() {
-        while (!shelf.isEmpty()) {
-            exit.accept(shelf.remove().bytes());
+    void releaseAll() {
+        while (!pending.isEmpty()) {
+            exit.accept(pending.remove().bytes());
         }
         empty = true;
     }
@@ -55,15 +55,16 @@ final class Lane {
     }
 
     void clear() {
-        shelf.clear();
+        pending.clear();
         empty = true;
     }
 
-    private void shelve(long dueNanos, byte[] bytes) {
-        long notBefore =
-                shelf.isEmpty() ? dueNanos : Math.max(dueNanos, shelf.getLast().dueNanos());
+    private void keep(long dueNanos, byte[] bytes) {
+        long notBefore = pending.isEmpty()
+                ? dueNanos
+                : Math.max(dueNanos, pending.getLast().dueNanos());
         empty = false;
-        shelf.add(new Piece(notBefore, bytes));
+        pending.add(new Piece(notBefore, bytes));
     }
 
     private record Piece(long dueNanos, byte[] bytes) {}
