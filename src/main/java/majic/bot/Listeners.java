@@ -116,8 +116,10 @@ final class Listeners {
         put(listener -> listener.connectionChanged(bot, now));
     }
 
+    /** Queues an event for the listeners there are now: one that is added later has not seen what led to it. */
     private long put(Consumer<BotListener> event) {
-        return events.put(() -> tell(event));
+        List<BotListener> present = List.copyOf(all);
+        return events.put(() -> present.stream().filter(all::contains).forEach(listener -> tell(listener, event)));
     }
 
     /** Delivers what was put, on this thread if it may wait. */

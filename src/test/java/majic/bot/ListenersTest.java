@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 import org.junit.jupiter.api.Test;
 
 /** Who hears what a robot says, and when. */
@@ -45,6 +46,24 @@ class ListenersTest {
         listeners.notice("it stands");
 
         assertThat(first).containsExactly("it stands");
+    }
+
+    @Test
+    void aListenerReceivesNoEventFromBeforeItWasAdded() {
+        List<MajicBot.Connection> received = new ArrayList<>();
+        WaitPolicy.without(() -> {
+            listeners.connectionChanged(MajicBot.Connection.CONNECTED);
+            listeners.deliver();
+        });
+        listeners.add(new BotListener() {
+            @Override
+            public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
+                received.add(connection);
+            }
+        });
+        listeners.deliver();
+
+        assertThat(received).isEmpty();
     }
 
     private static BotListener into(List<String> heard) {
