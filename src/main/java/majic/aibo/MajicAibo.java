@@ -54,7 +54,7 @@ public final class MajicAibo extends MajicBot {
     private volatile @Nullable LinkLost lostBecause;
 
     /**
-     * Makes the driver of a dog, without touching it, for a program that just wants a robot.
+     * Makes the driver of a dog, without touching it, for a program that needs just a robot.
      *
      * @param address as users type it: {@code aibo://192.168.1.20} or {@code aibo://192.168.1.20:54000}
      * @throws BotException if it is no such address
@@ -224,7 +224,7 @@ public final class MajicAibo extends MajicBot {
         return open;
     }
 
-    /** Hears the session on its threads and tells everybody. */
+    /** Passes the session's events on to the listeners, on the session's threads. */
     private final class Voice implements AiboSession.Robot {
         @Override
         public void sensed() {

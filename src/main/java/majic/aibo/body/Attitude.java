@@ -10,7 +10,7 @@ import java.util.Optional;
  * @param rollDeg right side down positive, −180 to 180
  */
 public record Attitude(double pitchDeg, double rollDeg) {
-    /** As the sensors tell it now; empty before they have. */
+    /** Returns what the sensors report now; empty before the first report. */
     public static Optional<Attitude> of(Senses senses) {
         Optional<Double> x = senses.number(Sensor.ACCEL_X);
         Optional<Double> y = senses.number(Sensor.ACCEL_Y);

@@ -3,7 +3,7 @@ package majic.aibo.body;
 import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
 
-/** Where the dog should be by what it was told; it has no odometry (URBI sheet 15). Thread-safe. */
+/** Estimates the position from the gaits that were sent; the dog has no odometry (URBI sheet 15). Thread-safe. */
 public final class DeadReckoning {
     private Pose settled = Pose.START;
     private @Nullable GaitPiece walking;

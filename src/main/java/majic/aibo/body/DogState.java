@@ -6,7 +6,7 @@ import majic.bot.BotState;
 import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
 
-/** What is known of the dog: its readings, what is around it, where it is. Outlives a connection. Thread-safe. */
+/** Holds the dog's readings, the obstacles around it and its estimated position. Outlives a connection. Thread-safe. */
 public final class DogState {
     private final Calibration calibration;
     private final Senses senses = new Senses();
@@ -59,7 +59,7 @@ public final class DogState {
         }
     }
 
-    /** Forgets what an earlier connection said. */
+    /** Forgets the readings of an earlier connection. */
     public void forgetReadings() {
         senses.clear();
         leds.clear();

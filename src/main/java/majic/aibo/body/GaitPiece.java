@@ -7,10 +7,10 @@ import majic.aibo.urbi.UrbiRequest;
  * thread.
  */
 public final class GaitPiece {
-    /** The longest time the dog is ever told to walk, ms: so long it would walk on if all links fell silent. */
+    /** The longest walk that is sent to the dog, ms: it would go on for this time if all connections failed. */
     public static final double LONGEST_MS = 2000;
 
-    /** What the dog's clock may be off when it tells begin and end: two cycles and something (URBI sheet 15). */
+    /** The tolerance of the dog's time stamps for begin and end: two cycles and something (URBI sheet 15). */
     private static final double SLACK_MS = 100;
 
     private final Stride stride;
@@ -55,7 +55,7 @@ public final class GaitPiece {
         return coveredAt(Long.MAX_VALUE);
     }
 
-    /** Whether the dog ended it before its time, as far as it told its begin and its end. */
+    /** Whether the dog ended it early, by the time stamps of its begin and its end. */
     public boolean isCutShort() {
         return ask.isDone() && ask.beganMs() >= 0 && ask.doneMs() - ask.beganMs() < durationMs - SLACK_MS;
     }

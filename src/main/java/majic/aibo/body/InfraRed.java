@@ -52,7 +52,7 @@ public final class InfraRed {
         floorCm = senses.number(Sensor.CHEST).orElse(Double.NaN);
     }
 
-    /** Whether the head's sensors have ever told anything. */
+    /** Whether the head's sensors have reported anything yet. */
     public boolean isKnown() {
         return senses.number(Sensor.NEAR).isPresent()
                 || senses.number(Sensor.FAR).isPresent();

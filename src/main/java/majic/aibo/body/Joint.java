@@ -89,7 +89,7 @@ public enum Joint {
         return urbiName.startsWith("leg");
     }
 
-    /** All joints whose names begin so, in the order in which people count them. */
+    /** All joints whose names begin so, in their usual order. */
     public static List<Joint> named(String beginning) {
         return Arrays.stream(values())
                 .filter(joint -> joint.urbiName.startsWith(beginning))

@@ -12,7 +12,7 @@ import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 
-/** How brightly the dog's LEDs shine and whether its ears are flicked, while somebody looks. Thread-safe. */
+/** Holds the brightness of the dog's LEDs and the position of its ears, polled only while the panel is shown. Thread-safe. */
 public final class LedReadings {
     private static final String SIGN = "_lamp";
     private static final Pattern TAG = Pattern.compile("\\w+" + SIGN + "(\\d{1,2})");
@@ -22,7 +22,7 @@ public final class LedReadings {
 
     private final Map<String, Double> amounts = new ConcurrentHashMap<>();
 
-    /** The order that makes the dog tell them, until {@link #stop}. */
+    /** Returns the command that makes the dog report them, until {@link #stop}. */
     public static String order(String tag, UrbiVersion version) {
         String readings = DEVICES.stream()
                 .map(device -> version.labelled(tag + SIGN + DEVICES.indexOf(device), device + ".val"))
@@ -34,7 +34,7 @@ public final class LedReadings {
         return "stop " + tag + ",";
     }
 
-    /** Takes a message if it speaks of one of them; tells whether it does. */
+    /** Takes a message if it reports one of them; returns whether it does. */
     public boolean hear(UrbiMessage message) {
         Matcher tag = TAG.matcher(message.tag());
         int index = tag.matches() ? Integer.parseInt(tag.group(1)) : DEVICES.size();
@@ -54,7 +54,7 @@ public final class LedReadings {
         amounts.clear();
     }
 
-    /** How brightly an LED shines, 0 to 1; 1 for an ear that is flicked; empty if the dog has not told. */
+    /** How brightly an LED shines, 0 to 1; 1 for an ear that is flicked; empty before the dog has reported it. */
     public Optional<Double> amount(String device) {
         return Optional.ofNullable(amounts.get(device));
     }

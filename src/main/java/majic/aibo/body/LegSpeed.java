@@ -36,7 +36,7 @@ public final class LegSpeed {
         return stride.order();
     }
 
-    /** What puts them back, where they were changed and the dog has told how they were. */
+    /** What puts them back, where they were changed and the dog has reported the former values. */
     public synchronized String restore() {
         StringBuilder commands = new StringBuilder();
         found.forEach((gait, ask) -> {

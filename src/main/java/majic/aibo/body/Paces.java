@@ -3,7 +3,7 @@ package majic.aibo.body;
 import majic.bot.BotProfile;
 import majic.bot.Range;
 
-/** What a dog's calibration makes of its size and pace, and of the pace that somebody wishes. Immutable. */
+/** What a dog's calibration makes of its size and pace, and of the speed that was set. Immutable. */
 public final class Paces {
     /** Half of 319 × 180 mm around the turning centre, with the corners. */
     private static final double BODY_MM = 183;
@@ -37,10 +37,10 @@ public final class Paces {
     }
 
     /**
-     * A gait at the legs' usual pace, unless somebody has set a speed.
+     * A gait at the legs' usual pace, unless a speed was set.
      *
      * @param wished what was set, mm/s or deg/s
-     * @param usual what stands there when nobody has
+     * @param usual the value of the setting while none was set
      */
     public Stride stride(Gait gait, double wished, double usual) {
         return wished == usual ? calibration.stride(gait) : calibration.strideAt(gait, wished);

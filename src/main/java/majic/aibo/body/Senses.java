@@ -30,7 +30,7 @@ public final class Senses {
         refusals.put(sensor, why);
     }
 
-    /** The motors were switched at a time of the dog's clock: so it is until a later reading says otherwise. */
+    /** The motors were switched at a time of the dog's clock: it holds until a later reading differs. */
     public void assumeMotors(boolean on, long atMs) {
         switchedMs = atMs;
         readings.put(Sensor.LEG_LOAD, new UrbiValue.Num(on ? 1 : 0));
@@ -64,7 +64,7 @@ public final class Senses {
         return Value.unknown(refusals.getOrDefault(sensor, "no reading yet"));
     }
 
-    /** What the dog takes its posture for; null before it said so. */
+    /** What the dog takes its posture for; null before the first report. */
     public @Nullable String posture() {
         return readings.get(Sensor.POSTURE) instanceof UrbiValue.Str guess ? guess.text() : null;
     }

@@ -29,7 +29,7 @@ final class Camera {
      *
      * @param over ends the waiting; the picture on its way is then the next caller's
      * @return what the dog answered; null if the waiting was ended
-     * @throws UrbiRefusal if none comes in time, or the dog tells why there is none
+     * @throws UrbiRefusal if none comes in time, or the dog reports why there is none
      * @throws majic.bot.LinkLost if the connection is gone
      */
     @Nullable
@@ -56,7 +56,7 @@ final class Camera {
                 : "the dog gives no picture: " + failure;
     }
 
-    /** The one under way, or a new one; a picture that came while nobody waited for it is an old one. */
+    /** The one under way, or a new one; a picture that came while no thread waited for it is an old one. */
     private Request request(UrbiConnection on) {
         Request last = pending.get();
         if (last != null && last.on() == on && !last.ask().isDone()) {

@@ -8,8 +8,8 @@ import majic.panel.PictureView;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The camera's pictures on their way to the screen: decoded on the spectator's thread, shown by the next refresh. For the
- * event thread, except what a spectator calls.
+ * The camera's pictures on their way to the screen: decoded on the poller's thread, shown by the next refresh. For the
+ * event thread, except what a poller calls.
  */
 final class CameraPanel implements PanelPoller.Audience {
     private static final int WIDTH = 208;

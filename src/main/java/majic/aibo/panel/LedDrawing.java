@@ -21,7 +21,7 @@ final class LedDrawing {
     private final Color ring;
 
     /**
-     * Lamps of one size.
+     * LEDs of one size.
      *
      * @param radius in the pen's units
      * @param ring around each

@@ -12,20 +12,20 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Asks the dog for what is only worth asking for while somebody looks: pictures, and the state of its LEDs and ears. Has
- * a thread of its own while it looks, for no other may wait for a picture. Readings go first: after each picture the
+ * Polls what is needed only while the panel is shown: pictures, and the state of the LEDs and ears. Has a thread of its
+ * own meanwhile, since no other may wait for a picture. Readings go first: after each picture the
  * connection is left to them for at least as long as the picture took. Thread-safe.
  */
 public final class PanelPoller {
     private static final double LEAST_PERIOD_S = 0.1;
     private static final double AFTER_FAILURE_S = 1;
 
-    /** Who sees what comes. Called on the spectator's thread; may take its time. */
+    /** Receives the pictures. Called on the poller's thread; may block. */
     public interface Audience {
         /** A picture came. */
         void see(UrbiValue picture, double perSecond);
 
-        /** There is none; says why. */
+        /** There is none, for this reason. */
         void miss(String why);
     }
 
@@ -37,7 +37,7 @@ public final class PanelPoller {
     private @Nullable Look current;
 
     /**
-     * A spectator who does not look yet.
+     * Makes a poller that does not poll yet.
      *
      * @param connection the one for sensors and settings that is open now; null while none is
      */

@@ -27,7 +27,7 @@ final class PartsDrawing {
 
     private record Part(double depth, Consumer<Graphics2D> paint) {}
 
-    /** No parts yet; lamps shine only while the dog is live. */
+    /** No parts yet; LEDs shine only while the dog is connected. */
     PartsDrawing(View view, Ink ink, boolean live) {
         this.view = view;
         this.ink = ink;

@@ -7,8 +7,8 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Moves joints of one robot as a person drags sliders: takes the robot into the hand when a drag begins, by the rules for
- * everybody who moves a robot, and lets it go when the last joint has arrived. A stop ends it until the next drag. Never
+ * Moves joints of one robot as a person drags sliders: takes manual control when a drag begins, by the same rules as every
+ * other control, and releases it when the last joint has arrived. A stop ends it until the next drag. Never
  * waits; used by one thread.
  */
 final class SliderControl {
@@ -26,7 +26,7 @@ final class SliderControl {
         return hand != null && !hand.isOff();
     }
 
-    /** Chooses an angle; what stands against it is said to the person, once a drag. */
+    /** Chooses an angle; a refusal is shown to the user once a drag. */
     void choose(String joint, double degrees, boolean last) {
         if (!dragging) {
             dragging = true;

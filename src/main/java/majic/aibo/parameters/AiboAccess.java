@@ -19,7 +19,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.time.WaitPolicy;
 
-/** The way from a parameter to the dog: what it reports anyway, questions, and orders whose end it tells. Thread-safe. */
+/** Gives parameters access to the dog: reported values, questions, and commands whose end is awaited. Thread-safe. */
 public final class AiboAccess {
     /** A slow engine takes two seconds to answer. */
     private static final double ANSWER_S = 4;
@@ -88,7 +88,7 @@ public final class AiboAccess {
     /**
      * Has the dog do something that moves nothing, and waits until it has, where the thread may wait.
      *
-     * @throws BotException if the dog refuses or does not tell the end in time
+     * @throws BotException if the dog refuses or does not report the end in time
      */
     void tell(List<String> commands) {
         AiboSession open = session.get();

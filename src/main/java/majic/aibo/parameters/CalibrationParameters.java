@@ -9,7 +9,7 @@ import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
 
-/** The four factors as parameters, for those who know them already: another computer has measured the same dog. */
+/** The four factors as parameters, for a dog that was calibrated with another computer. */
 public final class CalibrationParameters {
     private final Calibration calibration;
     private final CalibrationRun.Learner learner;

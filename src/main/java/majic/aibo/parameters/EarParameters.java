@@ -12,7 +12,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
-/** The ears, which know two places each (URBI sheet 13). */
+/** The ears, which have two positions each (URBI sheet 13). */
 final class EarParameters implements ParameterTheme<UrbiVersion> {
     private static final List<String> EARS = List.of("earL", "earR");
 

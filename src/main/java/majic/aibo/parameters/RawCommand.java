@@ -15,7 +15,7 @@ import majic.bot.Parameter;
 
 /**
  * Passes a command to the dog as it was typed, for what there is no other word for. It may move the dog, so it belongs to
- * whoever moves it. It runs as a block with a tag, so that its end is heard and a stop ends whatever it does.
+ * whoever moves it. It runs as a block with a tag, so that its end is reported and a stop ends everything it does.
  */
 public final class RawCommand {
     private static final double LONGEST_S = 30;

@@ -9,7 +9,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
-/** What the dog feels and what it hears of itself, as it reports it. */
+/** The dog's touch and acceleration sensors, as it reports them. */
 final class SenseParameters implements ParameterTheme<UrbiVersion> {
     private static final double PERCENT = 100;
 

@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * What {@code drive} makes of a speed and a turn rate: the dog has one gait at a time, so whichever dominates is walked,
- * at its speed as far as the legs can, in short pieces, each begun when the one before has ended, as long as somebody
- * drives. What goes wrong ends it, and is said when it is renewed. Nothing here waits.
+ * at its speed as far as the legs can, in short pieces, each begun when the one before has ended, as long as the
+ * drive is renewed. An error ends it, and is thrown at the next renewal. Nothing here waits.
  */
 public final class AiboDrive {
     private static final double PIECE_MS = 600;
@@ -42,7 +42,7 @@ public final class AiboDrive {
     /**
      * Takes over what is wanted from now on; the motion lock is held.
      *
-     * @throws MotionFailed if this drive has gone wrong since it was last renewed; the dog was told to stop
+     * @throws MotionFailed if this drive has gone wrong since it was last renewed; the dog was stopped
      */
     public void drive(double mmPerSec, double degPerSec) {
         Stride stride = choose(mmPerSec, degPerSec);
@@ -92,7 +92,7 @@ public final class AiboDrive {
         }
     }
 
-    /** Nobody drives any more; what has been started is stopped by whoever says so. */
+    /** Ends the drive without sending anything; the caller stops what has been started. */
     void forget() {
         wanted = null;
         announced = null;
@@ -121,7 +121,7 @@ public final class AiboDrive {
         }
     }
 
-    /** Whether somebody drives and has not said so for too long, as when the program stood still. */
+    /** Whether the drive was not renewed in time, as when the program was suspended. */
     private boolean hasLapsed() {
         return wanted != null && session.waiting().time().secondsSince(renewedNanos) > LEASE_S;
     }
@@ -172,7 +172,7 @@ public final class AiboDrive {
         }
     }
 
-    /** Looks at how the latest thing that was started has ended; tells what was wrong with it. */
+    /** Looks at how the latest thing that was started has ended; returns what was wrong with it. */
     private @Nullable String settle() {
         RunningMotion ended = latest;
         latest = null;

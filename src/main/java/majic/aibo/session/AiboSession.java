@@ -29,7 +29,7 @@ public final class AiboSession {
     /** As long as it takes to make sure that a stop has hit with an engine that is two seconds late. */
     private static final double FREE_S = 5;
 
-    /** What the session tells its robot. Called on reader and keeper threads. */
+    /** Receives the session's events. Called on reader and timer threads. */
     public interface Robot {
         /** A set of readings is in. */
         void sensed();
@@ -146,17 +146,17 @@ public final class AiboSession {
         return dog;
     }
 
-    /** Whether the dog has said nothing for so long that it must not move. */
+    /** Whether no reading has come for so long that the dog must not move. */
     boolean isSilent() {
         return router.silenceS() > ConnectionMonitor.SILENCE_S;
     }
 
-    /** Says something to the person. */
+    /** Shows a notice to the user. */
     public void say(String message) {
         robot.say(message);
     }
 
-    /** Has somebody hear, on the readers' threads, all that is neither a reading nor an answer; what it returns ends it. */
+    /** Passes all that is neither a reading nor an answer to a listener on the readers' threads, until the result is run. */
     public Runnable listen(Consumer<UrbiMessage> hearer) {
         return router.listen(hearer);
     }
@@ -230,7 +230,7 @@ public final class AiboSession {
         }
     }
 
-    /** Stops, says goodbye, closes. */
+    /** Stops the dog, ends its polling, and closes the connections. */
     public void close() {
         driving.forget();
         connections.close(lastWords() + dog.legSpeed().restore());

@@ -3,7 +3,7 @@ package majic.aibo.session;
 import java.util.function.Consumer;
 import majic.bot.LinkLost;
 
-/** Says once that the battery is low, and remembers it for when the dog goes away. Thread-safe. */
+/** Reports once that the battery is low, and keeps that for the message of a lost connection. Thread-safe. */
 final class BatteryWatch {
     /** Where the scripts on the stick begin to warn (URBI sheet 16). */
     private static final double LOW = 0.2;

@@ -14,7 +14,7 @@ import majic.bot.Motion;
 import majic.bot.Range;
 import majic.bot.Unit;
 
-/** How the dog is taught its pace: it walks or turns for a known time, and somebody measures how far it came. */
+/** Calibrates one gait: the dog walks or turns for a known time, and the user measures how far it came. */
 public final class CalibrationRun implements CalibrateCommand.Pupil {
     /** About a metre. */
     private static final int WALK_S = 12;
@@ -26,7 +26,7 @@ public final class CalibrationRun implements CalibrateCommand.Pupil {
     private final Function<Gait, Stride> stride;
     private final Learner learner;
 
-    /** Who takes a new factor over. */
+    /** Receives a new factor. */
     @FunctionalInterface
     public interface Learner {
         /** Keeps the milliseconds for one mm or one degree of a gait at the usual pace of the legs. */

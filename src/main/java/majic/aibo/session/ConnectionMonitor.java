@@ -7,7 +7,7 @@ import majic.aibo.urbi.PingProbe;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.Waiting;
 
-/** Finds out that a dog no longer says or hears anything. Used by the keeper's thread. */
+/** Detects a dog that no longer reports or no longer receives. Used by the robot's timer thread. */
 final class ConnectionMonitor {
     /** After so much silence a dog must not move. */
     static final double SILENCE_S = 1.5;
@@ -40,7 +40,7 @@ final class ConnectionMonitor {
         }
     }
 
-    /** Whether a silence has begun that nobody was told of yet. */
+    /** Whether a silence has begun that was not reported yet. */
     boolean fallsSilent() {
         boolean silent = router.silenceS() > SILENCE_S;
         boolean tell = silent && !told;

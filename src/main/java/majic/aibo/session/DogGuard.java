@@ -15,13 +15,13 @@ import org.jspecify.annotations.Nullable;
  * The guard that runs on the dog itself (URBI sheet 19): it ends a walk when the program that ordered it has not been
  * heard for {@value #PATIENCE_MS} ms. It lives on the motion connection and is renewed on the sensor connection, with
  * what the dog's own clock shows when the renewal goes out: one that arrives late says so and renews nothing. While
- * nothing of ours walks it is disarmed, so that it ends nobody else's walk.
+ * nothing of ours walks it is disarmed, so that it ends no other program's walk.
  */
 public final class DogGuard {
     private static final Logger LOG = System.getLogger(DogGuard.class.getName());
     private static final int PATIENCE_MS = 1500;
 
-    /** With an answer two seconds late the clock is known to one: what is left of the guard's patience holds for this. */
+    /** With replies up to 2 s late, the estimate of the dog's clock is off by up to 1 s; renewals must fit into the remaining 0.5 s. */
     private static final double RENEWAL_S = 0.2;
 
     private static final String FAR_AHEAD = "1000000000000";
@@ -47,7 +47,7 @@ public final class DogGuard {
         this.tag = tags.named("guard");
     }
 
-    /** Sets the guard up, disarmed; tells whether the server takes it. Moves nothing. */
+    /** Sets the guard up, disarmed; returns whether the server accepts it. Moves nothing. */
     boolean install() {
         UrbiConnection motion = connections.motion();
         long askedNanos = waiting.time().nanos();

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Lets the head look left and right while the dog walks ahead, because the infra-red beams are far narrower than the
- * dog. Only ever started by a motion that somebody asked for. Never makes a stop wait.
+ * dog. Started only by a motion. Never makes a stop wait.
  */
 public final class HeadSweep {
     /** There and back again. */

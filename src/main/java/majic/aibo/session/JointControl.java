@@ -11,11 +11,11 @@ import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
 
-/** Moves joints, and waits until they are where they were told to be. Only ever on behalf of a motion. */
+/** Moves joints, and waits until they reach their targets. Only as part of a motion. */
 public final class JointControl {
     private static final double LEAST_MS = 100;
 
-    /** A slow engine tells the end two seconds late. */
+    /** A slow engine reports the end two seconds late. */
     private static final double LATE_S = 3;
 
     /** A joint follows its order with a lag. */

@@ -15,7 +15,7 @@ import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.Waiting;
 
-/** Sorts what a dog says without being asked anew: readings, battery lines, the rest. Hears on the readers' threads. */
+/** Routes messages that answer no request: readings, battery lines, the rest. Called on the readers' threads. */
 final class MessageRouter {
     private static final Logger LOG = System.getLogger(MessageRouter.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
@@ -61,7 +61,7 @@ final class MessageRouter {
         return Arrays.stream(Sensor.values()).filter(dog.senses()::isAnswered).count();
     }
 
-    /** Has somebody hear all that is neither a reading nor an answer; what it returns ends it. */
+    /** Passes all that is neither a reading nor an answer to a listener, until the result is run. */
     Runnable listen(Consumer<UrbiMessage> hearer) {
         hearers.add(hearer);
         return () -> hearers.remove(hearer);

@@ -13,8 +13,8 @@ import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The order by which the dog sends what it hears, one block of 32 ms each cycle (URBI sheet 8, 13). It runs out by itself
- * on the dog, should nobody be left to end it. Safe from any thread.
+ * The command by which the dog sends its microphone's sound, one block of 32 ms each cycle (URBI sheet 8, 13). It runs out by itself
+ * on the dog if no stop reaches it. Safe from any thread.
  */
 public final class Microphone {
     private static final Logger LOG = System.getLogger(Microphone.class.getName());
@@ -25,7 +25,7 @@ public final class Microphone {
     private final AtomicInteger count = new AtomicInteger();
     private final AtomicReference<@Nullable Ear> ear = new AtomicReference<>();
 
-    /** Who listens, and to what: blocks of the recording before may still be on their way. */
+    /** The receiver and the tag of its blocks: blocks of an earlier recording may still arrive. */
     private record Ear(String tag, Consumer<UrbiMessage> hearer) {}
 
     Microphone(UrbiConnection on, Tags tags) {
@@ -39,7 +39,7 @@ public final class Microphone {
      *
      * @param hearer gets each message on the reader's thread, until {@link #stop}
      * @param longestMs when the dog is to end it by itself
-     * @throws BotException if somebody listens already
+     * @throws BotException if a recording is under way
      */
     public void start(Consumer<UrbiMessage> hearer, long longestMs) {
         String tag = stem + count.incrementAndGet();

@@ -17,7 +17,7 @@ import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The one thing that the dog is doing, and its end. A stop goes out on the stop connection at once, without looking at
+ * Runs one motion command at a time and confirms its end. A stop goes out on the stop connection at once, without looking at
  * anything; whether it has hit what it was meant for is found out afterwards, see {@link RunningMotion#pursue}. Thread-safe.
  */
 public final class MotionExecutor {
@@ -31,7 +31,7 @@ public final class MotionExecutor {
     private final Runnable whenOver;
     private final AtomicReference<@Nullable RunningMotion> current = new AtomicReference<>();
 
-    /** Tells of each end by the last argument, on whatever thread notices it. */
+    /** Calls the last argument at each end, on the thread that notices it. */
     MotionExecutor(AiboConnections connections, Tags tags, Waiting waiting, DogState dog, Runnable whenOver) {
         this.connections = connections;
         this.tags = tags;
@@ -40,7 +40,7 @@ public final class MotionExecutor {
         this.whenOver = whenOver;
     }
 
-    /** What the dog does now; null if nothing that it was told. */
+    /** Returns the motion under way; null if none. */
     public @Nullable RunningMotion current() {
         return current.get();
     }
@@ -71,7 +71,7 @@ public final class MotionExecutor {
         return new UrbiRequest(tags.next(), UrbiRequest.Expects.END, this::clear);
     }
 
-    /** Starts it, if it still may be started once everybody can see that it is about to be; there is nothing else. */
+    /** Starts it, if it may still be started once it is the current motion. Returns whether it was started. */
     boolean start(RunningMotion running, BooleanSupplier mayStill) {
         if (!take(running)) {
             throw new BotException("the dog has not yet ended what it did before");
@@ -88,7 +88,7 @@ public final class MotionExecutor {
         return true;
     }
 
-    /** Who waited for an end may come with the next thing before that end was cleared away. */
+    /** Clears an ended motion first: the next one may be started before that was done. */
     private synchronized boolean take(RunningMotion running) {
         dropEnded();
         return current.compareAndSet(null, running);
@@ -103,7 +103,7 @@ public final class MotionExecutor {
         return current.compareAndSet(ended, null);
     }
 
-    /** Called when something has ended, by whoever noticed. */
+    /** Called when a motion has ended, on the thread that noticed it. */
     private void clear() {
         if (dropEnded()) {
             whenOver.run();
@@ -152,7 +152,7 @@ public final class MotionExecutor {
         }
     }
 
-    /** The connection is gone: nobody will hear the end of anything. */
+    /** Ends the current motion, since the connection is lost and no end will be reported. */
     void abandon() {
         RunningMotion running = current.get();
         if (running != null) {

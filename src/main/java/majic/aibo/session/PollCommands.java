@@ -9,7 +9,7 @@ import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiVersion;
 import org.jspecify.annotations.Nullable;
 
-/** The standing order by which the dog reports its sensors, and the way back from tags to sensors (URBI sheet 8). */
+/** The commands by which the dog reports its sensors periodically, and the way back from tags to sensors (URBI sheet 8). */
 final class PollCommands {
     private final Tags tags;
     private final Map<String, Sensor> byTag = new HashMap<>();
@@ -21,7 +21,7 @@ final class PollCommands {
         }
     }
 
-    /** The order for all sensors of a rate; a name the dog does not know spoils only its own reading. */
+    /** The order for all sensors of a rate; a name that the dog does not have spoils only its own reading. */
     String order(Sensor.Rate rate, UrbiVersion version) {
         String readings = rate.sensors().stream()
                 .map(sensor -> version.labelled(tags.named(sensor.tagName()), sensor.expression()))
@@ -42,7 +42,7 @@ final class PollCommands {
         return tags.named("poll" + rate.ordinal());
     }
 
-    /** Which sensor a message speaks of; null if of none. */
+    /** Returns the sensor that a message reports; null if none. */
     @Nullable
     Sensor sensor(UrbiMessage message) {
         return byTag.get(message.tag());

@@ -100,7 +100,7 @@ public final class PostureControl {
 
     /**
      * Lays the dog down where it is up, then lets its joints go loose. A dog that did not lie down keeps its motors on, for
-     * it would fall; who asks for it once more gets it.
+     * it would fall; a second request switches them off all the same.
      */
     public void loosen(Motion motion) {
         session.awaitFree(motion);
@@ -139,7 +139,7 @@ public final class PostureControl {
         dog.setAfoot(posture == Posture.STAND);
     }
 
-    /** What the dog takes its posture for; "unknown" also if it cannot tell. */
+    /** Returns the posture that the dog reports; "unknown" also if it reports none. */
     public String posture() {
         try {
             return session.ask(session.connections().motion(), "robot.MyguessPosition()", GUESS_S)
@@ -151,7 +151,7 @@ public final class PostureControl {
         }
     }
 
-    /** Does one thing to its end, whatever the guard says: half risen is no way to stay. */
+    /** Runs one command to its end, regardless of guard conditions: a dog must not stay half risen. */
     public void perform(Motion motion, RunningMotion running, double seconds) {
         motion.send(() -> session.executor().start(running, () -> true));
         BooleanSupplier over = () -> running.isOver() || !stillGoes(motion);

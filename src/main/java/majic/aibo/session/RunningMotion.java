@@ -7,7 +7,7 @@ import majic.aibo.urbi.UrbiRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Something that moves the dog and that it was told to do: a piece of a gait, a posture, a timed joint. There is never
+ * A command under way that moves the dog: a piece of a gait, a posture, a timed joint. There is never
  * more than one. Safe from any thread.
  */
 public final class RunningMotion {
@@ -29,13 +29,13 @@ public final class RunningMotion {
         this.piece = piece;
     }
 
-    /** Says that nobody knows what it makes the dog do. */
+    /** Marks it as a command whose effect on the dog is unknown. */
     public RunningMotion unknown() {
         unknown = true;
         return this;
     }
 
-    /** Whether it can make the dog walk, so that the guard on the dog has to know of it. */
+    /** Whether it can make the dog walk, so that the guard on the dog must be armed. */
     boolean mayWalk() {
         return piece != null || unknown;
     }
@@ -106,7 +106,7 @@ public final class RunningMotion {
         return ask.doneMs();
     }
 
-    /** Gives up on it: it is taken as ended, whatever the dog says. */
+    /** Takes it as ended, regardless of later messages. */
     void abandon(String reason) {
         on.forget(ask);
         ask.fail(reason, on.lastTimeMs());

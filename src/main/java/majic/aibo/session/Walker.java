@@ -13,10 +13,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Walks a distance or turns an angle: one piece of a gait after the other, none longer than two seconds, each begun when
- * the dog has told the end of the one before. Used for one motion.
+ * the dog has reported the end of the one before. Used for one motion.
  */
 public final class Walker {
-    /** A slow engine answers two seconds late, and a gait may last two cycles longer than told. */
+    /** A slow engine answers two seconds late, and a gait may last two cycles longer than ordered. */
     private static final double LATE_S = 3;
 
     private final AiboSession session;
@@ -30,7 +30,7 @@ public final class Walker {
         this.motion = motion;
     }
 
-    /** Covers an amount, mm or degrees, always positive; tells how much it was, with the gait's sign. */
+    /** Covers an amount, mm or degrees, always positive; returns the amount covered, with the gait's sign. */
     public double cover(Stride stride, double amount) {
         motion.pause(0);
         if (motion.guardReached() || amount == 0) {

@@ -59,7 +59,7 @@ record LocalFile(String name, Path path) {
     }
 
     /**
-     * Makes it, so that nobody else takes the name meanwhile.
+     * Creates the file, so that no other program takes the name meanwhile.
      *
      * @throws BotException if it is there already or cannot be made
      */

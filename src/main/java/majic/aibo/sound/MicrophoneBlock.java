@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 
-/** Reads what the dog says of the blocks of its microphone, which is raw or a WAV file by the version (URBI sheet 12). */
+/** Reads the blocks of the dog's microphone, which are raw or WAV files depending on the version (URBI sheet 12). */
 final class MicrophoneBlock {
     private static final Pattern NUMBER = Pattern.compile("\\d{1,6}");
     private static final PcmFormat DOCUMENTED = new PcmFormat(2, 16_000, 16, PcmFormat.Coding.SIGNED);

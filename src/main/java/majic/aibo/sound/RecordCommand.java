@@ -11,7 +11,7 @@ import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
 
-/** Records what the dog's microphone hears into a WAV file of this computer. */
+/** Records the dog's microphone into a WAV file on this computer. */
 public final class RecordCommand {
     private static final double LONGEST_S = 60;
     private static final double QUIET_S = 2;
@@ -37,7 +37,7 @@ public final class RecordCommand {
                         motion));
     }
 
-    /** Takes the name at once: who is told after a minute that it cannot be written has spoken for nothing. */
+    /** Creates the file first: a file that cannot be written must not be noticed only after the recording. */
     private String record(double seconds, LocalFile file, Motion motion) {
         AiboSession open = session.get();
         SoundRecording recording = new SoundRecording(seconds, open.waiting().changes()::raise);

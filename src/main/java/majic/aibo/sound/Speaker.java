@@ -23,7 +23,7 @@ public final class Speaker {
     private static final double ANSWER_S = 4;
     private static final double LOOK_AGAIN_S = 0.032;
 
-    /** The dog plays a chime when somebody connects. */
+    /** The dog plays a chime when a client connects. */
     private static final double OTHERS_S = 10;
 
     private static final double LATE_S = 5;

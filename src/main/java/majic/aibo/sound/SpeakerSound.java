@@ -9,7 +9,7 @@ import java.util.Arrays;
 final class SpeakerSound {
     static final int RATE_HZ = 16_000;
 
-    /** What the dog is to know of the bytes: channels, rate, bits, signed. */
+    /** The description of the bytes for the dog: channels, rate, bits, signed. */
     static final String FORMAT = "raw 1 16000 16 1";
 
     private static final int LONGEST_PIECE = 12_000;

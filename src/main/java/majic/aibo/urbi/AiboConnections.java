@@ -143,7 +143,7 @@ public final class AiboConnections implements UrbiConnection.Owner {
         all().forEach(UrbiConnection::abort);
     }
 
-    /** Sends the last words on the stop connection, quits on all, and closes; takes a second at most. */
+    /** Sends the closing commands on the stop connection, quits on all, and closes; takes 1 s at most. */
     public void close(String lastWords) {
         all().forEach(UrbiConnection::leave);
         AtomicInteger left = new AtomicInteger(all().size());

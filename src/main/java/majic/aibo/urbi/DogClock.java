@@ -64,7 +64,7 @@ public final class DogClock {
         }
     }
 
-    /** Forgets the bounds if enough was said against them. */
+    /** Forgets the bounds if enough messages contradict them. */
     private boolean startsOver(int against) {
         if (against < ENOUGH_AGAINST_IT) {
             return false;
@@ -88,7 +88,7 @@ public final class DogClock {
         return now.and(before.leastMs(), before.mostMs());
     }
 
-    /** The time stamp that a word said now would carry; the newest it can be sure of before a question was answered. */
+    /** Returns the time stamp that a message sent now would carry; before the first answer, the newest that is certain. */
     public synchronized double estimateMs() {
         Bounds known = known();
         double aheadMs = Double.isInfinite(known.mostMs()) ? known.leastMs() : (known.leastMs() + known.mostMs()) / 2;

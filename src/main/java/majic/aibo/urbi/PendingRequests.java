@@ -24,7 +24,7 @@ public final class PendingRequests {
         asks.remove(ask.tag());
     }
 
-    /** Hands a message to the command it answers; tells which that was, null if none. */
+    /** Passes a message to the request it answers; returns that request, null if none. */
     public @Nullable UrbiRequest answer(UrbiMessage message, UrbiVersion version) {
         UrbiRequest ask = addressee(message, version);
         if (ask == null) {

@@ -3,7 +3,7 @@ package majic.aibo.urbi;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds out whether a connection still reaches the dog that says nothing by itself, so that a stop connection that died
+ * Checks with pings that a connection without regular reports still reaches the dog, so that a stop connection that died
  * in silence is not noticed by the stop that needed it. One ping at a time (URBI sheet 9). Used by the keeper's thread.
  */
 public final class PingProbe {

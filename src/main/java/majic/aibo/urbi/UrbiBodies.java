@@ -2,7 +2,7 @@ package majic.aibo.urbi;
 
 import java.nio.charset.StandardCharsets;
 
-/** Tells the three kinds of message apart: information, errors, values (URBI sheet 4). */
+/** Distinguishes the three kinds of message: information, errors, values (URBI sheet 4). */
 final class UrbiBodies {
     private static final String INFO = "***";
     private static final String FAILURE = "!!!";

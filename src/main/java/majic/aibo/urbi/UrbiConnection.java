@@ -12,7 +12,7 @@ import majic.driver.LinkReader;
 import majic.link.Link;
 
 /**
- * One connection to an URBI server: writes commands, hands each answer to whoever asked, and everything else to its
+ * One connection to an URBI server: writes commands, passes each answer to the request it belongs to, and everything else to its
  * owner. Commands of one connection run in order, so each purpose has its own. Safe from any thread.
  */
 public final class UrbiConnection {
@@ -21,7 +21,7 @@ public final class UrbiConnection {
     /** The largest binary that fits with its header into the server's queue of 32 KiB (URBI sheet 2). */
     public static final int LARGEST_BINARY = 24 * 1024;
 
-    /** Who hears what nobody asked for. Called on the reader's thread. */
+    /** Receives what answers no request. Called on the reader's thread. */
     public interface Owner {
         /** A message that answers no command. */
         void heard(UrbiMessage message);
@@ -54,7 +54,7 @@ public final class UrbiConnection {
         new LinkReader<>(link, "the dog closed it", new Messages()).start("aibo " + purpose + " reader");
     }
 
-    /** What the server says. */
+    /** Decodes and handles the messages of the server. */
     private final class Messages implements LinkHandler<UrbiMessage> {
         private final UrbiReader reader = new UrbiReader(waiting.time());
 
@@ -111,7 +111,7 @@ public final class UrbiConnection {
     /**
      * Writes commands, in one piece.
      *
-     * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws LinkLost if the connection is broken; its owner was notified
      * @throws UrbiRefusal if they are too long or harmful; nothing was sent
      */
     public void send(String commands) {
@@ -126,12 +126,12 @@ public final class UrbiConnection {
 
     /**
      * Assigns a binary to a variable. It has neither tag nor flag, and its bytes follow the separator at once, for
-     * anything else makes the server read them as a program (URBI sheet 12). Nobody hears of its end.
+     * anything else makes the server read them as a program (URBI sheet 12). No message reports its end.
      *
      * @param variable such as {@code speaker.val}
-     * @param format what the server is to know of the bytes, such as {@code raw 1 16000 16 1}
+     * @param format the description of the bytes for the server, such as {@code raw 1 16000 16 1}
      * @param bytes at most {@value #LARGEST_BINARY}
-     * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws LinkLost if the connection is broken; its owner was notified
      * @throws UrbiRefusal if it is too long or harmful; nothing was sent
      */
     public void upload(String variable, String format, byte[] bytes) {
@@ -159,7 +159,7 @@ public final class UrbiConnection {
     /**
      * Writes commands of which one is tagged with the ask's tag.
      *
-     * @throws LinkLost if the connection is broken; its owner knows then
+     * @throws LinkLost if the connection is broken; its owner was notified
      * @throws UrbiRefusal if they are too long or harmful; nothing was sent, and nothing is expected
      */
     public UrbiRequest send(UrbiRequest ask, String commands) {
@@ -175,7 +175,7 @@ public final class UrbiConnection {
         return send(ask, version.labelled(ask.tag(), expression) + ";");
     }
 
-    /** Asks for a sign of life: it tells that all that went out before has arrived (URBI sheet 9). Throws as {@link #send} does. */
+    /** Sends a ping; its answer shows that all commands sent before have arrived (URBI sheet 9). Throws as {@link #send} does. */
     public UrbiRequest ping(Tags tags) {
         UrbiRequest pong = new UrbiRequest(tags.next(), UrbiRequest.Expects.PONG);
         return send(pong, pong.tag() + ": ping;");
@@ -192,7 +192,7 @@ public final class UrbiConnection {
         }
     }
 
-    /** Says that the end of this connection will be no surprise. */
+    /** Marks the end of this connection as expected: it is not reported as broken. */
     synchronized void leave() {
         leaving = true;
     }

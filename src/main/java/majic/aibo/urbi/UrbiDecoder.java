@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * inside the quotes of a value belongs to it, that {@code BIN n} is followed by n raw bytes, and that nothing follows
  * these bytes unless they stand in a list. A text of more than {@value #MAX_TEXT} bytes or a binary of more than
  * {@value #MAX_BINARY} is dropped up to the next line feed. Where bytes were lost, a quote that does not close is given up
- * at the next line with a prefix, a binary when its reader loses patience. No socket, thread or clock; used by one thread.
+ * at the next line with a prefix, a binary when its reader gives it up. No socket, thread or clock; used by one thread.
  */
 public final class UrbiDecoder {
     static final int MAX_TEXT = 64 * 1024;

@@ -4,8 +4,8 @@ package majic.aibo.urbi;
  * One message of an URBI server. Immutable.
  *
  * @param timeMs the server's clock, ms since it started
- * @param tag whose answer it is; {@value #NO_TAG} when the server names none
- * @param body what it says
+ * @param tag the tag of the command it answers; {@value #NO_TAG} when the server names none
+ * @param body its content
  */
 public record UrbiMessage(long timeMs, String tag, Body body) {
     /** The tag of answers to commands that had none. */
@@ -16,7 +16,7 @@ public record UrbiMessage(long timeMs, String tag, Body body) {
         return tag.equals("error");
     }
 
-    /** What a message says. */
+    /** The content of a message. */
     public sealed interface Body {}
 
     /**

@@ -37,7 +37,7 @@ final class UrbiProgram {
         return open;
     }
 
-    /** Takes what begins at a place; tells where the next thing begins. */
+    /** Takes the element that begins at an index; returns the index of the next one. */
     private int take(int at) {
         if (commands.charAt(at) == '"') {
             bare.append("\"\"");

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import majic.time.TimeSource;
 
-/** Decodes one connection, and loses patience with a binary that was cut short. Used by the connection's reader. */
+/** Decodes one connection, and gives up a binary that was cut short. Used by the connection's reader. */
 final class UrbiReader {
-    /** Less than the silence at which a walking dog is told to stop. */
+    /** Less than the silence at which a walking dog is stopped. */
     private static final double PATIENCE_S = 1;
 
     private final TimeSource time;

@@ -31,7 +31,7 @@ public final class UrbiRequest {
     }
 
     /**
-     * A command that somebody wants to hear the end of.
+     * A command whose end is reported.
      *
      * @param whenDone called by the reader's thread, once
      */
@@ -75,13 +75,13 @@ public final class UrbiRequest {
         }
     }
 
-    /** Tells that it went wrong. */
+    /** Ends it with a failure. */
     public void fail(String reason, long timeMs) {
         failure = reason;
         finish(timeMs);
     }
 
-    /** Ends it without an answer: the dog was told to stop the command and tells no end of it. */
+    /** Ends it without an answer: a command that was stopped by its tag sends no end. */
     public void finish(long timeMs) {
         synchronized (this) {
             if (done) {
@@ -97,12 +97,12 @@ public final class UrbiRequest {
         return done;
     }
 
-    /** The last value under its tag; a command that an end is expected of may tell one before. */
+    /** The last value under its tag; a command whose end is expected may send one before. */
     public @Nullable UrbiValue value() {
         return value;
     }
 
-    /** What the server complained of; null if it did not. */
+    /** The error that the server reported; null if none. */
     public @Nullable String failure() {
         return failure;
     }

@@ -16,7 +16,7 @@ public enum UrbiVersion {
         this.labelled = labelled;
     }
 
-    /** The generation that a banner speaks of, or the given one if it speaks of none. */
+    /** Returns the version that a banner line names, or the given one if it names none. */
     public static UrbiVersion of(String bannerLine, UrbiVersion otherwise) {
         if (bannerLine.contains("URBI Kernel version 1.5")) {
             return V1_5;
@@ -24,7 +24,7 @@ public enum UrbiVersion {
         return bannerLine.contains("URBI Kernel version") ? V1_0 : otherwise;
     }
 
-    /** An expression whose value is to come back under a tag. Without the separator. */
+    /** Returns a command that makes the server send a value under a tag. Without the separator. */
     public String labelled(String tag, String expression) {
         return String.format(labelled, tag, expression);
     }

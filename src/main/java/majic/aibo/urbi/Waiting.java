@@ -6,14 +6,14 @@ import majic.time.Signal;
 import majic.time.TimeSource;
 
 /**
- * Where the driver's parts wait and what they measure by.
+ * Waits for changes, and measures time, by the robot's clock.
  *
  * @param time the robot's clock
- * @param changes raised whenever something came from the dog that somebody may wait for
+ * @param changes raised when a message came from the dog that a thread may wait for
  */
 public record Waiting(TimeSource time, Signal changes) {
 
-    /** Waits until something is so, for some seconds at most; tells whether it is. An interruption is a stop. */
+    /** Waits until a condition holds, for some seconds at most; returns whether it holds. An interruption is a stop. */
     public boolean await(BooleanSupplier done, double seconds) {
         try {
             return changes.await(done, seconds);
