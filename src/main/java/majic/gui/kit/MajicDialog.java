@@ -1,6 +1,8 @@
 package majic.gui.kit;
 
 import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -17,6 +19,14 @@ public class MajicDialog extends JDialog {
         super(owner, title, ModalityType.MODELESS);
         setName(title + " dialog");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            /** A window manager may give the keys to another window when a dialog before this one has just closed. */
+            @Override
+            public void windowOpened(WindowEvent event) {
+                toFront();
+                requestFocus();
+            }
+        });
     }
 
     /** Places everything; the first button is the one that Enter presses. */
