@@ -9,6 +9,7 @@ import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.Permit;
+import majic.bot.PermittedControl;
 import majic.bot.Value;
 
 /**
@@ -27,7 +28,7 @@ final class Lease implements BotControl {
 
     private synchronized BotControl robot() {
         permit.check();
-        return robot.control(permit.and(round));
+        return PermittedControl.of(robot, permit.and(round));
     }
 
     @Override

@@ -37,14 +37,13 @@ final class Arguments {
         return fit(wanted::get, given);
     }
 
-    static BotCommand command(MajicBot bot, String name) {
-        return bot.commands().stream()
+    static BotCommand command(String bot, List<BotCommand> commands, String name) {
+        return commands.stream()
                 .filter(command -> command.name().equalsIgnoreCase(name))
                 .findFirst()
-                .orElseThrow(() -> new BotException(name + ": " + bot.name() + " has no such command"
+                .orElseThrow(() -> new BotException(name + ": " + bot + " has no such command"
                         + Suggestion.didYouMean(
-                                name,
-                                bot.commands().stream().map(BotCommand::name).toList())));
+                                name, commands.stream().map(BotCommand::name).toList())));
     }
 
     static List<Value> forCommand(BotCommand command, List<Value> given) {

@@ -54,7 +54,7 @@ public final class Checks {
      * @throws BotException if there is no such command, or it takes something else
      */
     public static BotCommand run(MajicBot bot, String command, List<Value> arguments) {
-        BotCommand known = Arguments.command(bot, command);
+        BotCommand known = Arguments.command(bot.name(), bot.commands(), command);
         Arguments.forCommand(known, arguments);
         return known;
     }

@@ -18,11 +18,28 @@ public interface Guard {
     boolean reached();
 
     /**
-     * The other robots whose readings count as well; their news make the driver look again.
+     * The other robots whose readings count as well; each new reading of them makes the driver look again.
      *
      * @return none unless overridden
      */
-    default List<MajicBot> alsoWatches() {
+    default List<? extends ReadingSource> alsoWatches() {
         return List.of();
+    }
+
+    /** Something that can report that it has new readings, as each robot can. */
+    interface ReadingSource {
+        /**
+         * Begins to call a watcher after each new reading.
+         *
+         * @param watcher quick; called on the thread that took the reading
+         */
+        void addWatcher(Runnable watcher);
+
+        /**
+         * Ends the calls of a watcher.
+         *
+         * @param watcher the one that was added
+         */
+        void removeWatcher(Runnable watcher);
     }
 }

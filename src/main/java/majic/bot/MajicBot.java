@@ -21,18 +21,19 @@ import org.jspecify.annotations.Nullable;
  * <p>Subclasses fill in the protected hooks. Checks of arguments, the order of callers, the stop, the end of a
  * {@code drive} that is not renewed, listeners and the shared parameters are done here, once.
  */
-public abstract class MajicBot implements BotControl, AutoCloseable {
+public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoCloseable {
     private final BotType type;
     private final BotEnvironment environment;
     private final ParameterTable parameters = new ParameterTable();
     private final List<BotCommand> commands = new CopyOnWriteArrayList<>();
     private final Listeners listeners;
     private final ConnectionLife life;
-    private final List<MajicBot> watchers = new CopyOnWriteArrayList<>();
+    private final List<Runnable> watchers = new CopyOnWriteArrayList<>();
     private final Signal changes;
     private final RobotTimer timer;
     private final MotionGate gate;
     private final AtomicLong readings = new AtomicLong();
+    private final ShutdownHook.Closing atShutdown;
 
     private volatile BotProfile profile;
     private volatile Pace pace;
@@ -70,9 +71,11 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         this.life = new ConnectionLife(listeners::connectionChanged);
         this.changes = environment.time().signal();
         this.timer = new RobotTimer(environment.time());
-        this.gate = new MotionGate(this, timer);
+        this.gate = new MotionGate(new Moving(), timer);
         this.name = "the " + type.label();
-        SharedParameters.describe(parameters, this);
+        this.atShutdown = new ShutdownHook.Closing(this::name, environment.time(), this::revokeForGood, this::close);
+        SharedParameters.describe(
+                parameters, new SharedParameters.Source(this::state, this::profile, environment.time()));
         pace.describe(parameters);
     }
 
@@ -88,7 +91,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     public final void connect() {
         boolean first = life.begin(name);
         try {
-            ShutdownHook.add(this);
+            ShutdownHook.add(atShutdown);
             if (first) {
                 listeners.start(time(), type.name());
                 timer.start(type.name());
@@ -213,7 +216,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
             gate.perform(Guard.NEVER, permit, motion -> writer.apply(fitted, motion));
         } else {
             requireConnected();
-            writer.apply(fitted, new Motion(this, Guard.NEVER, permit));
+            writer.apply(fitted, gate.beside(permit));
         }
     }
 
@@ -223,11 +226,11 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
     }
 
     final String run(String command, List<Value> arguments, Permit permit) {
-        BotCommand known = Arguments.command(this, command);
+        BotCommand known = Arguments.command(name, commands(), command);
         List<Value> fitted = Arguments.forCommand(known, arguments);
         if (!known.moves()) {
             requireConnected();
-            return known.action().run(fitted, new Motion(this, Guard.NEVER, permit));
+            return known.action().run(fitted, gate.beside(permit));
         }
         MotionReport report = gate.perform(
                 Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
@@ -288,7 +291,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
                 shut();
             }
         } finally {
-            ShutdownHook.remove(this);
+            ShutdownHook.remove(atShutdown);
             listeners.deliver();
             listeners.close();
         }
@@ -591,7 +594,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
      */
     protected final void news() {
         lookAgain();
-        watchers.forEach(MajicBot::lookAgain);
+        watchers.forEach(Runnable::run);
     }
 
     private void lookAgain() {
@@ -639,16 +642,6 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         return gate.isBusy();
     }
 
-    /**
-     * The robot in the hands of somebody whose leave to move it can be taken back; reading and stopping it stay allowed.
-     *
-     * @param lease the leave; once it is revoked every further motion throws what the revocation said
-     * @return the robot, for use from any thread
-     */
-    public final BotControl control(Permit lease) {
-        return new PermittedControl(this, () -> permit().and(lease));
-    }
-
     public final Permit permit() {
         return gate.permits().current();
     }
@@ -668,11 +661,7 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         return Optional.ofNullable(life.lostBecause()).map(LinkLost::getMessage);
     }
 
-    final long readings() {
-        return readings.get();
-    }
-
-    final void requireConnected() {
+    private void requireConnected() {
         refuseLost();
         if (!isConnected()) {
             throw new BotException(name + " is not connected");
@@ -686,17 +675,14 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
         }
     }
 
-    final void underPermit(Permit permit, Runnable write) {
-        gate.send(permit, write);
+    @Override
+    public final void addWatcher(Runnable watcher) {
+        watchers.add(watcher);
     }
 
-    /** Makes the news of another robot wake the motions of this one, until {@link #unwatch}. */
-    final void watch(MajicBot other) {
-        other.watchers.add(this);
-    }
-
-    final void unwatch(MajicBot other) {
-        other.watchers.remove(this);
+    @Override
+    public final void removeWatcher(Runnable watcher) {
+        watchers.remove(watcher);
     }
 
     private ParameterTable.Entry entry(String parameter) {
@@ -708,5 +694,78 @@ public abstract class MajicBot implements BotControl, AutoCloseable {
                     parameter + ": " + name + " has no such parameter" + Suggestion.didYouMean(parameter, names));
         }
         return entry;
+    }
+
+    /** This robot as its motions use it. */
+    private final class Moving implements MovingRobot {
+        @Override
+        public String name() {
+            return name;
+        }
+
+        @Override
+        public TimeSource time() {
+            return environment.time();
+        }
+
+        @Override
+        public Signal changes() {
+            return changes;
+        }
+
+        @Override
+        public boolean isConnected() {
+            return MajicBot.this.isConnected();
+        }
+
+        @Override
+        public void requireConnected() {
+            MajicBot.this.requireConnected();
+        }
+
+        @Override
+        public long readings() {
+            return readings.get();
+        }
+
+        @Override
+        public void lookAgain() {
+            MajicBot.this.lookAgain();
+        }
+
+        @Override
+        public void notice(String message) {
+            MajicBot.this.notice(message);
+        }
+
+        @Override
+        public void lost(LinkLost cause) {
+            MajicBot.this.lost(cause);
+        }
+
+        @Override
+        public void driveAt(double mmPerSec, double degPerSec) {
+            MajicBot.this.driveAt(mmPerSec, degPerSec);
+        }
+
+        @Override
+        public void halt() {
+            MajicBot.this.halt();
+        }
+
+        @Override
+        public void haltAhead() {
+            MajicBot.this.haltAhead();
+        }
+
+        @Override
+        public void confirmHalt() {
+            MajicBot.this.confirmHalt();
+        }
+
+        @Override
+        public @Nullable Value driven() {
+            return MajicBot.this.driven();
+        }
     }
 }

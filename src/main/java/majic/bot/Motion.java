@@ -8,7 +8,8 @@ import majic.time.WaitPolicy;
  * done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread.
  */
 public final class Motion {
-    private final MajicBot bot;
+    private final MovingRobot bot;
+    private final MotionGate gate;
     private final Guard guard;
     private final Permit permit;
     private final long startedNanos;
@@ -16,8 +17,9 @@ public final class Motion {
     private boolean guardReached;
     private boolean hasSent;
 
-    Motion(MajicBot bot, Guard guard, Permit permit) {
+    Motion(MovingRobot bot, MotionGate gate, Guard guard, Permit permit) {
         this.bot = bot;
+        this.gate = gate;
         this.guard = guard;
         this.permit = permit;
         this.startedNanos = bot.time().nanos();
@@ -31,7 +33,7 @@ public final class Motion {
      * @throws LinkLost if the connection is gone
      */
     public void send(Runnable write) {
-        bot.underPermit(permit, () -> {
+        gate.send(permit, () -> {
             hasSent = true;
             write.run();
         });

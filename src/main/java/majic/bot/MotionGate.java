@@ -29,7 +29,7 @@ public final class MotionGate {
      */
     private static final double LATEST_RENEWAL_S = 1.5;
 
-    private final MajicBot bot;
+    private final MovingRobot bot;
     private final RobotTimer timer;
     private final Permits permits = new Permits();
     private final Object commandLock = new Object();
@@ -43,7 +43,7 @@ public final class MotionGate {
         Value run(Motion motion);
     }
 
-    MotionGate(MajicBot bot, RobotTimer timer) {
+    MotionGate(MovingRobot bot, RobotTimer timer) {
         this.bot = bot;
         this.timer = timer;
     }
@@ -69,7 +69,7 @@ public final class MotionGate {
         bot.requireConnected();
         Permit own = permits.current();
         begin(permit);
-        Motion motion = new Motion(bot, until, permit);
+        Motion motion = new Motion(bot, this, until, permit);
         try {
             endDrive();
             return watching(until, () -> {
@@ -96,13 +96,19 @@ public final class MotionGate {
 
     /** Lets the news of all robots that the guard asks wake the motion. */
     private MotionReport watching(Guard until, Supplier<MotionReport> motion) {
-        List<MajicBot> others = until.alsoWatches();
-        others.forEach(bot::watch);
+        List<? extends Guard.ReadingSource> others = until.alsoWatches();
+        Runnable lookAgain = bot::lookAgain;
+        others.forEach(other -> other.addWatcher(lookAgain));
         try {
             return motion.get();
         } finally {
-            others.forEach(bot::unwatch);
+            others.forEach(other -> other.removeWatcher(lookAgain));
         }
+    }
+
+    /** A motion that is not one after the other with those that move the robot: for what does not move it. */
+    Motion beside(Permit permit) {
+        return new Motion(bot, this, Guard.NEVER, permit);
     }
 
     /** Waits for the motion under way to end. */

@@ -3,8 +3,24 @@ package majic.bot;
 import java.util.List;
 import java.util.function.Supplier;
 
-/** A robot in the hands of somebody whose leave to move it can be taken back; reading and stopping stay allowed. */
+/**
+ * A robot that is moved under a permit which can be revoked; reading and stopping stay allowed.
+ *
+ * @param bot the robot
+ * @param permit asked for each motion
+ */
 public record PermittedControl(MajicBot bot, Supplier<Permit> permit) implements BotControl {
+    /**
+     * A robot under its own permit and a lease.
+     *
+     * @param bot the robot
+     * @param lease once it is revoked every further motion throws what the revocation said
+     * @return the robot, for use from any thread
+     */
+    public static BotControl of(MajicBot bot, Permit lease) {
+        return new PermittedControl(bot, () -> bot.permit().and(lease));
+    }
+
     @Override
     public String name() {
         return bot.name();

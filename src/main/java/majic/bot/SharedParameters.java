@@ -1,10 +1,24 @@
 package majic.bot;
 
+import java.util.function.Supplier;
+import majic.time.TimeSource;
+
 /** The parameters that every robot has, read from what every robot says of itself (MAJIC Script, "Parameters"). */
 final class SharedParameters {
     private SharedParameters() {}
 
-    static void describe(ParameterTable table, MajicBot bot) {
+    /** Where they are read. */
+    record Source(Supplier<BotState> states, Supplier<BotProfile> profiles, TimeSource time) {
+        BotState state() {
+            return states.get();
+        }
+
+        BotProfile profile() {
+            return profiles.get();
+        }
+    }
+
+    static void describe(ParameterTable table, Source bot) {
         table.add(
                 Parameter.number("x", Unit.MM, "how far ahead of where it was added"),
                 () -> place(bot, bot.state().pose().xMm(), Unit.MM));
@@ -29,11 +43,11 @@ final class SharedParameters {
         table.add(Parameter.number("age", Unit.MS, "time since its last word"), () -> age(bot));
     }
 
-    private static Value place(MajicBot bot, double amount, Unit unit) {
+    private static Value place(Source bot, double amount, Unit unit) {
         return new Value.Number(amount, unit, bot.profile().estimates());
     }
 
-    private static Value age(MajicBot bot) {
+    private static Value age(Source bot) {
         long at = bot.state().atNanos();
         return at == 0 ? Value.unknown("no word yet") : Value.of((bot.time().nanos() - at) / 1_000_000, Unit.MS);
     }

@@ -7,6 +7,9 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import majic.time.TimeSource;
 
 /**
  * Stops and closes every connected robot when the Java program ends: by Ctrl-C, a signal of the system,
@@ -23,12 +26,22 @@ public final class ShutdownHook {
     private static final Logger LOG = System.getLogger(ShutdownHook.class.getName());
     private static final String REASON = "the program is ending";
     private static final Object LOCK = new Object();
-    private static final Set<MajicBot> CONNECTED = new LinkedHashSet<>();
+    private static final Set<Closing> CONNECTED = new LinkedHashSet<>();
     private static final List<Runnable> AFTERWARDS = new ArrayList<>();
     private static boolean installed;
     private static boolean ending;
 
     private ShutdownHook() {}
+
+    /**
+     * How a robot is closed at the end of the program.
+     *
+     * @param name what messages call it at that time
+     * @param time its clock
+     * @param revoke ends all motions for the reason given, and allows no other; quick
+     * @param close stops and closes it
+     */
+    record Closing(Supplier<String> name, TimeSource time, Consumer<String> revoke, Runnable close) {}
 
     /**
      * Has something done once all robots are closed, or could not be closed in time. Nothing is done if the program is
@@ -48,7 +61,7 @@ public final class ShutdownHook {
      *
      * @throws BotException if the program is ending; the robot must not be connected then
      */
-    static void add(MajicBot bot) {
+    static void add(Closing bot) {
         synchronized (LOCK) {
             install();
             if (ending) {
@@ -59,7 +72,7 @@ public final class ShutdownHook {
     }
 
     /** Lets go of a robot that is closed. */
-    static void remove(MajicBot bot) {
+    static void remove(Closing bot) {
         synchronized (LOCK) {
             CONNECTED.remove(bot);
             LOCK.notifyAll();
@@ -79,14 +92,14 @@ public final class ShutdownHook {
     }
 
     private static void run() {
-        List<MajicBot> robots = begin();
-        robots.forEach(bot -> bot.revokeForGood(REASON));
-        robots.forEach(bot -> bot.time().aside("closing " + bot.name(), () -> attempt(bot::close)));
+        List<Closing> robots = begin();
+        robots.forEach(bot -> bot.revoke().accept(REASON));
+        robots.forEach(bot -> bot.time().aside("closing " + bot.name().get(), () -> attempt(bot.close())));
         awaitClosed();
         finish();
     }
 
-    private static List<MajicBot> begin() {
+    private static List<Closing> begin() {
         synchronized (LOCK) {
             ending = true;
             return List.copyOf(CONNECTED);
@@ -104,7 +117,7 @@ public final class ShutdownHook {
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }
-            CONNECTED.forEach(bot -> LOG.log(Level.WARNING, bot.name() + " could not be closed in time"));
+            CONNECTED.forEach(bot -> LOG.log(Level.WARNING, bot.name().get() + " could not be closed in time"));
         }
     }
 

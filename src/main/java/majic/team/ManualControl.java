@@ -8,6 +8,7 @@ import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
+import majic.bot.PermittedControl;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
@@ -122,7 +123,7 @@ public final class ManualControl implements AutoCloseable {
 
     /** Ends in a stand however it ends; the lease is gone before, so that nothing more is driven after a stop. */
     private void run() {
-        BotControl robot = member.bot().control(lease);
+        BotControl robot = PermittedControl.of(member.bot(), lease);
         @Nullable BotException problem = null;
         try {
             while (!released) {

@@ -90,7 +90,7 @@ class CalibrateCommandTest {
 
     @Test
     void isWrittenWithItsDirectionAndPerhapsAMeasure() {
-        BotCommand command = Arguments.command(bot, "calibrate");
+        BotCommand command = Arguments.command(bot.name(), bot.commands(), "calibrate");
 
         assertThat(command.usage()).isEqualTo("calibrate DIRECTION [MEASURED]");
         assertThat(command.takes(0)).isFalse();

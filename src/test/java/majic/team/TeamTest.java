@@ -14,6 +14,7 @@ import majic.bot.BotException;
 import majic.bot.FakeBot;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
+import majic.bot.PermittedControl;
 import majic.bot.Value;
 import majic.time.Signal;
 import org.junit.jupiter.api.AfterEach;
@@ -219,7 +220,7 @@ class TeamTest {
     void aRevokedLeaseLeavesItsHolderPowerless() {
         FakeBot bot = join();
         Permit lease = new Permit();
-        BotControl held = team.member(1).bot().control(lease);
+        BotControl held = PermittedControl.of(team.member(1).bot(), lease);
         lease.revoke(() -> new MotionStopped("revoked"));
 
         assertThatThrownBy(() -> held.move(100)).hasMessage("revoked");
@@ -231,7 +232,7 @@ class TeamTest {
     void aLeaseRevokedInAMotionLeavesTheRobotStanding() throws InterruptedException {
         FakeBot bot = join();
         Permit lease = new Permit();
-        BotControl held = bot.control(lease);
+        BotControl held = PermittedControl.of(bot, lease);
         CompletableFuture<Void> move = clock.aside(() -> {
             held.move(3000);
         });

@@ -1,0 +1,42 @@
+package majic.bot;
+
+import majic.time.Signal;
+import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/** What {@link MotionGate} and {@link Motion} use of the robot that they move. */
+interface MovingRobot {
+    String name();
+
+    TimeSource time();
+
+    /** Raised after each new reading, revocation and change of the connection. */
+    Signal changes();
+
+    boolean isConnected();
+
+    /** Throws a {@link BotException} unless the robot is connected. */
+    void requireConnected();
+
+    /** How many readings were taken so far. */
+    long readings();
+
+    /** Counts a reading of another robot that a guard reads as well, and wakes the motion. */
+    void lookAgain();
+
+    void notice(String message);
+
+    void lost(LinkLost cause);
+
+    void driveAt(double mmPerSec, double degPerSec);
+
+    void halt();
+
+    void haltAhead();
+
+    void confirmHalt();
+
+    /** How far the last drive went; null if unknown. */
+    @Nullable
+    Value driven();
+}
