@@ -42,7 +42,7 @@ public record Identity(String version, List<Integer> switches, boolean tellsSpee
     }
 
     /** Whether its running mode may move it without reporting its speeds. */
-    public boolean mayMoveUntold() {
+    public boolean mayMoveUnreported() {
         return !tellsSpeeds && !isRemoteControlled();
     }
 

@@ -85,12 +85,12 @@ final class LinearCamera implements ExtensionModule {
 
     /** The firmware can switch the light but cannot report it. */
     private static void roadNarrowsLamp(ParameterTable table, RobotReadings access, Parameter parameter) {
-        new UntoldSetting()
+        new UnreportedSetting()
                 .describe(
                         table,
                         access,
                         parameter,
-                        wish -> new UntoldSetting.Order(
+                        wish -> new UnreportedSetting.Order(
                                 Question.ask("A,L,L," + (wish.isYes() ? 1 : 0), "a,L,L(,.*)?", Question.msFor(8)),
                                 wish));
     }

@@ -28,7 +28,7 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
     private static final Question ALL =
             Question.ask("A,U,A", "a,U,A(,[0-9A-Fa-f]{4}){" + ECHOES + "}", Question.msFor(5 + 5 * ECHOES));
 
-    private final UntoldSetting range = new UntoldSetting();
+    private final UnreportedSetting range = new UnreportedSetting();
 
     @Override
     public void describe(ParameterTable table, RobotReadings access) {
@@ -47,7 +47,8 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
         range.describe(table, access, Ultrasonic.range().inWholes(), wish -> {
             int mm = (int) wish.number();
             String hex = String.format(Locale.ROOT, "A,U,R,%04X", mm);
-            return new UntoldSetting.Order(Question.ask(hex, "a,U,R(,.*)?", Question.msFor(10)), Value.of(mm, Unit.MM));
+            return new UnreportedSetting.Order(
+                    Question.ask(hex, "a,U,R(,.*)?", Question.msFor(10)), Value.of(mm, Unit.MM));
         });
     }
 

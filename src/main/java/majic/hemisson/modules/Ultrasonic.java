@@ -40,7 +40,7 @@ final class Ultrasonic implements ExtensionModule {
     private static final Question ALL = Bus.read(ADDRESS, ECHOES, 2 * MOST_ECHOES);
 
     private final PingAndListen pingAndListen = new PingAndListen();
-    private final UntoldSetting range = new UntoldSetting();
+    private final UnreportedSetting range = new UnreportedSetting();
 
     /** Pings and reads in turn. While the sensor listens, nothing may ping it again. */
     private static final class PingAndListen implements PolledQuestion {
@@ -95,7 +95,7 @@ final class Ultrasonic implements ExtensionModule {
                 () -> measured(access, ALL, Ultrasonic::echoes));
         range.describe(table, access, range(), wish -> {
             int steps = (int) Math.round(wish.number() / RANGE_STEP_MM) - 1;
-            return new UntoldSetting.Order(
+            return new UnreportedSetting.Order(
                     Bus.write(ADDRESS, ECHOES, steps), Value.of((steps + 1) * RANGE_STEP_MM, Unit.MM));
         });
     }

@@ -11,19 +11,19 @@ import majic.time.TimeSource;
 public final class PoseEstimator {
     private final TimeSource time;
     private final Consumer<BotState> states;
-    private final BooleanSupplier mayMoveUntold;
+    private final BooleanSupplier mayMoveUnreported;
     private volatile PoseEstimate track;
 
     /**
      * Stationary at its start.
      *
      * @param states takes each new estimate; called by any thread, must not wait
-     * @param mayMoveUntold whether the robot may move by itself without a way to ask for its speeds
+     * @param mayMoveUnreported whether the robot may move by itself without a way to ask for its speeds
      */
-    PoseEstimator(TimeSource time, SpeedTable table, Consumer<BotState> states, BooleanSupplier mayMoveUntold) {
+    PoseEstimator(TimeSource time, SpeedTable table, Consumer<BotState> states, BooleanSupplier mayMoveUnreported) {
         this.time = time;
         this.states = states;
-        this.mayMoveUntold = mayMoveUntold;
+        this.mayMoveUnreported = mayMoveUnreported;
         this.track = PoseEstimate.standing(Pose.START, time.nanos(), table);
     }
 
@@ -50,7 +50,7 @@ public final class PoseEstimator {
 
     /** Publishes where the robot should be now. */
     void publish() {
-        boolean moving = !track.wheels().isStill() || mayMoveUntold.getAsBoolean();
+        boolean moving = !track.wheels().isStill() || mayMoveUnreported.getAsBoolean();
         states.accept(track.state(time.nanos(), moving));
     }
 }

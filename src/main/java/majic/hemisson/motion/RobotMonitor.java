@@ -75,7 +75,7 @@ public final class RobotMonitor implements ConversationListener {
         this.owner = owner;
         this.time = time;
         this.changes = changes;
-        this.reckoning = new PoseEstimator(time, table, owner::publish, () -> identity.mayMoveUntold());
+        this.reckoning = new PoseEstimator(time, table, owner::publish, () -> identity.mayMoveUnreported());
         this.loss = new ConnectionLoss(owner::lose, owner::say);
         this.motion = new MotionWatch(time.nanos());
     }

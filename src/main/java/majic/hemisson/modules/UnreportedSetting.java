@@ -8,7 +8,7 @@ import majic.hemisson.line.Question;
 import majic.hemisson.readings.RobotReadings;
 
 /** A setting of a module that the robot accepts but never reports; holds the value sent last. Thread-safe. */
-final class UntoldSetting {
+final class UnreportedSetting {
     private volatile Value value = Value.unknown("not set since it was connected");
 
     /** What is sent for a value, and the value that results. Immutable. */
