@@ -57,7 +57,7 @@ class AiboDriveTest {
     }
 
     @Test
-    void aDriveDoesNotSwitchMotorsOnAgainThatSomebodySwitchedOff() {
+    void aDriveDoesNotSwitchMotorsOnAgainThatWereSwitchedOff() {
         dogs.aibo.drive(60, 0);
         dogs.dog.awaitReceived("robot.walk(");
         dogs.dog.set("legLF1.load", "0.000000");

@@ -61,7 +61,7 @@ class ConnectingTest {
     @EnumSource(
             value = ScriptedDog.Trouble.class,
             names = {"GARBAGE_FIRST", "SAYS_ALL_IN_SINGLE_BYTES"})
-    void noiseAroundTheBannerKeepsNobodyFromConnecting(ScriptedDog.Trouble trouble) {
+    void noiseAroundTheBannerDoesNotPreventConnecting(ScriptedDog.Trouble trouble) {
         dog.trouble(1, trouble);
 
         aibo.connect();

@@ -73,7 +73,7 @@ class LostDogTest {
     }
 
     @Test
-    void whoWantsSomethingOfADogThatIsGoneHearsHowItWasLost() {
+    void aCommandToALostDogFailsWithTheCauseOfTheLoss() {
         dogs.dog.hangUp(MOTION);
         dogs.until(() -> !dogs.aibo.isConnected());
 

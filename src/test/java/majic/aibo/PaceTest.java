@@ -95,7 +95,7 @@ class PaceTest {
     }
 
     @Test
-    void aDogThatNobodyWalkedKeepsItsPace() {
+    void aDogThatDidNotWalkKeepsItsPace() {
         aibo.close();
 
         assertThat(dog.received("speed =")).isEmpty();

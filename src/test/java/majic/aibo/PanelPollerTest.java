@@ -54,7 +54,7 @@ class PanelPollerTest implements PanelPoller.Audience {
     }
 
     @Test
-    void nothingIsAskedForBeforeSomebodyLooks() {
+    void nothingIsPolledBeforeThePanelIsShown() {
         aibo.connect();
         awaitReadings();
 
@@ -63,7 +63,7 @@ class PanelPollerTest implements PanelPoller.Audience {
     }
 
     @Test
-    void picturesAndLampsComeWhileSomebodyLooks() {
+    void picturesAndLedsArePolledWhileThePanelIsShown() {
         aibo.connect();
         poller.look(true);
 
@@ -77,7 +77,7 @@ class PanelPollerTest implements PanelPoller.Audience {
     }
 
     @Test
-    void onceNobodyLooksNothingMoreIsAskedFor() {
+    void nothingIsPolledOnceThePanelIsHidden() {
         aibo.connect();
         poller.look(true);
         next(seen);

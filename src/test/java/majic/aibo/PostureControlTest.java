@@ -51,7 +51,7 @@ class PostureControlTest {
     }
 
     @Test
-    void motorsStayOnWhenTheDogCannotLieDownUntilSomebodyAsksAgain() {
+    void motorsStayOnWhenTheDogCannotLieDownUntilASecondRequest() {
         dogs.dog.knowsNo = "robot.lay";
 
         assertThatThrownBy(() -> motorsOff())

@@ -64,7 +64,7 @@ public final class ScriptedDog implements AutoCloseable {
     /** How much later than it came every command is carried out. */
     volatile long heedlessnessMs;
 
-    /** What its guard goes by; for as long as nobody sets it, there is nothing to guard. */
+    /** What its guard goes by; until it is set, there is nothing to guard. */
     volatile double aliveMs = Double.MAX_VALUE;
 
     /** How often its guard has ended a walk. */

@@ -103,7 +103,7 @@ final class ScriptedLine {
                 closed.await();
             }
         } catch (InterruptedException e) {
-            throw new IllegalStateException("nobody interrupts a scripted dog", e);
+            throw new IllegalStateException("a scripted dog is never interrupted", e);
         }
     }
 

@@ -62,7 +62,7 @@ class WireTest {
     }
 
     @Test
-    void whoMayNotWaitIsToldWhatTheDogReportsAnyway() {
+    void aThreadThatMayNotWaitGetsTheReportedValue() {
         dogs.aibo.connect();
         dogs.dog.set("ledF3.val", "0.250000");
 

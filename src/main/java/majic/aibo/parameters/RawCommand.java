@@ -14,8 +14,8 @@ import majic.bot.MotionFailed;
 import majic.bot.Parameter;
 
 /**
- * Passes a command to the dog as it was typed, for what there is no other word for. It may move the dog, so it belongs to
- * whoever moves it. It runs as a block with a tag, so that its end is reported and a stop ends everything it does.
+ * Passes a command to the dog as it was typed, for what there is no other word for. It may move the dog, so only
+ * its owner may send it. It runs as a block with a tag, so that its end is reported and a stop ends everything it does.
  */
 public final class RawCommand {
     private static final double LONGEST_S = 30;

@@ -4,7 +4,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What never reaches a dog, whoever asks for it, for it makes the server unusable, ends what other programs run, or
+ * Refuses what must never reach a dog, from any source, for it makes the server unusable, ends what other programs run, or
  * takes a joint from its motor (URBI sheet 5, 9, 19 "Never send").
  */
 final class CommandFilter {

@@ -53,7 +53,7 @@ class PendingRequestsTest {
     @ValueSource(
             strings = {"CPU Overload", "Out of memory", "Memory overflow warning", "Send buffer full", "21 is no place"
             })
-    void theServersOwnTroublesAnswerNobody(String trouble) {
+    void theServersOwnTroublesAnswerNoRequest(String trouble) {
         hear("error", new UrbiMessage.Failure(trouble), UrbiVersion.V1_0);
         hear("warning", new UrbiMessage.Failure(trouble), UrbiVersion.V1_0);
         hear("power", new UrbiMessage.Info("Battery at 87 %"), UrbiVersion.V1_0);
