@@ -29,20 +29,20 @@ class ArchitectureTest {
      * share a driver's mistakes.
      */
     private static final Map<String, Set<String>> MAY_USE = table("""
-            majic.bot                 : majic.time
+            majic.bot                 : majic.time majic.text
             majic.link                :
             majic.driver              : majic.bot majic.link majic.time
             majic.panel               : majic.bot
             majic.panel.map           : majic.bot majic.panel
-            majic.aibo                : majic.bot majic.link majic.time majic.aibo.body majic.aibo.panel \
+            majic.aibo                : majic.bot majic.driver majic.link majic.time majic.aibo.body majic.aibo.panel \
                                         majic.aibo.parameters majic.aibo.session majic.aibo.sound majic.aibo.urbi
             majic.aibo.urbi           : majic.bot majic.driver majic.link majic.time
             majic.aibo.body           : majic.bot majic.aibo.urbi
-            majic.aibo.session        : majic.bot majic.link majic.time majic.aibo.body majic.aibo.urbi
-            majic.aibo.sound          : majic.bot majic.time majic.aibo.session majic.aibo.urbi
+            majic.aibo.session        : majic.bot majic.driver majic.link majic.time majic.aibo.body majic.aibo.urbi
+            majic.aibo.sound          : majic.bot majic.time majic.aibo.session majic.aibo.urbi majic.text
             majic.aibo.parameters     : majic.bot majic.driver majic.time majic.aibo.body majic.aibo.session \
                                         majic.aibo.sound majic.aibo.urbi
-            majic.aibo.panel          : majic.bot majic.panel majic.team majic.time majic.aibo.body majic.aibo.urbi
+            majic.aibo.panel          : majic.bot majic.time majic.team majic.panel majic.aibo.body majic.aibo.urbi
             majic.pioneer             : majic.bot majic.link majic.time majic.pioneer.arcos majic.pioneer.panel \
                                         majic.pioneer.parameters majic.pioneer.session majic.pioneer.state
             majic.pioneer.arcos       :
@@ -52,35 +52,36 @@ class ArchitectureTest {
             majic.pioneer.parameters  : majic.bot majic.driver majic.time majic.pioneer.arcos majic.pioneer.session \
                                         majic.pioneer.state
             majic.pioneer.panel       : majic.bot majic.panel majic.panel.map majic.pioneer.arcos majic.pioneer.state
-            majic.hemisson            : majic.bot majic.time majic.hemisson.line majic.hemisson.modules \
+            majic.hemisson            : majic.bot majic.driver majic.time majic.hemisson.line majic.hemisson.modules \
                                         majic.hemisson.motion majic.hemisson.panel majic.hemisson.parameters \
                                         majic.hemisson.readings
             majic.hemisson.line       : majic.bot majic.driver majic.link majic.time
             majic.hemisson.readings   : majic.bot majic.time majic.hemisson.line
-            majic.hemisson.motion     : majic.bot majic.time majic.hemisson.line majic.hemisson.readings
+            majic.hemisson.motion     : majic.bot majic.driver majic.time majic.hemisson.line majic.hemisson.readings
             majic.hemisson.modules    : majic.bot majic.time majic.hemisson.line majic.hemisson.readings
             majic.hemisson.parameters : majic.bot majic.hemisson.line majic.hemisson.modules majic.hemisson.motion \
                                         majic.hemisson.readings
             majic.hemisson.panel      : majic.bot majic.panel majic.panel.map majic.hemisson.line \
                                         majic.hemisson.readings
-            majic.act                 : majic.bot majic.time majic.team
-            majic.log                 : majic.bot majic.time majic.team
-            majic.script              : majic.bot majic.time majic.lab majic.team majic.act majic.act.file majic.log \
+            majic.act                 : majic.bot majic.time majic.team majic.text
+            majic.log                 : majic.bot majic.time majic.team majic.text
+            majic.script              : majic.bot majic.time majic.team majic.act majic.log majic.act.file \
                                         majic.script.actions majic.script.acts majic.script.conditions \
                                         majic.script.help majic.script.lines majic.script.record majic.script.run \
-                                        majic.script.syntax
+                                        majic.script.syntax majic.text
             majic.script.lines        : majic.bot majic.time majic.team majic.log majic.script.conditions \
                                         majic.script.run majic.script.syntax
             majic.script.actions      : majic.bot majic.time majic.lab majic.team majic.log majic.script.conditions \
-                                        majic.script.help majic.script.record majic.script.run majic.script.syntax
+                                        majic.script.help majic.script.record majic.script.run majic.script.syntax \
+                                        majic.text
             majic.script.acts         : majic.bot majic.team majic.act majic.script.conditions majic.script.record \
                                         majic.script.run majic.script.syntax
             majic.script.run          : majic.bot majic.time majic.team majic.act majic.log majic.script.conditions \
-                                        majic.script.record majic.script.syntax
+                                        majic.script.record majic.script.syntax majic.text
             majic.script.conditions   : majic.bot majic.team majic.script.syntax
             majic.script.record       : majic.time majic.team
-            majic.script.help         : majic.bot majic.lab majic.team majic.script.syntax
-            majic.script.syntax       : majic.bot
+            majic.script.help         : majic.bot majic.lab majic.team majic.script.syntax majic.text
+            majic.script.syntax       : majic.bot majic.text
             majic.gui                 : majic.bot majic.lab majic.team majic.log majic.panel.map majic.script \
                                         majic.gui.acts majic.gui.add majic.gui.bots majic.gui.command majic.gui.kit \
                                         majic.gui.map
@@ -88,18 +89,16 @@ class ArchitectureTest {
             majicsim.net              : majicsim.world
             majicsim.aibo             : majicsim.aibo.urbi majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
                                         majicsim.aibo.urbi.value majicsim.net majicsim.world
-            majicsim.aibo.urbi        : majicsim.aibo.urbi.command majicsim.aibo.urbi.memory \
-                                        majicsim.aibo.urbi.run majicsim.aibo.urbi.syntax \
-                                        majicsim.aibo.urbi.value majicsim.net majicsim.world
-            majicsim.aibo.urbi.command: majicsim.aibo.urbi.assign majicsim.aibo.urbi.flow \
-                                        majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
-                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
-            majicsim.aibo.urbi.flow   : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
-                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
-            majicsim.aibo.urbi.assign : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
-                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
-            majicsim.aibo.urbi.run    : majicsim.aibo.urbi.memory majicsim.aibo.urbi.syntax \
+            majicsim.aibo.urbi        : majicsim.aibo.urbi.command majicsim.aibo.urbi.memory majicsim.aibo.urbi.run \
+                                        majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value majicsim.net \
+                                        majicsim.world
+            majicsim.aibo.urbi.command : majicsim.aibo.urbi.assign majicsim.aibo.urbi.flow majicsim.aibo.urbi.memory \
+                                        majicsim.aibo.urbi.run majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
+            majicsim.aibo.urbi.flow   : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run majicsim.aibo.urbi.syntax \
                                         majicsim.aibo.urbi.value
+            majicsim.aibo.urbi.assign : majicsim.aibo.urbi.memory majicsim.aibo.urbi.run majicsim.aibo.urbi.syntax \
+                                        majicsim.aibo.urbi.value
+            majicsim.aibo.urbi.run    : majicsim.aibo.urbi.memory majicsim.aibo.urbi.syntax majicsim.aibo.urbi.value
             majicsim.aibo.urbi.memory : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.syntax : majicsim.aibo.urbi.value
             majicsim.aibo.urbi.value  :
@@ -118,7 +117,7 @@ class ArchitectureTest {
             majicsim.pioneer.ranging  : majicsim.pioneer.model majicsim.world
             majicsim.pioneer.devices  : majicsim.pioneer.model majicsim.pioneer.packet majicsim.world
             majicsim.pioneer.motion   : majicsim.pioneer.model majicsim.world
-            majicsim.pioneer.model    : majicsim.pioneer.report
+            majicsim.pioneer.model    :
             majicsim.pioneer.packet   :
             majicsim.hemisson         : majicsim.hemisson.behaviour majicsim.hemisson.board \
                                         majicsim.hemisson.firmware majicsim.hemisson.modules \
@@ -135,22 +134,24 @@ class ArchitectureTest {
             majic.console             : majic.bot majic.act majic.log majic.script majic.act.file majic.program
             majic.lab                 : majic.bot majic.time
             majic.program             : majic.bot majic.link majic.time majic.team majic.log majic.script \
-                                        majic.act.file majic.gui majic.gui.kit majic.server majic.simulation majicsim
+                                        majic.act.file majic.gui majic.gui.kit majic.server majic.simulation \
+                                        majic.text majicsim
             majic.server              : majic.log majic.script
             majic.simulation          : majic.bot majic.link majic.time majic.lab majicsim majicsim.net \
                                         majicsim.world
-            majic.team                : majic.bot majic.time majic.lab
+            majic.team                : majic.bot majic.time majic.lab majic.text
             majic.time                :
-            majic.act.file            : majic.bot majic.act
+            majic.act.file            : majic.bot majic.act majic.text
             majic.act.make            : majic.act majic.act.file
             majic.gui.acts            : majic.bot majic.time majic.team majic.act majic.script majic.act.file \
-                                        majic.act.make majic.gui.kit
-            majic.gui.add             : majic.bot majic.lab majic.team majic.script majic.gui.kit
+                                        majic.act.make majic.gui.kit majic.text
+            majic.gui.add             : majic.bot majic.lab majic.team majic.script majic.gui.kit majic.text
             majic.gui.bots            : majic.bot majic.team majic.gui.acts majic.gui.drive majic.gui.kit
             majic.gui.command         : majic.log majic.script majic.gui.kit
             majic.gui.drive           : majic.bot majic.team
             majic.gui.kit             : majic.bot majic.team majic.panel
             majic.gui.map             : majic.bot majic.lab majic.team majic.panel majic.panel.map majic.gui.kit
+            majic.text                :
             """);
 
     private static Map<String, Set<String>> table(String rows) {

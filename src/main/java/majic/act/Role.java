@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import majic.bot.BotCommand;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
-import majic.bot.Suggestion;
+import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /**

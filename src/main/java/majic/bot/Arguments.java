@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.IntFunction;
+import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /** Checks what is handed to {@code set} and to a robot's own commands, before anything is sent. */

@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.util.List;
+import majic.text.Advice;
 
 /**
  * A make of robot: how it is called, how it is reached, how its driver is made. Implementations are named in

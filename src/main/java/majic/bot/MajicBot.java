@@ -6,6 +6,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
 import javax.swing.JComponent;
+import majic.text.Suggestion;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -345,6 +346,12 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         return Optional.ofNullable(place);
     }
 
+    /**
+     * Takes the place in a team. Called by the team once, before the robot is told anything else.
+     *
+     * @param newPlace the place
+     * @param newName how messages call the robot from then on
+     */
     public final void join(TeamPlace newPlace, String newName) {
         place = newPlace;
         name = newName;
@@ -642,6 +649,11 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         return gate.isBusy();
     }
 
+    /**
+     * The permission to move that is in force.
+     *
+     * @return revoked by the next stop or the loss of the connection
+     */
     public final Permit permit() {
         return gate.permits().current();
     }
@@ -652,11 +664,16 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         changes.raise();
     }
 
+    /** Allows motion again after {@link #latch()}. */
     public final void unlatch() {
         gate.permits().unlatch();
     }
 
-    /** How the connection was lost; empty also after an attempt to connect that came to nothing. */
+    /**
+     * How the connection was lost.
+     *
+     * @return one sentence; empty while there is a connection, and after an attempt to connect that failed
+     */
     public final Optional<String> lostReason() {
         return Optional.ofNullable(life.lostBecause()).map(LinkLost::getMessage);
     }

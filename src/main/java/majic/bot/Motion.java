@@ -84,7 +84,7 @@ public final class Motion {
     }
 
     /** Says something to the person, in the robot's name. */
-    void say(String message) {
+    public void say(String message) {
         bot.notice(message);
     }
 

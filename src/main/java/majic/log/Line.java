@@ -1,5 +1,6 @@
 package majic.log;
 
+import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**

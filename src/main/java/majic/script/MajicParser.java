@@ -8,7 +8,6 @@ import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.log.Line;
-import majic.log.VisibleText;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.PreparedLine;
 import majic.script.lines.Source;
@@ -23,6 +22,7 @@ import majic.script.syntax.ScriptException;
 import majic.script.syntax.ScriptText;
 import majic.script.syntax.Statement;
 import majic.script.syntax.TypedBlock;
+import majic.text.VisibleText;
 
 /**
  * Takes lines of MAJIC Script, checks them and hands them to the robots they are for. Each place where lines come from

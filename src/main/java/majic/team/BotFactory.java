@@ -13,8 +13,8 @@ import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
-import majic.bot.Suggestion;
 import majic.lab.LabAccess;
+import majic.text.Suggestion;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 

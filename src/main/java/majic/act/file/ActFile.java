@@ -14,7 +14,7 @@ import majic.act.MajicAct;
 import majic.act.Printable;
 import majic.act.RegularFile;
 import majic.act.Role;
-import majic.bot.IoReason;
+import majic.text.IoReason;
 
 /**
  * A behaviour in a file: a jar with the act's classes, the saved act and a manifest, or the object stream of an act

@@ -13,8 +13,8 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import majic.bot.BotException;
-import majic.bot.IoReason;
-import majic.bot.Suggestion;
+import majic.text.IoReason;
+import majic.text.Suggestion;
 
 /**
  * Where behaviours are found by name: those that come with MAJIC, those in the user's own folder, and any file.

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.act.ActException;
-import majic.bot.IoReason;
+import majic.text.IoReason;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -8,7 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import majic.bot.BotException;
-import majic.bot.IoReason;
+import majic.text.IoReason;
 
 /** A file on this computer that a command names, from the folder that MAJIC runs in unless it says otherwise. */
 record LocalFile(String name, Path path) {

@@ -8,8 +8,8 @@ import majic.act.ActDetails;
 import majic.act.file.Acts;
 import majic.act.make.ActMaker;
 import majic.bot.BotException;
-import majic.bot.IoReason;
 import majic.script.ScriptAct;
+import majic.text.IoReason;
 
 /** What an act's file can be made of: compiled classes, a jar, a source file, or a script. Its methods may wait. */
 final class ActSource {

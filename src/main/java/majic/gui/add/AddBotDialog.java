@@ -11,13 +11,13 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.Timer;
-import majic.bot.Advice;
 import majic.bot.BotException;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.Surroundings;
 import majic.script.Session;
 import majic.team.Member;
+import majic.text.Advice;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 

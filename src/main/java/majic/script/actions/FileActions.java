@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.bot.BotException;
-import majic.bot.IoReason;
 import majic.log.ParameterLog;
 import majic.script.record.SessionRecord;
 import majic.script.run.Execution;
@@ -16,6 +15,7 @@ import majic.script.run.Trait;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
+import majic.text.IoReason;
 
 /** The commands that read or write files. */
 final class FileActions {

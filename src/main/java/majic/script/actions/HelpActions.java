@@ -2,7 +2,6 @@ package majic.script.actions;
 
 import java.util.List;
 import java.util.Locale;
-import majic.bot.Suggestion;
 import majic.script.help.Help;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
@@ -17,6 +16,7 @@ import majic.script.syntax.Token;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /** The commands that describe commands, and the one that ends MAJIC. */

@@ -14,13 +14,13 @@ import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
 import majic.bot.Range;
-import majic.bot.Suggestion;
 import majic.bot.Unit;
 import majic.script.syntax.CommandParser;
 import majic.script.syntax.Token;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /** The answers to {@code help}, for a robot and for the language. */

@@ -10,7 +10,6 @@ import java.util.List;
 import majic.act.RegularFile;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.bot.IoReason;
 import majic.log.Line;
 import majic.script.record.SessionRecord;
 import majic.script.syntax.Mistake;
@@ -18,6 +17,7 @@ import majic.script.syntax.ScriptText;
 import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.BotFactory;
+import majic.text.IoReason;
 
 /**
  * Runs scripts from files. A file is read whole and checked before anything of it runs.

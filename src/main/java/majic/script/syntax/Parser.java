@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.TreeSet;
 import java.util.function.Supplier;
-import majic.bot.Suggestion;
 import majic.script.syntax.Token.Kind;
+import majic.text.Suggestion;
 
 /**
  * Makes a tree out of tokens: scripts, blocks and lines. After a mistake it goes on with the next line, so that all are

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.text;
 
 import java.util.Collection;
 import java.util.Comparator;

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.List;
 import java.util.Locale;
@@ -7,6 +7,14 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.DoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import majic.bot.BotCommand;
+import majic.bot.BotException;
+import majic.bot.Motion;
+import majic.bot.MotionStopped;
+import majic.bot.Parameter;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
 
 /**
  * The command by which a person with a ruler teaches a robot its own pace: {@code calibrate forward} moves it and says

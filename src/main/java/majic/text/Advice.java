@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.text;
 
 /** Puts what went wrong and what to try into one text. */
 public final class Advice {

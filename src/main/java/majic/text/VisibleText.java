@@ -1,4 +1,4 @@
-package majic.log;
+package majic.text;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;

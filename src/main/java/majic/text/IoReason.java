@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.text;
 
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
