@@ -9,8 +9,8 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * The row of buttons at the top, with STOP at its end, which is never clipped however narrow the window. Where there is no
- * room for all words, the buttons show their pictures alone.
+ * Places the row of buttons at the top, with STOP at its end. STOP is never clipped, however narrow the window is.
+ * Where there is too little room for all texts, the buttons show their icons alone.
  */
 final class ButtonPane extends JPanel {
     private static final long serialVersionUID = 1L;

@@ -8,7 +8,7 @@ import javax.swing.Icon;
 import javax.swing.KeyStroke;
 import majic.gui.kit.Pictures;
 
-/** Something the window can do, from which both its button and its menu entry are made. */
+/** An action of the window; its button and its menu entry are both made from it. */
 final class FrameAction extends AbstractAction {
     private static final long serialVersionUID = 1L;
     private static final int LARGE_ICON = 22;
@@ -16,10 +16,10 @@ final class FrameAction extends AbstractAction {
     private final transient Runnable action;
 
     /**
-     * An action without a key.
+     * Creates an action without a key.
      *
-     * @param icon name of one of our pictures, without {@code .svg}
-     * @param tip one line for people
+     * @param icon name of one of MAJIC's icons, without {@code .svg}
+     * @param tip tool tip, one line
      */
     FrameAction(String name, String icon, String tip, Runnable action) {
         super(name);
@@ -28,14 +28,14 @@ final class FrameAction extends AbstractAction {
         putValue(LARGE_ICON_KEY, Pictures.later(icon, LARGE_ICON));
     }
 
-    /** Gives the action a key, together with Ctrl (Cmd on a Mac). */
+    /** Sets the action's key, which is pressed together with Ctrl (Cmd on a Mac). */
     FrameAction withKey(int keyCode) {
         int menuKey = Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx();
         putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(keyCode, menuKey));
         return this;
     }
 
-    /** Reads the picture; may wait. */
+    /** Reads the icon from its file; may block. */
     void readPicture() {
         Pictures.read((Icon) getValue(LARGE_ICON_KEY));
     }

@@ -3,7 +3,7 @@ package majic.gui;
 import java.awt.event.KeyEvent;
 import java.util.List;
 
-/** All that the window's buttons and menus can do. */
+/** Holds the actions of the window's buttons and menus. */
 final class FrameActions {
     final FrameAction addBot;
     final FrameAction killBot;
@@ -31,7 +31,7 @@ final class FrameActions {
                 .withKey(KeyEvent.VK_Q);
     }
 
-    /** In the order of the buttons. */
+    /** Returns the actions of the buttons, in the order of the buttons. */
     List<FrameAction> buttons() {
         return List.of(addBot, killBot, loadAct, help, saveSession, saveLog, killMajic);
     }

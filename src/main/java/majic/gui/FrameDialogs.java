@@ -19,7 +19,7 @@ import majic.gui.kit.Voice;
 import majic.script.Session;
 import majic.team.Member;
 
-/** Opens the window's dialogs, each when it is first wanted and none of them twice at a time. */
+/** Opens the window's dialogs; creates each at its first use and never shows one of them twice at a time. */
 final class FrameDialogs {
     private final MajicFrame frame;
     private final Session session;
@@ -64,7 +64,9 @@ final class FrameDialogs {
         ChooseFile.toSave(frame, "Save Log", "log.csv", file -> say("save log ", file));
     }
 
-    /** The script language has no way to write a quotation mark inside a name. */
+    /**
+     * Submits a command with a file name, unless the name has a quotation mark, which the script language cannot write.
+     */
     private void say(String command, Path file) {
         if (file.toString().contains("\"")) {
             frame.complain(file + ": a file whose name has a quotation mark in it cannot be used here");

@@ -23,7 +23,7 @@ final class FrameMenu extends JMenuBar {
         add(menu("Help", 'H', actions.help));
     }
 
-    /** A menu of some actions; null makes a line between them. */
+    /** Creates a menu of the given actions; null stands for a separator. */
     private static JMenu menu(String name, char mnemonic, @Nullable Action... actions) {
         JMenu menu = new JMenu(name);
         menu.setMnemonic(mnemonic);

@@ -14,7 +14,7 @@ import majic.gui.kit.MemberChoice;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
-/** The commands, the parameters of each robot, and the keys. */
+/** Shows the commands, the parameters of each robot, and the keys. */
 final class HelpDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
     private static final int TABLE_WIDTH = 820;

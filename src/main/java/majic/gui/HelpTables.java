@@ -14,11 +14,11 @@ import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
 import majic.team.Member;
 
-/** What the help shows, as tables. */
+/** Creates the tables that the help shows. */
 final class HelpTables {
     private HelpTables() {}
 
-    /** The two-column table in one of our text files, columns parted by a tab. */
+    /** Reads a two-column table from a text resource whose columns are separated by a tab. */
     static TableModel file(String name, String left, String right) {
         Table table = new Table(left, right);
         try (InputStream in = HelpTables.class.getResourceAsStream(name + ".tsv");
@@ -31,7 +31,7 @@ final class HelpTables {
         return table;
     }
 
-    /** What can be read and set on a robot, and the commands that only it has. */
+    /** Lists the parameters that can be read and set on a robot, and the commands that only this robot has. */
     static TableModel of(Member member) {
         Table table = new Table("Name", "Values", "Access", "Meaning");
         for (ParameterGroup group : ParameterGroup.of(member.bot().parameters())) {
@@ -64,7 +64,7 @@ final class HelpTables {
         return parameter.readable() ? "get, " + set : set;
     }
 
-    /** A table nobody edits. */
+    /** A table model that cannot be edited. */
     private static final class Table extends DefaultTableModel {
         private static final long serialVersionUID = 1L;
 

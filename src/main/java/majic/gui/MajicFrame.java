@@ -33,8 +33,8 @@ import majic.script.Session;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * The main window: buttons and STOP above, team map beside the robots' tabs, messages and command line below. It places
- * its parts and hands on to the team and the parser. To be used on the event dispatch thread.
+ * The main window: buttons and STOP above, team map beside the robots' tabs, messages and command line below. Places
+ * its parts, and passes commands on to the team and the parser. Must be used on the event dispatch thread.
  */
 public final class MajicFrame extends JFrame {
     private static final long serialVersionUID = 1L;
@@ -53,10 +53,10 @@ public final class MajicFrame extends JFrame {
     private boolean quitting;
 
     /**
-     * The window, not yet visible.
+     * Creates the window, not yet visible.
      *
-     * @param session what it shows
-     * @param parser takes the lines typed here; for a person
+     * @param session the session that it shows
+     * @param parser parses the lines typed here; interactive
      * @param surroundings what the program provides
      */
     public MajicFrame(Session session, MajicParser parser, Surroundings surroundings) {
@@ -74,9 +74,9 @@ public final class MajicFrame extends JFrame {
     }
 
     /**
-     * Takes the look the person chose last; to be called before the window is made.
+     * Installs the look and feel that was chosen last; must be called before the window is created.
      *
-     * @param settings what is remembered
+     * @param settings the stored settings
      */
     public static void installLook(Settings settings) {
         Looks.install(settings);
@@ -133,18 +133,18 @@ public final class MajicFrame extends JFrame {
         dialogs.addBot();
     }
 
-    /** Opens the dialog that lets a robot go (thesis, contract C4); says so if there is none. */
+    /** Opens the dialog that removes a robot (thesis, contract C4); shows a message if there is none. */
     public void removeBot() {
         dialogs.removeBot();
     }
 
-    /** Opens the dialogs that give a robot a behaviour (thesis, contract C5); says so if there is no robot. */
+    /** Opens the dialogs that load an act onto a robot (thesis, contract C5); shows a message if there is no robot. */
     public void loadAct() {
         dialogs.loadAct();
     }
 
     /**
-     * A robot by its number.
+     * Returns a robot by its number.
      *
      * @param number its number
      * @return its driver
@@ -155,7 +155,7 @@ public final class MajicFrame extends JFrame {
     }
 
     /**
-     * How many robots there are.
+     * Returns the number of robots.
      *
      * @return 0 to the size of the team
      */
@@ -163,7 +163,7 @@ public final class MajicFrame extends JFrame {
         return session.team().members().size();
     }
 
-    /** Ends the program, in the background; a second call does nothing. */
+    /** Ends the program, in the background; has no effect when called again. */
     public void quit() {
         if (!quitting) {
             quitting = true;
@@ -172,7 +172,7 @@ public final class MajicFrame extends JFrame {
         }
     }
 
-    /** Stops listening and frees the window; does not touch the robots. */
+    /** Removes the listeners and releases the window; does not affect the robots. */
     @Override
     public void dispose() {
         stopKeys.close();
@@ -203,7 +203,7 @@ public final class MajicFrame extends JFrame {
         Looks.change(dark, surroundings.settings());
     }
 
-    /** Ends the behaviour of the robot whose tab is in front; says so if there is none. */
+    /** Ends the act of the robot whose tab is selected; shows a message if none runs. */
     void endAct() {
         tabs.selected()
                 .ifPresentOrElse(
@@ -211,7 +211,7 @@ public final class MajicFrame extends JFrame {
                         () -> complain("There are no robots yet; Add Bot connects one."));
     }
 
-    /** Gives a line as if it had been typed; what becomes of it is shown among the messages. */
+    /** Submits a line as if it had been typed; its result is shown among the messages. */
     void say(String line) {
         parser.parseText(line);
     }
@@ -225,13 +225,13 @@ public final class MajicFrame extends JFrame {
         }
     }
 
-    /** Tells the person something that the session does not know; callable from any thread. */
+    /** Shows a message that does not come from the session; callable from any thread. */
     void complain(String sentence) {
         session.log().write("error", sentence);
         commands.messages().line(new Line(Line.Kind.ERROR, sentence));
     }
 
-    /** What parts of the window say. */
+    /** Passes on the lines and messages of the window's parts. */
     private final class Spoken implements Voice {
         @Override
         public void say(String lines) {
@@ -244,7 +244,7 @@ public final class MajicFrame extends JFrame {
         }
     }
 
-    /** The focus is on the command line from the start, and comes back there when its place is gone. */
+    /** Gives the command line the focus at the start, and again when the component that had it is removed. */
     private final class CommandsFirst extends LayoutFocusTraversalPolicy {
         private static final long serialVersionUID = 1L;
 

@@ -5,8 +5,8 @@ import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 
 /**
- * Makes Esc and F12 stop all robots in every window and dialog, whatever has the focus. The keys keep their other
- * meanings, such as closing a menu: a stop too many costs a click, a stop too few a robot.
+ * Makes Esc and F12 stop all robots in every window and dialog, whatever component has the focus. The keys keep their
+ * other functions, such as closing a menu: an unnecessary stop costs a click, a missed stop can cost a robot.
  */
 final class StopKeys implements KeyEventDispatcher, AutoCloseable {
     private final Runnable stopAll;

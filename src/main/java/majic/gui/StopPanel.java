@@ -8,7 +8,7 @@ import majic.team.Team;
 import majic.team.TeamListener;
 import net.miginfocom.swing.MigLayout;
 
-/** The large red STOP for all robots, and beside it the button that allows motion again. */
+/** Shows the large red STOP for all robots, and beside it the button that permits motion again. */
 final class StopPanel extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
     private static final Color RED = new Color(0xC62828);
@@ -43,7 +43,7 @@ final class StopPanel extends JPanel implements TeamListener {
         showLatch();
     }
 
-    /** Events may come late, so the panel shows what the team says now. */
+    /** Shows the team's present state rather than the event's, because events may arrive late. */
     @Override
     public void latchChanged(boolean then) {
         showLatch();

@@ -20,7 +20,7 @@ import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
-/** The behaviour that runs on a robot: its name, its time, what it said last, and the button that ends it. */
+/** Shows the act that runs on a robot: its name, its time, its last message, and the button that ends it. */
 public final class ActBar extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int TICK_MS = 200;
@@ -35,7 +35,7 @@ public final class ActBar extends JPanel {
     private long beganNanos;
 
     /**
-     * A bar that is not to be seen until an act runs.
+     * Creates a bar that is invisible until an act runs.
      *
      * @param end ends the act
      */
@@ -60,7 +60,7 @@ public final class ActBar extends JPanel {
         setVisible(false);
     }
 
-    /** Shows what runs now. */
+    /** Shows the act that runs now. */
     public void update() {
         Owner owner = member.owner();
         if (owner == null || !BotStatus.isInAct(member)) {
@@ -86,7 +86,7 @@ public final class ActBar extends JPanel {
         setVisible(true);
     }
 
-    /** Minutes and seconds: {@code 02:05}. */
+    /** Formats a time as minutes and seconds: {@code 02:05}. */
     static String clock(double seconds) {
         long whole = (long) seconds;
         long minutes = TimeUnit.SECONDS.toMinutes(whole);
@@ -99,7 +99,7 @@ public final class ActBar extends JPanel {
         super.removeNotify();
     }
 
-    /** A tinted plate, so that one sees from afar that something runs. */
+    /** Paints a tinted background, so that a running act is visible from a distance. */
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();

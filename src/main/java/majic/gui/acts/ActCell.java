@@ -6,7 +6,7 @@ import javax.swing.JList;
 import majic.gui.kit.Palette;
 import majic.team.Member;
 
-/** Shows a behaviour in a list; pale if the robot cannot run it. Its name is never taken for HTML. */
+/** Shows an act in a list; pale if the robot cannot run it. Its name is never interpreted as HTML. */
 final class ActCell extends DefaultListCellRenderer {
     private static final long serialVersionUID = 1L;
 

@@ -12,14 +12,14 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A behaviour in a list to choose from.
+ * An act in a list to choose from.
  *
- * @param name what the list calls it
- * @param offer the behaviour; null if it cannot be one
- * @param note whether there is code in it and who vouches for it, or what is wrong with the file
+ * @param name the name shown in the list
+ * @param offer the act; null if the file is not a valid act
+ * @param note whether it contains code and how the code is signed, or what is wrong with the file
  */
 record ActEntry(String name, @Nullable ActOffer offer, String note) {
-    /** Reads what is called so; may wait. */
+    /** Reads the act of this name; may block. */
     static ActEntry read(ActOffers offers, String called) {
         try {
             ActOffer offer = offers.find(called);
@@ -29,7 +29,7 @@ record ActEntry(String name, @Nullable ActOffer offer, String note) {
         }
     }
 
-    /** Reads all that need no path; may wait. */
+    /** Reads all acts that can be loaded without a path; may block. */
     static List<ActEntry> readAll(ActOffers offers) {
         List<ActEntry> entries = new ArrayList<>();
         offers.names().forEach(name -> entries.add(read(offers, name)));
@@ -46,12 +46,12 @@ record ActEntry(String name, @Nullable ActOffer offer, String note) {
         return offer.file().isShipped() ? "It comes with MAJIC." : "You have agreed to its code.";
     }
 
-    /** Why a robot cannot run it, as sentences; empty if it can. */
+    /** Returns why a robot cannot run the act, as sentences; empty if it can. */
     Optional<String> unfit(Member member) {
         return offer == null ? Optional.of(note) : RoleFit.unfit(offer.roles().get(0), member);
     }
 
-    /** Version and author, where they are said. */
+    /** Returns version and author, as far as they are given. */
     String origin() {
         if (offer == null) {
             return "";
@@ -62,7 +62,7 @@ record ActEntry(String name, @Nullable ActOffer offer, String note) {
         return (version + " " + author).strip();
     }
 
-    /** What it is for and which robots it takes. */
+    /** Describes the act's purpose and the robots it takes. */
     String description() {
         if (offer == null) {
             return "";

@@ -11,8 +11,8 @@ import majic.script.ActOffers;
 import majic.script.Session;
 
 /**
- * Leads a behaviour onto a robot: which one, consent to its code, further robots, and at last the line that gives it. Until
- * that line nothing is changed, and nothing of the behaviour's code is loaded.
+ * Guides through loading an act onto a robot: choice of the act, consent to its code, further robots, and finally the
+ * command that loads it. Until that command nothing is changed, and none of the act's code is loaded.
  */
 public final class ActLoader {
     private final Window owner;
@@ -25,7 +25,7 @@ public final class ActLoader {
         this.voice = voice;
     }
 
-    /** Begins by choosing the behaviour. */
+    /** Starts with the choice of the act. */
     public void load(LoadTarget target) {
         new ChooseActDialog(owner, session.offers(), target, offer -> askConsent(target, offer)).setVisible(true);
     }
@@ -40,7 +40,7 @@ public final class ActLoader {
         new TrustDialog(owner, file, () -> agree(target, offer)).setVisible(true);
     }
 
-    /** Writing the consent down may wait; where it cannot be kept, it holds until the program ends. */
+    /** Stores the consent, which may block; if it cannot be stored, it is valid until the program ends. */
     private void agree(LoadTarget target, ActOffer offer) {
         Edt.background(
                 "agreeing to " + offer.called(),

@@ -11,9 +11,12 @@ import majic.bot.BotException;
 import majic.script.ScriptAct;
 import majic.text.IoReason;
 
-/** What an act's file can be made of: compiled classes, a jar, a source file, or a script. Its methods may wait. */
+/**
+ * A source from which an act's file can be made: compiled classes, a jar, a source file, or a script. Its methods may
+ * block.
+ */
 final class ActSource {
-    /** Makes the file of one of its acts. */
+    /** Makes the file of one of the source's acts. */
     private interface Making {
         byte[] make(String act, ActDetails details);
     }
@@ -27,7 +30,7 @@ final class ActSource {
     }
 
     /**
-     * Looks what is there; a source file is compiled.
+     * Reads the source; a Java source file is compiled.
      *
      * @throws BotException if there is no act in it, saying why
      */
@@ -42,7 +45,7 @@ final class ActSource {
         return new ActSource(acts.isEmpty() ? List.of(maker.onlyAct()) : acts, maker::make);
     }
 
-    /** The classes of its acts, or the script's name; at least one. */
+    /** Returns the classes of its acts, or the script's name; at least one. */
     List<String> acts() {
         return acts;
     }
@@ -70,7 +73,7 @@ final class ActSource {
         return "Made " + target + ", " + file.length + " bytes. Load Act gives it to a robot.";
     }
 
-    /** The last part of a class's name, which is what an act is called unless somebody says otherwise. */
+    /** Returns the last part of a class's name, which is the act's name unless another one is given. */
     static String simpleName(String act) {
         return act.substring(Math.max(act.lastIndexOf('.'), act.lastIndexOf('$')) + 1);
     }

@@ -8,7 +8,7 @@ import majic.gui.kit.Paragraph;
 import majic.gui.kit.PlainLabel;
 import net.miginfocom.swing.MigLayout;
 
-/** What a behaviour is, beside the list it is chosen from. */
+/** Describes the selected act, beside the list of acts. */
 final class ActSummary extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -35,13 +35,13 @@ final class ActSummary extends JPanel {
         note.show(unfit.orElse(entry.note()), unfit.isPresent());
     }
 
-    /** Something about none of them. */
+    /** Shows a text that is not about an act. */
     void say(String words) {
         clear();
         note.show(words, false);
     }
 
-    /** What is wrong. */
+    /** Shows an error. */
     void complain(String words) {
         clear();
         note.show(words, true);

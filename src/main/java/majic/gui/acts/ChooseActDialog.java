@@ -21,7 +21,10 @@ import majic.script.ActOffers;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
-/** Chooses the behaviour for a robot: one that needs no path, or a file; says of each what it is and whether it fits. */
+/**
+ * Chooses the act for a robot: one that needs no path, or a file; shows for each what it is and whether the robot can
+ * run it.
+ */
 final class ChooseActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
@@ -81,7 +84,7 @@ final class ChooseActDialog extends MajicDialog {
         }
     }
 
-    /** A file is looked at like those that have a name, before it is loaded. */
+    /** Shows an act from a file in the same way as the listed ones, before it is loaded. */
     private void readFile(Path file) {
         Edt.background(
                 "reading " + file,

@@ -16,7 +16,7 @@ import majic.team.Member;
 import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
 
-/** Chooses the robot that is to get a behaviour; asks first if something runs on it. */
+/** Chooses the robot onto which an act is loaded; asks first if an act or a script already runs on it. */
 public final class LoadActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 

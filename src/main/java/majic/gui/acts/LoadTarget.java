@@ -7,10 +7,10 @@ import majic.team.Owner;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robot that is to get a behaviour.
+ * The robot onto which an act is to be loaded.
  *
  * @param member the robot
- * @param ends what runs on it and, as the person agreed, ends for the new behaviour; null if nothing ran
+ * @param ends the owner that, with the user's consent, is ended for the new act; null if there was none
  */
 public record LoadTarget(Member member, @Nullable Owner ends) {
     static LoadTarget of(Member member) {
@@ -18,9 +18,9 @@ public record LoadTarget(Member member, @Nullable Owner ends) {
     }
 
     /**
-     * What is to be said to give it a behaviour. The old one ends only here, so that giving up before changes nothing;
-     * one that came meanwhile, to whose end nobody agreed, is left alone and in the way. A behaviour that a script runs
-     * ends with its script, which would go on otherwise.
+     * Returns the command lines that load the act. The previous owner is ended only by these lines, so that cancelling
+     * earlier changes nothing. An owner that started since then, for which there is no consent, is not ended, and the
+     * load is refused. An act that a script runs is ended together with its script, which would continue otherwise.
      *
      * @param others the numbers of the further robots, in the order of the roles
      */
@@ -36,7 +36,10 @@ public record LoadTarget(Member member, @Nullable Owner ends) {
         return number + end + "\n" + number + " wait\n" + start;
     }
 
-    /** What runs on another robot and is in the way there; what ends for the new behaviour is not. */
+    /**
+     * Returns the owner that prevents another robot from being used; the owner that ends for the new act is not
+     * counted.
+     */
     @Nullable
     Owner inTheWayAt(Member other) {
         Owner owner = other.owner();

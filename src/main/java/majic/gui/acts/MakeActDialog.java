@@ -90,7 +90,7 @@ public final class MakeActDialog extends MajicDialog {
         ChooseFile.toSave(getOwner(), "Save as", target.getText(), file -> target.setText(file.toString()));
     }
 
-    /** Looks what acts there are, whenever another path was named. */
+    /** Finds the acts in the source, whenever another path was entered. */
     private void look() {
         String path = from.getText().strip();
         if (path.equals(looked)) {
@@ -151,7 +151,7 @@ public final class MakeActDialog extends MajicDialog {
         }
     }
 
-    /** Something that may wait and fail. */
+    /** Work that may block and fail. */
     private interface Work {
         Runnable done();
     }

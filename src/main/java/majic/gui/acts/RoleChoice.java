@@ -18,7 +18,10 @@ import majic.gui.kit.Paragraph;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
-/** The robots that can play one role, to choose one from, or several where the role takes more; below, why others cannot. */
+/**
+ * Offers the robots that can take one role, for one choice, or several where the role takes more; shows below why
+ * others cannot.
+ */
 final class RoleChoice extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -31,7 +34,7 @@ final class RoleChoice extends JPanel {
     private final JButton fewer = MajicDialog.button("One fewer", this::removeOne);
 
     /**
-     * A choice that begins with a robot nobody has taken yet, where there is one.
+     * Creates a choice that starts with a robot not yet assigned to a role, if there is one.
      *
      * @param taken the robots of other roles
      */
@@ -54,7 +57,7 @@ final class RoleChoice extends JPanel {
         add(why(role, target, members), "wmin 0");
     }
 
-    /** Those that are to play it, in the order they stand; none if nobody can. */
+    /** Returns the chosen robots, in the order shown; empty if no robot can take the role. */
     List<Member> chosen() {
         return choices.stream().map(MemberChoice::chosen).toList();
     }
@@ -63,7 +66,7 @@ final class RoleChoice extends JPanel {
         add(Set.copyOf(chosen()));
     }
 
-    /** One more that begins with a robot of no other part. */
+    /** Adds one more choice that starts with a robot not assigned to another role. */
     private void add(Set<Member> taken) {
         Optional<Member> free =
                 fit.stream().filter(member -> !taken.contains(member)).findFirst();

@@ -18,7 +18,7 @@ import majic.script.ActOffer;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
-/** Assigns a robot to each further role of a behaviour. Only robots that fit are offered, and why not the others is said. */
+/** Assigns a robot to each further role of an act. Offers only suitable robots, and shows why the others are not. */
 final class RolesDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
@@ -27,9 +27,9 @@ final class RolesDialog extends MajicDialog {
     private final transient Consumer<List<Integer>> assigned;
 
     /**
-     * The question, not yet shown.
+     * Creates the dialog, not yet shown.
      *
-     * @param assigned takes the robots' numbers, in the order of the roles
+     * @param assigned receives the robots' numbers, in the order of the roles
      */
     RolesDialog(
             Window owner, ActOffer offer, LoadTarget target, List<Member> members, Consumer<List<Integer>> assigned) {

@@ -23,7 +23,7 @@ import majic.gui.kit.Paragraph;
 import majic.gui.kit.PlainLabel;
 import net.miginfocom.swing.MigLayout;
 
-/** Shows what code a behaviour brings, before any of it is loaded, and asks whether it may run. Enter says no. */
+/** Shows what code an act contains, before any of it is loaded, and asks whether it may run. Enter refuses. */
 final class TrustDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
     private static final String CONSEQUENCE =
@@ -31,13 +31,13 @@ final class TrustDialog extends MajicDialog {
                     + " computer, not only move robots. MAJIC guards against accidents, not against malice. Agree only if you know"
                     + " where the file comes from. Your answer is remembered for exactly this file.";
 
-    /** As many letters of the title as fit into its width. */
+    /** Number of characters of the title that fit into the dialog's width. */
     private static final int LINE = 80;
 
     /**
-     * The question, not yet shown.
+     * Creates the dialog, not yet shown.
      *
-     * @param agreed done when the person agrees; otherwise nothing is done
+     * @param agreed runs when the user agrees; otherwise nothing is done
      */
     TrustDialog(Window owner, ActFile file, Runnable agreed) {
         super(owner, "Trust this code?");
@@ -75,7 +75,10 @@ final class TrustDialog extends MajicDialog {
         return file.details().author().isEmpty() ? "not said" : file.details().author() + " (as the file says)";
     }
 
-    /** A name in a certificate proves nothing; its fingerprint can be compared with what the signer says. */
+    /**
+     * Describes the signatures with their fingerprints: a name in a certificate proves nothing, but a fingerprint can
+     * be compared with the one that the signer publishes.
+     */
     private static List<String> signature(List<Signer> signers) {
         return signers.isEmpty()
                 ? List.of("none")

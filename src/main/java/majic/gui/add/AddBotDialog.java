@@ -22,11 +22,11 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Connects a robot: its type, then how to reach it. Connecting goes on in the background, shows that it does, can be
- * given up, and ends by itself after a time; what went wrong and what to try is said here.
+ * Connects a robot: its type, then its address. Connecting continues in the background, is shown, can be cancelled, and
+ * ends by itself after a timeout; errors and what to try next are shown here.
  */
 public final class AddBotDialog extends MajicDialog {
-    /** Longer than any driver's own time-out; the net under them. */
+    /** Timeout of a connection attempt in ms; longer than any driver's own timeout, which it backs up. */
     public static final int GIVE_UP_MS = 20_000;
 
     private static final long serialVersionUID = 1L;
@@ -44,10 +44,10 @@ public final class AddBotDialog extends MajicDialog {
     private transient @Nullable ConnectAttempt attempt;
 
     /**
-     * A dialog that is not shown yet.
+     * Creates a dialog that is not shown yet.
      *
-     * @param joined takes a robot that was added
-     * @param giveUpMs how long an attempt may take
+     * @param joined receives a robot that was added
+     * @param giveUpMs timeout of an attempt, ms
      */
     public AddBotDialog(
             Window owner, Session session, Surroundings surroundings, Consumer<Member> joined, int giveUpMs) {
@@ -123,14 +123,14 @@ public final class AddBotDialog extends MajicDialog {
         busy(false);
     }
 
-    /** However the dialog is closed, an attempt under way is given up. */
+    /** Cancels a running attempt, however the dialog is closed. */
     @Override
     public void dispose() {
         abandon();
         super.dispose();
     }
 
-    /** What becomes of the attempt under way. */
+    /** Receives the result of the running attempt. */
     private final class Ending implements ConnectAttempt.Outcome {
         @Override
         public void joined(Member member) {

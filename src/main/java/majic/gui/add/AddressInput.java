@@ -3,7 +3,7 @@ package majic.gui.add;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 
-/** A few fields from which a robot's address is made. */
+/** Input fields from which a robot's address is made. */
 abstract class AddressInput extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -12,12 +12,12 @@ abstract class AddressInput extends JPanel {
     }
 
     /**
-     * The address as one would type it.
+     * Returns the address in the form in which it is typed in a command.
      *
      * @throws majic.bot.BotException if a field is not filled in properly; the message says which and how
      */
     abstract String address();
 
-    /** What to try when nothing answers there. */
+    /** Returns what to try when there is no answer from the address. */
     abstract String advice();
 }

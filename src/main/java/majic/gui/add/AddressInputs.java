@@ -7,11 +7,11 @@ import majic.bot.BotType;
 import majic.gui.kit.Surroundings;
 import majic.team.BotFactory;
 
-/** Finds the input that fits a type of robot. */
+/** Creates the input that fits each type of robot. */
 final class AddressInputs {
     private AddressInputs() {}
 
-    /** One for each type and one for the lab, by what the drop-down calls them. */
+    /** Creates one input for each type and one for the lab, by their names in the drop-down list. */
     static Map<String, AddressInput> all(BotFactory factory, Surroundings surroundings) {
         Map<String, AddressInput> inputs = new LinkedHashMap<>();
         for (BotType type : factory.types()) {

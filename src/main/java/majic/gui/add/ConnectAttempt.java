@@ -11,9 +11,9 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One attempt to connect a robot and take it into the team, in the background; one that has lost its link is connected
- * again under the number it has, as {@code add} does. It ends in one of three ways, and after
- * {@link #cancel()} nothing more is heard of it.
+ * Makes one attempt to connect a robot and add it to the team, in the background. A robot that has lost its connection
+ * is reconnected under its existing number, as {@code add} does. The attempt ends in one of three ways; after
+ * {@link #cancel()} it reports nothing more.
  */
 final class ConnectAttempt {
     private enum Phase {
@@ -22,17 +22,18 @@ final class ConnectAttempt {
         CANCELLED
     }
 
-    /** Hears how the attempt ends, on the event dispatch thread. */
+    /** Receives the result of the attempt, on the event dispatch thread. */
     interface Outcome {
         /**
-         * The robot is in the team, connected.
+         * Reports that the robot is in the team and connected.
          *
-         * @param member as what
+         * @param member the robot's entry in the team
          */
         void joined(Member member);
 
         /**
-         * The robot is not connected. A new one is not in the team either, and closed; a lost one stays there as it was.
+         * Reports that the robot is not connected. A new robot is closed and not in the team; a robot that had lost its
+         * connection stays in the team unchanged.
          *
          * @param reason one sentence
          */
@@ -55,7 +56,10 @@ final class ConnectAttempt {
         Edt.background("connecting " + address, this::run);
     }
 
-    /** Gives up; returns at once. A robot of the team is not closed by it: its driver gives up by itself. */
+    /**
+     * Cancels the attempt; returns at once. Does not close a robot that is in the team: its driver stops trying at its
+     * own timeout.
+     */
     void cancel() {
         MajicBot begun = bot;
         if (phase.compareAndSet(Phase.CONNECTING, Phase.CANCELLED) && begun != null) {

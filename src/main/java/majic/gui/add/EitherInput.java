@@ -6,7 +6,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 
-/** Lets the person choose how to reach a robot that can be reached in two ways. */
+/** Selects one of two ways to connect a robot. */
 final class EitherInput extends AddressInput {
     private static final long serialVersionUID = 1L;
 

@@ -7,7 +7,7 @@ import majic.bot.BotException;
 import majic.lab.LabAccess;
 import majic.team.BotFactory;
 
-/** One of the robots of the simulated lab. */
+/** Selects one of the robots of the simulated lab. */
 final class LabInput extends AddressInput {
     private static final long serialVersionUID = 1L;
 

@@ -5,7 +5,7 @@ import javax.swing.JTextField;
 import majic.bot.BotException;
 import majic.bot.BotType;
 
-/** Host and port of a robot on the network, or of the serial server it hangs on. */
+/** Takes host and port of a robot on the network, or of the serial server to which it is connected. */
 final class NetworkInput extends AddressInput {
     private static final long serialVersionUID = 1L;
 

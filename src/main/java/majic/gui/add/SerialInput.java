@@ -10,7 +10,7 @@ import majic.bot.BotType;
 import majic.gui.kit.Edt;
 import majic.gui.kit.Surroundings.SerialPortChoice;
 
-/** One of the serial ports of this machine, or one typed in. */
+/** Selects one of the serial ports of this computer, or takes one that is typed in. */
 final class SerialInput extends AddressInput {
     private static final long serialVersionUID = 1L;
 
@@ -50,7 +50,7 @@ final class SerialInput extends AddressInput {
         return type.advice();
     }
 
-    /** The system may take its time to list the ports. */
+    /** Lists the ports in the background, because the system may be slow to list them. */
     private void look() {
         found.setText("Looking for ports…");
         Edt.background("listing serial ports", () -> {

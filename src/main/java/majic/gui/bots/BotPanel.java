@@ -20,7 +20,7 @@ import majic.team.Member;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
-/** What stands on a robot's tab: its strip, the display its class brings, and the pad to drive it by hand. */
+/** Fills a robot's tab: its status strip, the display that its class provides, and the pad for manual driving. */
 final class BotPanel extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final Logger LOG = System.getLogger(BotPanel.class.getName());
@@ -31,10 +31,10 @@ final class BotPanel extends JPanel {
     private final transient BotListener news = new News();
 
     /**
-     * A panel for a robot; it listens until {@link #close()}.
+     * Creates a panel for a robot; it listens to the robot until {@link #close()}.
      *
-     * @param changed told, at most ten times a second, that the robot has news
-     * @param voice how robots and people are spoken to
+     * @param changed runs, at most ten times a second, after the robot's state has changed
+     * @param voice submits lines and shows messages
      */
     BotPanel(Team team, Member member, Runnable changed, Voice voice) {
         super(new BorderLayout());
@@ -55,12 +55,12 @@ final class BotPanel extends JPanel {
         return member;
     }
 
-    /** Has the strip brought up to date soon; callable from any thread. */
+    /** Schedules an update of the strip; callable from any thread. */
     void news() {
         pacer.news();
     }
 
-    /** Ends listening. */
+    /** Removes the listeners. */
     void close() {
         member.bot().removeListener(news);
     }
@@ -78,7 +78,10 @@ final class BotPanel extends JPanel {
         return scroll;
     }
 
-    /** A robot's class may come from anybody: if its display cannot be made, the robot still has a tab. */
+    /**
+     * Creates the robot's own display; null if that fails, since a robot's class may come from a plug-in. The tab is
+     * shown without it then.
+     */
     private @Nullable JComponent ownDisplay() {
         try {
             return member.bot().display();
@@ -88,7 +91,7 @@ final class BotPanel extends JPanel {
         }
     }
 
-    /** Robots talk faster than eyes read: whatever they say, the strip follows at its own pace. */
+    /** Updates the strip at a limited rate, however fast the robot reports. */
     private final class News implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {

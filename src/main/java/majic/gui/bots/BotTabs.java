@@ -13,7 +13,7 @@ import majic.team.Team;
 import majic.team.TeamListener;
 import net.miginfocom.swing.MigLayout;
 
-/** A tab for each robot, by number; without robots a word on how to get one. */
+/** Holds a tab for each robot, by number; without robots, a hint on how to add one. */
 public final class BotTabs extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
     private static final String NOBODY = "nobody";
@@ -25,9 +25,9 @@ public final class BotTabs extends JPanel implements TeamListener {
     private final JTabbedPane tabs = new JTabbedPane();
 
     /**
-     * Tabs for the robots that are there already; later ones come as news.
+     * Creates tabs for the robots that are in the team already; tabs for later ones are added by events.
      *
-     * @param voice how robots and people are spoken to
+     * @param voice submits lines and shows messages
      */
     public BotTabs(Team team, Voice voice) {
         this.team = team;
@@ -48,12 +48,12 @@ public final class BotTabs extends JPanel implements TeamListener {
         return hint;
     }
 
-    /** The robot whose tab is in front. */
+    /** Returns the robot whose tab is selected. */
     public Optional<Member> selected() {
         return tabs.getSelectedComponent() instanceof BotPanel panel ? Optional.of(panel.member()) : Optional.empty();
     }
 
-    /** Brings a robot's tab to the front. */
+    /** Selects a robot's tab. */
     public void select(Member member) {
         int index = panelAt(member);
         if (index >= 0) {
@@ -61,7 +61,7 @@ public final class BotTabs extends JPanel implements TeamListener {
         }
     }
 
-    /** The tab in front stays there: somebody may be driving its robot by hand. */
+    /** Adds a tab without selecting it, because the robot of the selected tab may be driven manually at the moment. */
     @Override
     public void added(Member member) {
         if (!team.members().contains(member) || panelAt(member) >= 0) {

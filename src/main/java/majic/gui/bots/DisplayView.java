@@ -7,7 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
 
-/** Holds a robot's display: fits it into the tab as long as that is not smaller than the display allows. */
+/** Holds a robot's display: fits it into the tab as long as the tab is not smaller than the display's minimum size. */
 final class DisplayView extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
     private static final int STEP = 16;
@@ -18,8 +18,8 @@ final class DisplayView extends JPanel implements Scrollable {
     }
 
     /**
-     * The least the display can do with. The scroll pane asks before the viewport has its size; a display that would like
-     * more than there is would get scroll bars that stay.
+     * Returns the display's minimum size. The scroll pane asks before the viewport has its size; with a larger
+     * preferred size, scroll bars would appear and stay.
      */
     @Override
     public Dimension getPreferredSize() {

@@ -13,7 +13,7 @@ import majic.gui.kit.MemberChoice;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
-/** Chooses the robot to be let go, and says what that ends. */
+/** Chooses the robot to be removed, and shows what that ends. */
 public final class KillBotDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 

@@ -14,7 +14,10 @@ import majic.gui.kit.Voice;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
-/** One robot's make, condition, owner and place in three lines, with the buttons that stop and reconnect it, and its act. */
+/**
+ * Shows one robot's make, state, owner and position in three lines, with the buttons that stop and reconnect it, and
+ * its act.
+ */
 final class StatusStrip extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -48,7 +51,7 @@ final class StatusStrip extends JPanel {
         update();
     }
 
-    /** Shows what the robot's published state says now. */
+    /** Shows the robot's published state. */
     void update() {
         act.update();
         String owner = act.isVisible() ? "" : BotStatus.owner(member);
@@ -73,7 +76,10 @@ final class StatusStrip extends JPanel {
         });
     }
 
-    /** The button goes, and its neighbour is no place to type: the window's own place for the focus gets it. */
+    /**
+     * Moves the focus to the window's default component when the focused button is hidden; the neighbouring button
+     * takes no typed text.
+     */
     private void leaveFocus() {
         Container window = getFocusCycleRootAncestor();
         window.getFocusTraversalPolicy().getDefaultComponent(window).requestFocusInWindow();

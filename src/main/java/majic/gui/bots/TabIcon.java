@@ -14,10 +14,10 @@ import majic.gui.kit.StateIcon;
 import majic.team.Member;
 
 /**
- * What a robot's tab bears: its condition, and behind that the sign of Load Act while a behaviour runs on it.
+ * The icon of a robot's tab: the robot's state, followed by the Load Act icon while an act runs on it.
  *
- * @param condition how it is
- * @param act whether a behaviour runs on it
+ * @param condition the robot's state
+ * @param act whether an act runs on it
  */
 record TabIcon(StateIcon condition, boolean act) implements Icon {
     private static final int GAP = 5;

@@ -15,9 +15,10 @@ import majic.gui.kit.Edt;
 import majic.script.MajicParser;
 
 /**
- * Where commands are typed. An accepted line is cleared away; a wrong one stays, is marked, and its message is shown
- * until the line is mended. Up and Down walk through earlier lines, Tab completes. The line can be edited at all times: what
- * a line names in files is read elsewhere, and if it is refused for that it comes back, unless another is being typed.
+ * The field where commands are typed. An accepted line is removed; a wrong one stays, is marked, and its error message
+ * is shown until the line is changed. Up and Down recall earlier lines, Tab completes. The line can be edited at all
+ * times: files that a line names are read on another thread, and if the line is refused because of them it is restored,
+ * unless another one is being typed.
  */
 public final class CommandLine extends JTextField {
     private static final long serialVersionUID = 1L;
@@ -27,9 +28,9 @@ public final class CommandLine extends JTextField {
     private final transient History history = new History();
 
     /**
-     * An empty line.
+     * Creates an empty line.
      *
-     * @param hint shows a message or the words to choose from, or nothing
+     * @param hint shows a message, the possible completions, or an empty text
      */
     CommandLine(MajicParser parser, Consumer<String> hint) {
         this.parser = parser;
@@ -73,7 +74,7 @@ public final class CommandLine extends JTextField {
         }
     }
 
-    /** Never touches what was typed since. */
+    /** Restores a line that was refused after its files were read; never overwrites what was typed since. */
     private void refusedLater(String line, String why) {
         if (getText().isEmpty()) {
             setText(line);
@@ -105,7 +106,7 @@ public final class CommandLine extends JTextField {
         });
     }
 
-    /** What was typed while files were looked at counts, and the completion does not. */
+    /** Applies the completion unless the text or the caret changed while files were read. */
     private void completeIfSame(String text, int caret, Completer done) {
         if (getText().equals(text) && getCaretPosition() == caret) {
             complete(done);
@@ -120,7 +121,7 @@ public final class CommandLine extends JTextField {
         hint.accept(String.join("   ", done.choices()));
     }
 
-    /** Takes the mark away as soon as the line is touched. */
+    /** Removes the mark as soon as the line is edited. */
     private final class Mending implements DocumentListener {
         @Override
         public void insertUpdate(DocumentEvent event) {

@@ -6,7 +6,7 @@ import majic.gui.kit.Palette;
 import majic.script.MajicParser;
 import net.miginfocom.swing.MigLayout;
 
-/** Message area, command line, and below it what is wrong with the line or how it could go on. */
+/** Holds the message area, the command line, and below it the line's error or its possible completions. */
 public final class CommandPane extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -37,7 +37,7 @@ public final class CommandPane extends JPanel {
         return line;
     }
 
-    /** An empty hint keeps its place, so that nothing jumps. */
+    /** Shows a hint; an empty one keeps its space, so that the layout does not change. */
     private void showHint(String text) {
         boolean wrong = "error".equals(line == null ? null : line.getClientProperty("JComponent.outline"));
         hint.setForeground(wrong ? Palette.error() : Palette.text());

@@ -4,15 +4,15 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What the Tab key makes of a line. Immutable.
+ * The result of completing a line with the Tab key. Immutable.
  *
  * @param text the line afterwards
- * @param caret where to go on typing
+ * @param caret position of the caret afterwards
  * @param choices the words to choose from; empty when there was one or none
  */
 record Completer(String text, int caret, List<String> choices) {
 
-    /** Completes the word before the caret as far as all candidates agree. */
+    /** Completes the word before the caret with the longest common prefix of all candidates. */
     static Completer complete(String text, int caret, List<String> candidates) {
         if (candidates.isEmpty()) {
             return new Completer(text, caret, List.of());

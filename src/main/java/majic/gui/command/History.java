@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The lines typed before, to walk through. What was being typed when the walk began waits at its newer end. Used on one
- * thread.
+ * Holds the lines typed before, to be recalled. The unfinished line from which recalling started is kept at its newer
+ * end. Must be used on one thread.
  */
 final class History {
     private static final int LONGEST = 500;
@@ -14,7 +14,7 @@ final class History {
     private int place;
     private String unfinished = "";
 
-    /** Takes in an accepted line and ends the walk; a repetition of the last one is kept once. */
+    /** Adds an accepted line and returns to the newest end; a repetition of the last line is not added again. */
     void add(String line) {
         if (!line.isBlank() && (lines.isEmpty() || !lines.get(lines.size() - 1).equals(line))) {
             lines.add(line);
@@ -25,7 +25,7 @@ final class History {
         place = lines.size();
     }
 
-    /** The line before; at the oldest one, that. */
+    /** Returns the previous line; at the oldest line, that line. */
     String older(String shown) {
         if (place == lines.size()) {
             unfinished = shown;
@@ -36,7 +36,7 @@ final class History {
         return current();
     }
 
-    /** The line after; past the newest one, what was being typed. */
+    /** Returns the next line; after the newest one, the unfinished line. */
     String newer(String shown) {
         if (place == lines.size()) {
             return shown;

@@ -13,8 +13,8 @@ import majic.log.Line;
 import majic.log.SessionListener;
 
 /**
- * Shows what is said in the session: the newest line below, in view unless somebody has scrolled up. Lines may come from
- * any thread and as fast as they like; they are shown ten times a second, and the oldest are forgotten.
+ * Shows the lines of the session: the newest one at the bottom, in view unless the area is scrolled up. Lines may
+ * arrive from any thread and at any rate; they are shown ten times a second, and the oldest are removed.
  */
 public final class MessageArea extends JScrollPane implements SessionListener {
     private static final long serialVersionUID = 1L;
@@ -37,7 +37,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         setMinimumSize(new Dimension(200, 70));
     }
 
-    /** Takes a line to show it soon; callable from any thread. */
+    /** Queues a line for display; callable from any thread. */
     @Override
     public void line(Line line) {
         synchronized (waiting) {
@@ -49,7 +49,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         pacer.news();
     }
 
-    /** Colours follow the look. */
+    /** Updates the colours for the look and feel. */
     @Override
     public void updateUI() {
         super.updateUI();
@@ -58,7 +58,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         }
     }
 
-    /** In another size the newest line stays in sight. */
+    /** Keeps the newest line in view when the size changes. */
     @Override
     public void doLayout() {
         boolean follow = isAtEnd();

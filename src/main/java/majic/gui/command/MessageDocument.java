@@ -14,8 +14,8 @@ import majic.gui.kit.Palette;
 import majic.log.Line;
 
 /**
- * The text of the message area: lines marked by kind with a sign in front and a colour, a limited number of them. Used on
- * the event dispatch thread.
+ * The text of the message area: a limited number of lines, each marked by its kind with a sign in front and a colour.
+ * Must be used on the event dispatch thread.
  */
 final class MessageDocument extends DefaultStyledDocument {
     static final int MOST_LINES = 2000;
@@ -29,14 +29,14 @@ final class MessageDocument extends DefaultStyledDocument {
         recolour();
     }
 
-    /** Takes the colours of the look that is on now. */
+    /** Updates the colours for the present look and feel. */
     void recolour() {
         for (Line.Kind kind : Line.Kind.values()) {
             StyleConstants.setForeground(getStyle(kind.name()), color(kind));
         }
     }
 
-    /** Adds lines; those that would be forgotten at once are left out. */
+    /** Appends lines; lines that would be removed at once are left out. */
     void append(List<Line> lines) {
         List<Line> newest = lines.subList(Math.max(0, lines.size() - MOST_LINES), lines.size());
         try {
@@ -58,7 +58,10 @@ final class MessageDocument extends DefaultStyledDocument {
         return to;
     }
 
-    /** Lines of one kind go in as one text: a flood of them must leave the window time for a click on STOP. */
+    /**
+     * Inserts consecutive lines of one kind as one text, so that the event dispatch thread can handle a click on STOP
+     * during a flood of lines.
+     */
     private void appendRun(List<Line> run) throws BadLocationException {
         Line.Kind kind = run.get(0).kind();
         String text = run.stream().map(line -> sign(kind) + line.text()).collect(Collectors.joining("\n"));

@@ -4,7 +4,7 @@ import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.Set;
 
-/** Where a hand on the arrows wants a robot to go; two at once make a curve. */
+/** A direction of manual driving; two at once make a curve. */
 enum Direction {
     AHEAD(1, 0),
     BACK(-1, 0),
@@ -19,7 +19,7 @@ enum Direction {
         this.left = left;
     }
 
-    /** The direction of an arrow key, on the pad of digits too. */
+    /** Returns the direction of an arrow key, on the numeric keypad too. */
     static Optional<Direction> of(int keyCode) {
         return switch (keyCode) {
             case KeyEvent.VK_UP, KeyEvent.VK_KP_UP -> Optional.of(AHEAD);
@@ -30,12 +30,12 @@ enum Direction {
         };
     }
 
-    /** How much of all these is ahead: −1, 0 or 1. */
+    /** Returns the forward part of all these directions: −1, 0 or 1. */
     static int forward(Set<Direction> all) {
         return all.stream().mapToInt(direction -> direction.forward).sum();
     }
 
-    /** How much of all these is to the left: −1, 0 or 1. */
+    /** Returns the leftward part of all these directions: −1, 0 or 1. */
     static int left(Set<Direction> all) {
         return all.stream().mapToInt(direction -> direction.left).sum();
     }

@@ -20,8 +20,8 @@ import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * Where a person drives one robot by hand: hold an arrow key while this has the focus, or the mouse on an arrow; let go
- * to stop. Losing the focus or going out of sight stops too.
+ * Drives one robot manually while an arrow key is held and the pad has the focus, or while the mouse is pressed on an
+ * arrow. Releasing the key or button stops the robot; so does losing the focus or being hidden.
  */
 public final class DrivePad extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -110,7 +110,7 @@ public final class DrivePad extends JPanel {
         });
     }
 
-    /** The border follows the look. */
+    /** Updates the border for the look and feel. */
     @Override
     public void updateUI() {
         super.updateUI();
@@ -126,7 +126,7 @@ public final class DrivePad extends JPanel {
                 focused ? 2 : 1));
     }
 
-    /** Hands the arrow keys on. */
+    /** Passes the arrow keys on. */
     private final class Arrows extends KeyAdapter {
         @Override
         public void keyPressed(KeyEvent event) {

@@ -12,14 +12,14 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Drives one robot while arrows are held, and lets it go when they are not. Lives on the event dispatch thread and never
- * waits there: should that thread hang, the commands are not renewed and the robot stands 600 ms later.
+ * Drives one robot while arrows are held, and releases it when they are not. Runs on the event dispatch thread and
+ * never blocks there: if that thread hangs, the commands are not renewed and the robot stops 600 ms later.
  */
 final class HandDriver {
     private static final int TICK_MS = 25;
     private static final long RENEWAL_MS = 150;
 
-    /** How long a hand that was let go may need until the next can take the robot. */
+    /** Time in ms that a released manual control may take until the next one can own the robot. */
     private static final long CHANGE_OF_HANDS_MS = 500;
 
     private final Member member;
@@ -36,9 +36,9 @@ final class HandDriver {
     private double share = 1;
 
     /**
-     * A driver that does nothing yet.
+     * Creates a driver that does not drive yet.
      *
-     * @param complain takes the reason when the robot cannot be driven
+     * @param complain receives the reason when the robot cannot be driven
      * @param clockMs any clock that does not go back
      */
     HandDriver(Member member, Consumer<String> complain, LongSupplier clockMs) {
@@ -56,20 +56,20 @@ final class HandDriver {
         keys.release(key, clockMs.getAsLong());
     }
 
-    /** The mouse holds one of the arrows, or with null none. */
+    /** Sets the arrow on which the mouse is pressed; null for none. */
     void point(@Nullable Direction arrow) {
         pointed = arrow;
         begin();
     }
 
-    /** Stops at once, whatever seems to be held: the focus is gone, or the panel. */
+    /** Stops at once, regardless of the keys held; called when the focus is lost or the panel is hidden. */
     void letGo() {
         keys.releaseAll();
         pointed = null;
         tick();
     }
 
-    /** How fast to go: a share of the robot's careful speed, 0 to 1. */
+    /** Sets the speed as a share of the cruise speed in the robot's profile, 0 to 1. */
     void share(double newShare) {
         share = newShare;
     }

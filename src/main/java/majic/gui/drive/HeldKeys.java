@@ -6,11 +6,11 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Which arrow keys are held down, as far as one can know. Used on one thread; times are milliseconds of any clock.
+ * Estimates which arrow keys are held down. Must be used on one thread; times are milliseconds of any clock.
  *
- * <p>X11 reports a held key as a stream of releases and presses, so a release counts only if no press follows soon. And
- * a release can get lost: a held key repeats itself, so after a silence no key counts as held any more. Of two keys only
- * the later one repeats, and none does once that is let go; then the silence may be longer.
+ * <p>X11 reports a held key as a sequence of releases and presses, so a release counts only if no press follows soon. A
+ * release can also get lost: a held key repeats, so after a time without events no key counts as held. Of two held keys
+ * only the later one repeats, and none does once that one is released; then the time without events may be longer.
  */
 final class HeldKeys {
     static final long RELEASE_COUNTS_AFTER_MS = 40;
@@ -38,7 +38,7 @@ final class HeldKeys {
         released.clear();
     }
 
-    /** The keys held now. */
+    /** Returns the keys held now. */
     Set<Direction> held(long nowMs) {
         released.entrySet().removeIf(entry -> counts(entry.getKey(), entry.getValue(), nowMs));
         if (nowMs >= believedUntilMs) {

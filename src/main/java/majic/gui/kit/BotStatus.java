@@ -6,11 +6,11 @@ import majic.bot.Pose;
 import majic.team.Member;
 import majic.team.Owner;
 
-/** What the strip above a robot's display says, in words. */
+/** Formats the texts of the status strip above a robot's display. */
 public final class BotStatus {
     private BotStatus() {}
 
-    /** How it is connected and whether it moves. */
+    /** Describes how the robot is connected and whether it moves. */
     public static String condition(Member member) {
         return switch (member.bot().connection()) {
             case NEW -> "not connected";
@@ -21,7 +21,7 @@ public final class BotStatus {
         };
     }
 
-    /** Who has it to himself; empty if nobody. */
+    /** Names the robot's exclusive owner; empty if there is none. */
     public static String owner(Member member) {
         Owner owner = member.owner();
         if (owner == null) {
@@ -33,13 +33,13 @@ public final class BotStatus {
         };
     }
 
-    /** Whether a behaviour has it. */
+    /** Returns whether an act owns the robot. */
     public static boolean isInAct(Member member) {
         Owner owner = member.owner();
         return owner != null && owner.kind() == Owner.Kind.ACT;
     }
 
-    /** Where it believes it is. */
+    /** Describes the robot's estimated pose. */
     public static String pose(Member member) {
         BotState state = member.bot().state();
         if (state.equals(BotState.UNKNOWN)) {

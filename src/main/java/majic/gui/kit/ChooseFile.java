@@ -9,11 +9,11 @@ import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Asks for a file without holding up the window. */
+/** Asks for a file without blocking the window. */
 public final class ChooseFile extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
-    /** What Load Act takes. */
+    /** Accepts the files that Load Act can load. */
     public static final FileFilter ACTS =
             new FileNameExtensionFilter("Behaviours and scripts (.act, .majic)", "act", "majic");
 
@@ -35,14 +35,14 @@ public final class ChooseFile extends MajicDialog {
         setLocationRelativeTo(owner);
     }
 
-    /** Asks which file to open; the title is on the button too. */
+    /** Asks which file to open; the title is also the button's text. */
     public static void toOpen(Window owner, String title, FileFilter filter, Consumer<Path> chosen) {
         ChooseFile dialog = new ChooseFile(owner, title, JFileChooser.OPEN_DIALOG, chosen);
         dialog.chooser.setFileFilter(filter);
         dialog.setVisible(true);
     }
 
-    /** Asks what an act is to be made of; a folder will do. */
+    /** Asks for the source of an act's file; a folder is accepted. */
     public static void toMakeOf(Window owner, Consumer<Path> chosen) {
         ChooseFile dialog = new ChooseFile(owner, "Choose", JFileChooser.OPEN_DIALOG, chosen);
         dialog.chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
@@ -50,7 +50,7 @@ public final class ChooseFile extends MajicDialog {
         dialog.setVisible(true);
     }
 
-    /** Asks where to save, and again before something is overwritten. */
+    /** Asks where to save, and asks again before an existing file is overwritten. */
     public static void toSave(Window owner, String title, String suggestion, Consumer<Path> chosen) {
         Consumer<Path> careful = file -> {
             if (Files.exists(file)) {

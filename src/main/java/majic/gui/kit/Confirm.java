@@ -4,7 +4,7 @@ import java.awt.Window;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 
-/** Asks before something that cannot be taken back. */
+/** Asks for confirmation before an action that cannot be undone. */
 public final class Confirm extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
@@ -20,8 +20,8 @@ public final class Confirm extends MajicDialog {
     /**
      * Shows the question and returns at once.
      *
-     * @param yes what the agreeing button says
-     * @param action done when that is pressed
+     * @param yes text of the button that confirms
+     * @param action runs when that button is pressed
      */
     public static void ask(Window owner, String question, String yes, Runnable action) {
         new Confirm(owner, question, yes, action).setVisible(true);

@@ -3,7 +3,7 @@ package majic.gui.kit;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 
-/** Does something when a place is clicked twice. */
+/** Runs an action after a double click. */
 public final class DoubleClick extends MouseAdapter {
     private final Runnable action;
 

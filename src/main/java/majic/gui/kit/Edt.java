@@ -7,21 +7,21 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 
-/** The one way onto the event dispatch thread, and the one way off it. */
+/** Runs tasks on the event dispatch thread, and blocking tasks off it. */
 public final class Edt {
     private static final Logger LOG = System.getLogger(Edt.class.getName());
 
     private Edt() {}
 
-    /** Does something to the window soon; callable from any thread, keeps the order of one caller. */
+    /** Schedules a task on the event dispatch thread; callable from any thread, keeps the order of each caller. */
     public static void later(Runnable change) {
         SwingUtilities.invokeLater(change);
     }
 
     /**
-     * Does something that may wait, such as talking to a robot, on a daemon thread of its own.
+     * Runs work that may block, such as communication with a robot, on a new daemon thread.
      *
-     * @param name what a thread dump shows
+     * @param name name of the thread
      * @param work handles its own failures
      */
     public static void background(String name, Runnable work) {
@@ -31,11 +31,11 @@ public final class Edt {
     }
 
     /**
-     * As {@link #background(String, Runnable)}, for work that may fail.
+     * Runs work that may block and fail, as {@link #background(String, Runnable)} does.
      *
-     * @param doing what a thread dump and the log show
-     * @param work what to do
-     * @param failed takes the failure as a sentence, on the event dispatch thread
+     * @param doing name of the thread, also used in the log
+     * @param work the work
+     * @param failed receives the failure as a sentence, on the event dispatch thread
      */
     public static void background(String doing, Runnable work, Consumer<String> failed) {
         try {

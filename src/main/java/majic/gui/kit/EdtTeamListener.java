@@ -3,7 +3,7 @@ package majic.gui.kit;
 import majic.team.Member;
 import majic.team.TeamListener;
 
-/** Passes news of a team on to a part of the window, on the event dispatch thread. */
+/** Passes events of a team on to a part of the window, on the event dispatch thread. */
 public record EdtTeamListener(TeamListener target) implements TeamListener {
     @Override
     public void added(Member member) {

@@ -3,7 +3,7 @@ package majic.gui.kit;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 
-/** Does something when a field has lost the focus. */
+/** Runs an action when a field has lost the focus. */
 public final class FocusLeft extends FocusAdapter {
     private final Runnable action;
 

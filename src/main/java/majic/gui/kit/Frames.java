@@ -2,11 +2,11 @@ package majic.gui.kit;
 
 import majic.bot.Pose;
 
-/** Turns poses of one frame into poses of another. */
+/** Converts poses from one frame of reference to another. */
 public final class Frames {
     private Frames() {}
 
-    /** Where a pose, told from an origin, lies in the frame of that origin. */
+    /** Converts a pose relative to an origin into the frame of that origin. */
     public static Pose at(Pose origin, Pose told) {
         double angle = Math.toRadians(origin.headingDeg());
         double x = origin.xMm() + told.xMm() * Math.cos(angle) - told.yMm() * Math.sin(angle);
@@ -14,7 +14,7 @@ public final class Frames {
         return new Pose(x, y, origin.headingDeg() + told.headingDeg());
     }
 
-    /** The origin for which {@code at(origin, told)} is the given place. */
+    /** Returns the origin for which {@code at(origin, told)} is the given place. */
     public static Pose originOf(Pose place, Pose told) {
         Pose turned = new Pose(0, 0, place.headingDeg() - told.headingDeg());
         Pose offset = at(turned, told);

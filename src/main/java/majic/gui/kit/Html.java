@@ -1,10 +1,10 @@
 package majic.gui.kit;
 
-/** Text of others in labels that understand HTML. */
+/** Escapes text for labels that interpret HTML. */
 public final class Html {
     private Html() {}
 
-    /** The same text, with nothing in it that a label would take for a tag. */
+    /** Returns the text with all characters escaped that a label would interpret as a tag. */
     public static String escaped(String text) {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }

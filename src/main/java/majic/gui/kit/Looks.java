@@ -7,7 +7,7 @@ import java.util.Optional;
 import majic.bot.BotException;
 import majic.bot.Settings;
 
-/** The light and the dark look, and which one the person wants. */
+/** Installs the light or the dark look and feel, and stores which one is chosen. */
 public final class Looks {
     private static final String KEY = "window.look";
     private static final String DARK = "dark";
@@ -15,12 +15,12 @@ public final class Looks {
 
     private Looks() {}
 
-    /** Takes the look chosen last; must come before the first component is made. */
+    /** Installs the look and feel that was chosen last; must be called before the first component is created. */
     public static void install(Settings settings) {
         set(settings.get(KEY).equals(Optional.of(DARK)));
     }
 
-    /** Changes all windows at once, and remembers it. */
+    /** Changes the look and feel of all windows at once, and stores the choice. */
     public static void change(boolean dark, Settings settings) {
         set(dark);
         FlatLaf.updateUI();

@@ -9,9 +9,7 @@ import javax.swing.JDialog;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 
-/**
- * A dialog with its content above a row of buttons. Never modal, so that STOP, messages and map stay within reach.
- */
+/** A dialog with its content above a row of buttons. Never modal, so that STOP, messages and map stay accessible. */
 public class MajicDialog extends JDialog {
     private static final long serialVersionUID = 1L;
 
@@ -20,7 +18,10 @@ public class MajicDialog extends JDialog {
         setName(title + " dialog");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
-            /** A window manager may give the keys to another window when a dialog before this one has just closed. */
+            /**
+             * Requests the focus, because a window manager may give it to another window when a previous dialog has
+             * just closed.
+             */
             @Override
             public void windowOpened(WindowEvent event) {
                 toFront();
@@ -29,7 +30,7 @@ public class MajicDialog extends JDialog {
         });
     }
 
-    /** Places everything; the first button is the one that Enter presses. */
+    /** Adds content and buttons; the first button is the default one, which Enter presses. */
     public final void fill(JComponent content, JButton... buttons) {
         JPanel all = new JPanel(new MigLayout("insets 14, gap 8 12", "[grow, fill]", "[grow, fill][]"));
         all.add(content, "wrap");
@@ -45,7 +46,7 @@ public class MajicDialog extends JDialog {
         setLocationRelativeTo(getOwner());
     }
 
-    /** A button that does something. */
+    /** Creates a button that runs an action. */
     public static JButton button(String text, Runnable action) {
         JButton button = new JButton(text);
         button.setName(text);
@@ -53,7 +54,7 @@ public class MajicDialog extends JDialog {
         return button;
     }
 
-    /** A button that closes this dialog. */
+    /** Creates a button that closes this dialog. */
     public final JButton closing(String text) {
         return button(text, this::dispose);
     }

@@ -5,7 +5,7 @@ import java.util.Optional;
 import javax.swing.JComboBox;
 import majic.team.Member;
 
-/** A drop-down of robots. */
+/** A drop-down list of robots. */
 public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
     private static final long serialVersionUID = 1L;
 
@@ -18,9 +18,9 @@ public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
     }
 
     /**
-     * All these robots.
+     * Creates a list of these robots.
      *
-     * @param first the one to begin with, if any
+     * @param first the one selected initially, if any
      */
     public MemberChoice(List<Member> members, Optional<Member> first) {
         setName("robot");

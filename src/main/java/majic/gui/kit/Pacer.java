@@ -3,7 +3,7 @@ package majic.gui.kit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.Timer;
 
-/** Brings a part of the window up to date after news, at most ten times a second however fast the news come. */
+/** Updates a part of the window after changes, at most ten times a second however often changes occur. */
 public final class Pacer {
     public static final int PERIOD_MS = 100;
 
@@ -18,7 +18,7 @@ public final class Pacer {
         timer.setRepeats(false);
     }
 
-    /** Says that there is news; callable from any thread. */
+    /** Reports a change; callable from any thread. */
     public void news() {
         if (due.compareAndSet(false, true)) {
             Edt.later(timer::start);

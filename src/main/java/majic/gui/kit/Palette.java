@@ -5,7 +5,7 @@ import java.awt.Color;
 import javax.swing.UIManager;
 import majic.panel.Ink;
 
-/** Colours with a meaning, readable in the look that is on now. */
+/** Colours with a meaning, readable in the present look and feel. */
 public final class Palette {
     private Palette() {}
 
@@ -13,7 +13,7 @@ public final class Palette {
         return UIManager.getColor("Label.foreground");
     }
 
-    /** For what is said by the way. */
+    /** Returns the colour of secondary text. */
     public static Color faint() {
         return mixed(0.68);
     }
@@ -27,9 +27,9 @@ public final class Palette {
     }
 
     /**
-     * The text colour, mixed into the background.
+     * Returns the text colour mixed with the background.
      *
-     * @param share how much of it, 0 to 1
+     * @param share share of the text colour, 0 to 1
      */
     public static Color mixed(double share) {
         Color ink = text();

@@ -3,14 +3,14 @@ package majic.gui.kit;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 
-/** Words that break into lines as wide as there is room, and that can be copied but not changed. */
+/** A text that is wrapped to the available width, and that can be copied but not edited. */
 public final class Paragraph extends JTextArea {
     private static final long serialVersionUID = 1L;
 
     /**
-     * An empty one.
+     * Creates an empty one.
      *
-     * @param columns how wide it would like to be, in characters
+     * @param columns preferred width, in characters
      */
     public Paragraph(String name, int rows, int columns) {
         super(rows, columns);
@@ -24,7 +24,7 @@ public final class Paragraph extends JTextArea {
         setFont(UIManager.getFont("Label.font"));
     }
 
-    /** Shows words, in the colour of errors or not. */
+    /** Shows a text, in the error colour if it is an error. */
     public void show(String words, boolean wrong) {
         setForeground(wrong ? Palette.error() : Palette.text());
         setText(words);

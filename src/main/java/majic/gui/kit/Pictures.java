@@ -10,24 +10,27 @@ import javax.swing.Icon;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Our own pictures. Reading the first one takes a third of a second, so the window is shown without them, and they are
- * read in the background.
+ * Provides MAJIC's icons. Reading the first one takes a third of a second, so the window is shown without them, and
+ * they are read in the background.
  */
 public final class Pictures {
     private Pictures() {}
 
-    /** A picture by its name without {@code .svg}; its grey follows the look. Takes its place at once, empty at first. */
+    /**
+     * Returns an icon by its name without {@code .svg}; its grey follows the look and feel. It has its size at once but
+     * is empty until it is read.
+     */
     public static Icon later(String name, int size) {
         return new LateIcon(new FlatSVGIcon(path(name), size, size));
     }
 
-    /** A picture as a whole; reads it. */
+    /** Returns an icon as an image; reads it from its file. */
     public static Image now(String name, int size) {
         return new FlatSVGIcon(path(name), size, size).getImage();
     }
 
     /**
-     * Reads a picture, so that it can be painted.
+     * Reads an icon, so that it can be painted.
      *
      * @param icon made by {@link #later}
      */

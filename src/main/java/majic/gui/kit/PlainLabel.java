@@ -2,7 +2,7 @@ package majic.gui.kit;
 
 import javax.swing.JLabel;
 
-/** A label for the words of others, such as a file's author: it never takes them for HTML. */
+/** A label for text from outside, such as a file's author; never interprets it as HTML. */
 public final class PlainLabel extends JLabel {
     private static final long serialVersionUID = 1L;
 

@@ -3,7 +3,10 @@ package majic.gui.kit;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
 
-/** A colour for each number, distinguishable for colour-blind people too, in light and dark. */
+/**
+ * Assigns a colour to each robot number; the colours can be distinguished by colour-blind users too, in the light and
+ * the dark look.
+ */
 public final class RobotColors {
     private static final Color[] LIGHT = {
         new Color(0x0072B2), new Color(0xC04E00), new Color(0x007A5A), new Color(0x9C3F80),
@@ -16,7 +19,7 @@ public final class RobotColors {
 
     private RobotColors() {}
 
-    /** The colour of a robot in the look that is on now. */
+    /** Returns the colour of a robot in the present look and feel. */
     public static Color of(int number) {
         Color[] colors = FlatLaf.isLafDark() ? DARK : LIGHT;
         return colors[Math.floorMod(number - 1, colors.length)];

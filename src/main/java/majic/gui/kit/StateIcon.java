@@ -13,15 +13,15 @@ import javax.swing.Icon;
 import javax.swing.UIManager;
 import majic.bot.MajicBot;
 
-/** A robot's condition as a small sign that differs in shape as well as in colour. */
+/** Shows a robot's state as a small symbol that differs in shape as well as in colour. */
 public enum StateIcon implements Icon {
-    /** A filled disc: connected and standing. */
+    /** A filled disc: connected and stationary. */
     STANDING,
     /** A triangle: connected and moving. */
     MOVING,
     /** A ring: not connected yet. */
     WAITING,
-    /** A cross: the link is gone. */
+    /** A cross: the connection is lost. */
     LOST;
 
     private static final int SIZE = 12;

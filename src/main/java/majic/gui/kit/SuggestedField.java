@@ -2,7 +2,7 @@ package majic.gui.kit;
 
 import javax.swing.JTextField;
 
-/** A text field that follows a suggestion until the person writes something else. */
+/** A text field that shows a suggestion until another text is entered. */
 public final class SuggestedField extends JTextField {
     private static final long serialVersionUID = 1L;
 
@@ -12,7 +12,7 @@ public final class SuggestedField extends JTextField {
         setName(name);
     }
 
-    /** Shows a text, unless the person has written another one. */
+    /** Shows a suggestion, unless another text was entered. */
     public void suggest(String text) {
         if (getText().equals(suggestion)) {
             setText(text);

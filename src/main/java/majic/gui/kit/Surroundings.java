@@ -6,13 +6,13 @@ import majic.bot.Settings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the window is given by the program around it. Immutable.
+ * Holds what the program provides to the window. Immutable.
  *
- * @param serialPorts finds the serial ports of this machine; may wait, so it is asked in the background
- * @param startLab starts a simulated lab and has the factory use it; may wait and throw a
+ * @param serialPorts lists the serial ports of this computer; may block, so it is called in the background
+ * @param startLab starts a simulated lab and has the factory use it; may block and throw a
  *     {@link majic.bot.BotException}; null if there is none to start
- * @param quit stops and closes everything and ends the program; may wait, is called once, in the background
- * @param settings what is remembered from one start to the next
+ * @param quit stops and closes everything and ends the program; may block, is called once, in the background
+ * @param settings the stored settings
  */
 public record Surroundings(
         Supplier<List<SerialPortChoice>> serialPorts,
@@ -24,7 +24,7 @@ public record Surroundings(
      * A serial port to choose.
      *
      * @param name as in an address: {@code COM3}, {@code /dev/ttyUSB0}
-     * @param description what the system calls the thing behind it; may be empty
+     * @param description the system's name of the device; may be empty
      */
     public record SerialPortChoice(String name, String description) {
         @Override

@@ -1,16 +1,16 @@
 package majic.gui.kit;
 
-/** How a part of the window gets heard. Callable from any thread; returns at once. */
+/** Submits lines and shows messages for the parts of the window. Callable from any thread; returns at once. */
 public interface Voice {
     /**
-     * Gives lines as if they had been typed; what becomes of them is shown among the messages.
+     * Submits lines as if they had been typed; their results are shown among the messages.
      *
-     * @param lines one or several, all up to the first that is refused are taken
+     * @param lines one or several; all up to the first refused one are accepted
      */
     void say(String lines);
 
     /**
-     * Tells the person something that the session does not know.
+     * Shows a message that does not come from the session.
      *
      * @param sentence what is wrong, and what would be right
      */

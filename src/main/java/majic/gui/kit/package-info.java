@@ -1,5 +1,5 @@
 /**
- * What the parts of the window are made of: dialogs, colours, pictures, the crossing to the event dispatch thread.
+ * Components shared by the parts of the window: dialogs, colours, icons, tasks on and off the event dispatch thread.
  */
 @NullMarked
 package majic.gui.kit;

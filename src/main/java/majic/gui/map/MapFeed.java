@@ -24,13 +24,13 @@ import majic.team.TeamListener;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Puts together what the team map shows, ten times a second on a thread of its own, because a lab may have to be asked
- * and asking may wait. Only changed scenes are handed on.
+ * Builds what the team map shows, ten times a second on its own thread, because a query to a lab may block. Only
+ * changed scenes are passed on.
  */
 public final class MapFeed implements TeamListener, AutoCloseable {
     private static final Logger LOG = System.getLogger(MapFeed.class.getName());
 
-    /** How far apart robots are drawn whose places nobody knows. */
+    /** Distance at which robots are drawn from each other when their positions are unknown. */
     private static final double GUESSED_APART_MM = 1000;
 
     private final Team team;
@@ -40,13 +40,13 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(MapFeed::thread);
     private MapScene last = MapScene.EMPTY;
 
-    /** Where a robot's own frame lies in the room's, and what it left behind. */
+    /** Where a robot's own frame lies in the room's frame, and the robot's trail. */
     private record Start(Pose origin, boolean inLab, Trail trail) {}
 
     /**
-     * A feed; {@link #start()} sets it going.
+     * Creates a feed; {@link #start()} starts it.
      *
-     * @param show takes each new scene, on the event dispatch thread
+     * @param show receives each new scene, on the event dispatch thread
      */
     public MapFeed(Team team, BotFactory factory, Consumer<MapScene> show) {
         this.team = team;
@@ -59,7 +59,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         clock.scheduleWithFixedDelay(this::update, 0, Pacer.PERIOD_MS, TimeUnit.MILLISECONDS);
     }
 
-    /** Remembers where the robot is by now, before it moves. */
+    /** Records where the robot is when it is added, before it moves. */
     @Override
     public void added(Member member) {
         start(member);

@@ -15,9 +15,9 @@ import majic.lab.LabAccess.Tape;
 import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapView;
 
-/** Draws a scene: tape, walls, lamps, robots and key, in that order. */
+/** Draws a scene: tape, walls, lamps, robots and legend, in that order. */
 public final class MapPainter {
-    /** What scale and key need below the room. */
+    /** Height in pixels of the space for scale and legend below the room. */
     public static final int FOOT_PX = 24;
 
     private static final Stroke THIN = new BasicStroke(1);
@@ -28,7 +28,7 @@ public final class MapPainter {
     private static final Color SHINE = new Color(0xFFC107);
     private static final int INSET = 12;
 
-    /** The scale at the other end of the foot is no longer. */
+    /** Maximum length in pixels of the scale at the other end of that space. */
     private static final int SCALE_PX = 115;
 
     private static final double BYSTANDER_MM = 120;
@@ -73,7 +73,7 @@ public final class MapPainter {
         return new Line2D.Double(view.pixel(x1, y1), view.pixel(x2, y2));
     }
 
-    /** As large in every scale, for nobody bumps into it. */
+    /** Draws a lamp in the same size at every scale, because no robot can run into it. */
     private void paintLamp(Lamp lamp) {
         Point2D at = view.pixel(lamp.x(), lamp.y());
         double x = at.getX();
@@ -109,7 +109,7 @@ public final class MapPainter {
         g.drawString(key, view.width() - INSET - textWidth, view.height() - INSET + 3);
     }
 
-    /** What is to be said of a scene, the shorter words last. */
+    /** Returns the texts of the legend, the shorter forms last. */
     private static List<String> keys(MapScene scene) {
         if (!scene.walls().isEmpty() && scene.startsAreGuessed()) {
             return List.of("dashed: where a robot is · no dashes: nobody knows", "no dashes: nobody knows");

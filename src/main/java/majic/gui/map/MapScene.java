@@ -8,14 +8,14 @@ import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that the team map shows at one moment, in the room's frame: x to the right, y up, mm. Immutable, but for the trails, which
- * grow.
+ * The content of the team map at one moment, in the room's frame: x to the right, y up, mm. Immutable, except for the
+ * trails, which grow.
  *
  * @param walls the lab's walls and sides of boxes; empty without a lab
  * @param furnishing the tape and the lamps of the lab
  * @param robots by number
- * @param bystanders robots that stand in the lab but are not in the team
- * @param startsAreGuessed whether some robot's start is unknown, so that it is drawn beside the others
+ * @param bystanders robots that are in the lab but not in the team
+ * @param startsAreGuessed whether the start of at least one robot is unknown, so that it is drawn beside the others
  */
 public record MapScene(
         List<Wall> walls,
@@ -35,11 +35,11 @@ public record MapScene(
      * A robot on the map.
      *
      * @param number its number
-     * @param label what people call its type
+     * @param label display name of its type
      * @param bodyMm radius of its body
-     * @param believed where it believes it is
-     * @param truth where the lab says it is; null without a lab
-     * @param trail where it believed it was; grows
+     * @param believed its estimated pose
+     * @param truth its true pose in the lab; null without a lab
+     * @param trail its earlier estimated poses; grows
      * @param connected whether the pose is kept up to date
      */
     public record Robot(
@@ -52,10 +52,10 @@ public record MapScene(
             boolean connected) {}
 
     /**
-     * A robot of the lab that nobody has added, or that was removed: others can still run into it.
+     * A robot of the lab that was not added or was removed: others can still run into it.
      *
      * @param name of its type
-     * @param truth where it is
+     * @param truth its true pose
      */
     record Bystander(String name, Pose truth) {}
 }

@@ -14,9 +14,9 @@ import majic.gui.kit.RobotColors;
 import majic.panel.Ink;
 import majic.panel.map.MapView;
 
-/** Draws one robot of the map: its trail, where it believes it is, where it is. */
+/** Draws one robot of the map: its trail, its estimated pose, its true pose. */
 final class RobotGlyph {
-    /** A body is never drawn smaller, so that a Hemisson can be found in a hall. */
+    /** Minimum size of a drawn body in pixels, so that a Hemisson can be found in a large room. */
     private static final double SMALLEST_PX = 8;
 
     private static final double TRAIL_STEP_PX = 2;
@@ -38,7 +38,7 @@ final class RobotGlyph {
         this.radiusPx = Math.max(SMALLEST_PX, robot.bodyMm() * view.pxPerMm());
     }
 
-    /** Whether a pixel is on the body. */
+    /** Returns whether a pixel is on the body. */
     boolean covers(Point2D pixel) {
         return pixel.distance(pixel(robot.believed())) <= radiusPx;
     }
@@ -94,7 +94,7 @@ final class RobotGlyph {
         return new Ellipse2D.Double(middle.getX() - radiusPx, middle.getY() - radiusPx, 2 * radiusPx, 2 * radiusPx);
     }
 
-    /** A triangle on the rim that points where the robot looks. */
+    /** Returns a triangle on the rim that points in the robot's heading. */
     private Path2D nose(Pose at) {
         Path2D triangle = new Path2D.Double();
         double tip = radiusPx + Math.max(5, radiusPx * 0.35);

@@ -10,14 +10,14 @@ import majic.panel.map.MapContent;
 import majic.panel.map.MapView;
 import org.jspecify.annotations.Nullable;
 
-/** The floor that a team moves on, at the moment that was shown last. For the event dispatch thread. */
+/** The floor of the team map, as in the last scene. Must be used on the event dispatch thread. */
 final class TeamFloor implements MapContent {
-    /** What an empty map shows. */
+    /** Extent that an empty map shows. */
     private static final Rectangle2D EMPTY = new Rectangle2D.Double(-1500, -1000, 3000, 2000);
 
     private static final double MARGIN_MM = 200;
 
-    /** Around robots of which nobody knows what is around them. */
+    /** Radius in mm shown around robots with an unknown environment. */
     private static final double FREE_MM = 600;
 
     private MapScene scene = MapScene.EMPTY;
@@ -71,7 +71,7 @@ final class TeamFloor implements MapContent {
         return MapPainter.FOOT_PX;
     }
 
-    /** Ends the ways that were shown; robots and room stay. */
+    /** Clears the trails shown so far; robots and room stay. */
     @Override
     public void clear() {
         scene.robots().forEach(robot -> robot.trail().clear());

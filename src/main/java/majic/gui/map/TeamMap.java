@@ -4,8 +4,8 @@ import java.awt.Dimension;
 import majic.panel.map.ZoomableMap;
 
 /**
- * The bird's-eye view of the team: every robot with its number, heading and trail, and with a lab the room and where
- * the robots really are. Shows everything by itself until somebody zooms or drags; a double click goes back to that.
+ * The map of the team: every robot with its number, heading and trail, and with a lab the room and the robots' true
+ * poses. Fits everything into view until the map is zoomed or dragged; a double click returns to that.
  */
 public final class TeamMap extends ZoomableMap {
     private static final long serialVersionUID = 1L;
@@ -25,7 +25,7 @@ public final class TeamMap extends ZoomableMap {
         getAccessibleContext().setAccessibleName("Team map");
     }
 
-    /** Shows another moment. */
+    /** Shows another scene. */
     public void show(MapScene scene) {
         floor.show(scene);
         repaint();
