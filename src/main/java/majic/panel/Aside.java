@@ -3,7 +3,10 @@ package majic.panel;
 import java.awt.Component;
 import java.awt.Dimension;
 
-/** What stands beside or below the view of a {@link Dashboard}, and the room it needs. For the event dispatch thread. */
+/**
+ * A component beside or below the view of a {@link Dashboard}, with the space it needs. Must be used on the event
+ * dispatch thread.
+ */
 public abstract class Aside {
     private static final int LEAST_PICTURE = 60;
     private static final int LEAST_MAP = 80;
@@ -16,7 +19,7 @@ public abstract class Aside {
     }
 
     /**
-     * As high as it prefers, and never left out.
+     * Creates an aside of the component's preferred height that is never left out.
      *
      * @param component with at least its minimum width
      * @return for a dashboard
@@ -26,7 +29,8 @@ public abstract class Aside {
     }
 
     /**
-     * Two by two where that costs the view little, else in one row below the other; never left out.
+     * Creates an aside of status lights that is never left out: two per row where that costs the view little, else one
+     * per row.
      *
      * @param lights with all their words
      * @return for a dashboard
@@ -36,7 +40,8 @@ public abstract class Aside {
     }
 
     /**
-     * Keeps the shape of its preferred size as long as there is the height for it, then gets smaller.
+     * Creates an aside that keeps the aspect ratio of its preferred size while there is enough height, and gets smaller
+     * otherwise.
      *
      * @param picture of any size
      * @return for a dashboard
@@ -46,7 +51,8 @@ public abstract class Aside {
     }
 
     /**
-     * Takes all that the others and the readings leave, and goes when that is too little.
+     * Creates an aside that takes the space that the others and the readings leave, and is hidden when that is too
+     * little.
      *
      * @param map any shape will do
      * @return for a dashboard
@@ -63,12 +69,12 @@ public abstract class Aside {
         return component.getMinimumSize().width;
     }
 
-    /** The width at which it is seen best, or is lowest. */
+    /** Returns the width at which it is most readable, or lowest. */
     int goodWidth() {
         return leastWidth();
     }
 
-    /** 0 if it may be left out. */
+    /** Returns its minimum height; 0 if it may be left out. */
     int leastHeight(int width) {
         return goodHeight(width);
     }
@@ -81,7 +87,7 @@ public abstract class Aside {
         return false;
     }
 
-    /** Takes its place, or goes if that is too small for it. */
+    /** Sets its bounds, or hides it if they are too small for it. */
     void place(int x, int y, int width, int height) {
         component.setBounds(x, y, width, height);
     }

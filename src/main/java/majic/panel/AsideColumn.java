@@ -4,7 +4,7 @@ import java.awt.Rectangle;
 import java.util.List;
 import java.util.function.ToIntFunction;
 
-/** What stands beside a view: asides one below the other, under them the readings as far as there is room. */
+/** Places asides beside a view: one below the other, and under them the readings as far as there is space. */
 final class AsideColumn {
     private final List<Aside> asides;
     private final ReadingsPanel<?> numbers;
@@ -20,12 +20,12 @@ final class AsideColumn {
         return asides.stream().mapToInt(Aside::leastWidth).max().orElse(0);
     }
 
-    /** At which the readings find room, but the asides are no better off than they must be. */
+    /** Returns the width at which the readings fit, while the asides have no more than their minimum. */
     int widthForReadings() {
         return Math.max(leastWidth(), numbers.getMinimumSize().width);
     }
 
-    /** At which the column is lowest and has the width for readings. */
+    /** Returns the width at which the column is lowest and wide enough for the readings. */
     int goodWidth() {
         return asides.stream().mapToInt(Aside::goodWidth).reduce(widthForReadings(), Math::max);
     }
@@ -51,7 +51,7 @@ final class AsideColumn {
         numbers.place(room.x, y, room.width, rows);
     }
 
-    /** Good, and with what is to spare or to save, if that is up to it. */
+    /** Returns the preferred height, changed by the spare or missing height if the aside is flexible. */
     private static int height(Aside aside, int width, int spare) {
         int good = aside.goodHeight(width);
         int least = aside.leastHeight(width);

@@ -3,7 +3,7 @@ package majic.panel;
 import java.awt.Rectangle;
 import java.util.List;
 
-/** What stands below a view: asides side by side, and below all of them the readings as far as there is room. */
+/** Places asides below a view: side by side, and below all of them the readings as far as there is space. */
 final class AsideStrip {
     private final List<Aside> asides;
     private final ReadingsPanel<?> numbers;
@@ -15,7 +15,10 @@ final class AsideStrip {
         this.gap = numbers.gap() / 2;
     }
 
-    /** Without the readings; more than any room has if it is too narrow for the asides. */
+    /**
+     * Returns the minimum height without the readings; larger than any available height if the width is too small for
+     * the asides.
+     */
     int leastHeight(int width) {
         int each = widthOfEach(width);
         boolean fits = asides.stream().allMatch(aside -> aside.leastWidth() <= each);
@@ -31,7 +34,10 @@ final class AsideStrip {
         return (width - (asides.size() - 1) * 2 * gap) / asides.size();
     }
 
-    /** At the foot of a room, as much of it as a square view can spare; returns how high the view can be. */
+    /**
+     * Places the strip at the bottom of an area, as high as a square view permits; returns the height left for the
+     * view.
+     */
     int place(Rectangle room) {
         int each = widthOfEach(room.width);
         int height = leastHeight(room.width);

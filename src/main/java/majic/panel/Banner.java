@@ -9,8 +9,8 @@ import javax.swing.UIManager;
 import javax.swing.text.View;
 
 /**
- * A sentence across a panel while there is one to say, as high as its words need. An alarm stands out by weight and by
- * reversed colours. For the event dispatch thread.
+ * Shows a sentence across the top of a panel, as high as its text needs; hidden when there is none. An alarm is in bold
+ * and in reversed colours. Must be used on the event dispatch thread.
  */
 public final class Banner extends JTextArea {
     private static final long serialVersionUID = 1;
@@ -19,7 +19,7 @@ public final class Banner extends JTextArea {
 
     private boolean alarm;
 
-    /** Makes one that says nothing. */
+    /** Creates a banner without text. */
     public Banner() {
         setName("banner");
         setEditable(false);
@@ -31,9 +31,9 @@ public final class Banner extends JTextArea {
     }
 
     /**
-     * Says what a person had better know or do.
+     * Shows a message about what the user should know or do.
      *
-     * @param words whole sentences, short; empty to say nothing any more
+     * @param words whole sentences, short; empty to hide the banner
      * @param urgent whether it must be acted on at once
      */
     public void show(String words, boolean urgent) {
@@ -49,15 +49,15 @@ public final class Banner extends JTextArea {
     }
 
     /**
-     * Whether what it says must be acted on.
+     * Returns whether the message must be acted on.
      *
-     * @return false also while it says nothing
+     * @return false also without a message
      */
     public boolean isAlarm() {
         return alarm;
     }
 
-    /** How high it must be for its words. */
+    /** Returns the height that its text needs. */
     int heightIn(int width) {
         Insets insets = getInsets();
         View words = getUI().getRootView(this);

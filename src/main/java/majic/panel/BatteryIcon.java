@@ -10,11 +10,10 @@ import java.util.OptionalInt;
 import javax.swing.Icon;
 
 /**
- * A battery, filled as far as it is charged and crossed by a flash while it is charged; strokes where the charge is not
- * known.
+ * A battery symbol, filled according to the charge, and with a flash while charging; dashes when the charge is unknown.
  *
- * @param percent its charge, 0 to 100; empty when it is not known
- * @param charging whether it is being charged
+ * @param percent its charge, 0 to 100; empty when it is unknown
+ * @param charging whether the battery is being charged
  */
 public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon {
     private static final int WIDTH = 24;

@@ -10,14 +10,14 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Places a view of a robot with its asides and readings beside or below it, whichever leaves the larger view. In little room
- * the readings go first. A banner can stand above all.
+ * Places a view of a robot with its asides and readings beside or below it, whichever leaves the larger view. In small
+ * panels the readings are left out first. A banner can be placed above all.
  */
 public final class Dashboard implements LayoutManager {
-    /** A view smaller than this is no use. */
+    /** Minimum size of a view in pixels; a smaller one is unreadable. */
     private static final int LEAST_VIEW = 110;
 
-    /** How much larger the view must get for the rest to stand in a way that is less easily read. */
+    /** Factor by which the view must get larger to justify a less readable arrangement of the rest. */
     private static final double WORTH_IT = 1.15;
 
     private final Component view;
@@ -28,11 +28,11 @@ public final class Dashboard implements LayoutManager {
     private @Nullable Banner banner;
 
     /**
-     * A layout of these children; all have the same parent.
+     * Creates a layout of these children; all have the same parent.
      *
-     * @param view gets the room that the others leave; the larger its shorter side, the better it is seen
-     * @param share of the width, 0 to 1, which the asides get at most where a square view does not need it: 0 for a view
-     *     that has a use for all they can do without, 1 for one that is square
+     * @param view gets the space that the others leave; the larger its shorter side, the better it is seen
+     * @param share of the width, 0 to 1, which the asides get at most where a square view does not need it: 0 for a
+     *     view that can use all the space that they can spare, 1 for one that is square
      * @param asides in the order of reading
      * @param numbers as many of them as fit
      */
@@ -45,7 +45,7 @@ public final class Dashboard implements LayoutManager {
     }
 
     /**
-     * Adds what stands above all while it says something.
+     * Adds a banner, which is placed above all while it shows a message.
      *
      * @param newBanner a child of the same parent
      * @return this layout
@@ -70,12 +70,12 @@ public final class Dashboard implements LayoutManager {
         }
     }
 
-    /** Half a row. */
+    /** Returns half the height of a row. */
     private int gap() {
         return numbers.gap() / 2;
     }
 
-    /** With the gap below it; 0 while it says nothing. */
+    /** Returns the banner's height with the gap below it; 0 while it shows no message. */
     private int bannerHeight(int width) {
         return banner == null || !banner.isVisible() ? 0 : banner.heightIn(width) + gap();
     }
@@ -88,7 +88,7 @@ public final class Dashboard implements LayoutManager {
         return used;
     }
 
-    /** The most easily read that costs the view no more than it is worth. */
+    /** Returns the most readable width of the column that does not reduce the view too much. */
     private int columnWidth(Rectangle room) {
         int least = column.leastWidth();
         int largest = shorterBeside(room, least);
@@ -98,7 +98,7 @@ public final class Dashboard implements LayoutManager {
                 .orElse(least);
     }
 
-    /** The shorter side of a view with a column beside it; 0 if the column does not fit. */
+    /** Returns the shorter side of a view with a column beside it; 0 if the column does not fit. */
     private int shorterBeside(Rectangle room, int width) {
         return column.leastHeight(width) > room.height ? 0 : Math.min(room.height, room.width - width - gap());
     }

@@ -14,15 +14,15 @@ import majic.bot.Range;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A value between two limits around zero: its name, the figure with its sign, and a bar that grows from zero to the side
- * the value points to, with the limits at its ends. For the event dispatch thread.
+ * Shows a value between two limits around zero: its name, the figure with its sign, and a bar that extends from zero to
+ * the side of the value, with the limits at its ends. Must be used on the event dispatch thread.
  */
 public final class Gauge extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int BAR_PX = 9;
     private static final int GAP = 5;
 
-    /** Bars of gauges below each other begin at the same place. */
+    /** Text for the width of the limits, so that bars of gauges below each other start at the same position. */
     private static final String LONGEST_LIMIT = "+1000";
 
     private final String title;
@@ -32,9 +32,9 @@ public final class Gauge extends JPanel {
     private transient @Nullable Double value;
 
     /**
-     * A gauge that shows nothing yet.
+     * Creates a gauge without a value.
      *
-     * @param title what it shows; a parameter's name
+     * @param title name of the parameter
      * @param unit behind the figure
      * @param positiveLeft whether positive values point to the left, as turns do
      */
@@ -60,7 +60,7 @@ public final class Gauge extends JPanel {
     }
 
     /**
-     * The figure as it is written.
+     * Returns the figure as it is displayed.
      *
      * @return with sign and unit; a dash when the value is not known
      */
@@ -69,7 +69,7 @@ public final class Gauge extends JPanel {
         return now == null ? "\u2013" : signed(now) + " " + unit;
     }
 
-    /** Zero has no sign, nor has what is rounded to it. */
+    /** Formats an amount with its sign; zero has none, even if it results from rounding. */
     private static String signed(double amount) {
         long rounded = Math.round(amount);
         return rounded == 0 ? "0" : String.format(Locale.ROOT, "%+d", rounded).replace('-', '\u2212');
@@ -138,7 +138,7 @@ public final class Gauge extends JPanel {
         pen.draw(new Line2D.Double(zero, bar.getY() - 2, zero, bar.getMaxY() + 2));
     }
 
-    /** How far the bar reaches, −1 all the way to the left to 1 all the way to the right. */
+    /** Returns the extent of the bar, from −1, all the way to the left, to 1, all the way to the right. */
     private double share() {
         Double now = value;
         if (now == null) {

@@ -13,13 +13,13 @@ import javax.swing.JPanel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An artificial horizon, as pilots have it: the line that stays level while the robot does not, seen past the robot,
- * which is the mark in the middle. For the event dispatch thread.
+ * An artificial horizon, as in an aircraft: the line stays level while the robot tilts; the mark in the middle is the
+ * robot, seen from behind. Must be used on the event dispatch thread.
  */
 public final class Horizon extends JPanel {
     private static final long serialVersionUID = 1;
 
-    /** What the disc shows from its middle to its rim. */
+    /** Tilt in degrees between the middle and the rim of the disc. */
     private static final double HALF_VIEW_DEG = 60;
 
     private static final int LADDER_DEG = 20;
@@ -28,7 +28,7 @@ public final class Horizon extends JPanel {
     private transient @Nullable Tilt tilt;
 
     /**
-     * How a robot is tilted.
+     * The tilt of a robot.
      *
      * @param pitchDeg nose up positive, −90 to 90
      * @param rollDeg right side down positive, −180 to 180
@@ -36,9 +36,9 @@ public final class Horizon extends JPanel {
     public record Tilt(double pitchDeg, double rollDeg) {}
 
     /**
-     * A disc that shows nothing yet.
+     * Creates a disc that shows nothing yet.
      *
-     * @param diameter that it would like, pixels
+     * @param diameter preferred, pixels
      */
     public Horizon(int diameter) {
         setOpaque(false);
@@ -47,7 +47,7 @@ public final class Horizon extends JPanel {
     }
 
     /**
-     * Shows how the robot is tilted.
+     * Shows the tilt of the robot.
      *
      * @param newTilt null when it is not known
      */
@@ -101,7 +101,7 @@ public final class Horizon extends JPanel {
         }
     }
 
-    /** The robot from behind: wings and a nose. */
+    /** Draws the robot from behind: wings and a nose. */
     private static void paintRobot(Graphics2D pen, Ink ink, double radius) {
         Path2D wings = new Path2D.Double();
         wings.moveTo(-0.62 * radius, 0);

@@ -8,25 +8,25 @@ import java.awt.RenderingHints;
 import javax.swing.UIManager;
 
 /**
- * What the drawing is drawn with: the colours and the font of the present look. Taken anew for every painting. Immutable.
+ * Colours and font for drawing in the present look and feel. Must be created anew for every painting. Immutable.
  *
  * @param line for outlines and figures
- * @param paper what it is drawn on
- * @param accent for what the robot senses
- * @param alarm for what needs attention
+ * @param paper the background
+ * @param accent for sensor readings
+ * @param alarm for warnings
  */
 public record Ink(Color line, Color paper, Color accent, Color alarm) {
     private static final float FIGURES = 0.85f;
 
-    /** The look's own red is too faint to be read on its paper. */
+    /** Alarm colour for a light background, where the look and feel's own red has too little contrast. */
     private static final Color ALARM_ON_LIGHT = new Color(0xB3261E);
 
     private static final Color ALARM_ON_DARK = new Color(0xFF8A80);
 
     /**
-     * The present look's; plain ones where there is no look.
+     * Returns the colours of the present look and feel; default ones without a look and feel.
      *
-     * @return taken at this moment
+     * @return the colours at this moment
      */
     public static Ink ofTheLook() {
         Color paper = color("Panel.background", Color.WHITE);
@@ -42,9 +42,9 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
     }
 
     /**
-     * For what is no longer so: everything thin, nothing stands out.
+     * Returns paler colours, for values that are no longer current.
      *
-     * @return the same paper with paler colours
+     * @return paler colours on the same background
      */
     public Ink faded() {
         return new Ink(grey(0.45), paper, grey(0.4), grey(0.4));
@@ -56,9 +56,9 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
     }
 
     /**
-     * Makes edges smooth and figures a little smaller than the text around.
+     * Sets smooth edges and a font slightly smaller than that of the surrounding text.
      *
-     * @param pen changed for good
+     * @param pen the pen to change; it is not restored
      */
     public static void prepare(Graphics2D pen) {
         pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -70,7 +70,7 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
     }
 
     /**
-     * The line's colour thinned with the paper's.
+     * Mixes the line's colour with the background.
      *
      * @param share of the line's colour, 0 to 1
      * @return opaque
@@ -80,7 +80,7 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
     }
 
     /**
-     * The accent thinned with the paper's colour. Painted far quicker than {@link #wash}, for what there are thousands of.
+     * Mixes the accent with the background. Much faster to paint than {@link #wash}, so suited to thousands of marks.
      *
      * @param share of the accent, 0 to 1
      * @return opaque
@@ -90,28 +90,28 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
     }
 
     /**
-     * The accent, translucent.
+     * Returns the accent, translucent.
      *
      * @param opacity 0 to 1
-     * @return what lies below shows through
+     * @return a translucent colour
      */
     public Color wash(double opacity) {
         return translucent(accent, opacity);
     }
 
     /**
-     * A colour through which what lies below can be seen.
+     * Makes a colour translucent.
      *
-     * @param color its opacity does not count
+     * @param color the colour; its own opacity is ignored
      * @param opacity 0 to 1
-     * @return the same colour
+     * @return the translucent colour
      */
     public static Color translucent(Color color, double opacity) {
         return new Color(color.getRed(), color.getGreen(), color.getBlue(), (int) Math.round(255 * opacity));
     }
 
     /**
-     * A round-ended stroke.
+     * Creates a round-ended stroke.
      *
      * @param width in the units of the pen it is set on
      * @return solid

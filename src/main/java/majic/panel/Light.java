@@ -3,26 +3,26 @@ package majic.panel;
 import javax.swing.JLabel;
 
 /**
- * One condition of a robot, told by a word and by a shape beside it; colour only adds to them. For the event dispatch
+ * Shows one condition of a robot as a word and a shape; colour only adds to them. Must be used on the event dispatch
  * thread.
  */
 public final class Light extends JLabel {
     private static final long serialVersionUID = 1;
 
-    /** How much attention a condition wants. */
+    /** The severity of a condition. */
     public enum Kind {
-        /** Nothing to tell: a ring. */
+        /** Nothing to report: a ring. */
         QUIET,
         /** In working order: a disc. */
         GOOD,
-        /** Worth a look: a triangle. */
+        /** Needs attention: a triangle. */
         WARNING,
-        /** In the way of moving on: an octagon with a cross. */
+        /** Prevents motion: an octagon with a cross. */
         ALARM
     }
 
     /**
-     * A light that is quiet.
+     * Creates a light of kind {@link Kind#QUIET}.
      *
      * @param name of the condition, for tests and screen readers
      * @param tip what the condition means
@@ -47,9 +47,9 @@ public final class Light extends JLabel {
     }
 
     /**
-     * How much attention it wants now.
+     * Returns the severity shown last.
      *
-     * @return what was shown last
+     * @return the kind given last
      */
     public Kind kind() {
         return ((LightIcon) getIcon()).kind();

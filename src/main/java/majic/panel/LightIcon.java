@@ -12,9 +12,9 @@ import javax.swing.Icon;
 import javax.swing.UIManager;
 
 /**
- * The shape of a light.
+ * The shape of a status light.
  *
- * @param kind which one
+ * @param kind the kind of light
  */
 record LightIcon(Light.Kind kind) implements Icon {
     private static final int SIZE = 12;

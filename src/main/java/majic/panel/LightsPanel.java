@@ -6,8 +6,8 @@ import java.util.List;
 import javax.swing.JPanel;
 
 /**
- * Lights in rows, two beside each other where there is the width. None is ever left out; the last one has the rest of its row.
- * For the event dispatch thread.
+ * Shows status lights in rows, two beside each other where there is enough width. None is ever left out; the last one
+ * takes the rest of its row. Must be used on the event dispatch thread.
  */
 public final class LightsPanel extends JPanel {
     private static final long serialVersionUID = 1;
@@ -18,10 +18,10 @@ public final class LightsPanel extends JPanel {
     private final String longest;
 
     /**
-     * Lights in the order of reading.
+     * Creates a panel of lights in the order of reading.
      *
-     * @param longest what each must have room for
-     * @param lights all that there will be
+     * @param longest the longest text of a light, which determines the width
+     * @param lights all lights
      */
     public LightsPanel(String longest, List<Light> lights) {
         super(null);
@@ -32,7 +32,7 @@ public final class LightsPanel extends JPanel {
     }
 
     /**
-     * All of them.
+     * Returns all lights.
      *
      * @return in the order of reading
      */
@@ -40,12 +40,12 @@ public final class LightsPanel extends JPanel {
         return lights;
     }
 
-    /** How wide it must be at least. */
+    /** Returns the minimum width. */
     int widthOf(int sideBySide) {
         return sideBySide * (lightWidth() + GAP) - GAP;
     }
 
-    /** How high it must be. */
+    /** Returns the height needed. */
     int heightIn(int width) {
         return rowHeight() * ((lights.size() + columnsIn(width) - 1) / columnsIn(width));
     }

@@ -8,15 +8,18 @@ import majic.bot.BotState;
 import majic.bot.MajicBot;
 
 /**
- * A panel that shows one robot. News of the robot only leave a mark, on whatever thread they come; a timer of the event
- * dispatch thread looks for the mark ten times a second while the panel is in sight, and only then: not on a hidden tab,
- * not in an iconified window. For the event dispatch thread, except {@link #heard}.
+ * A panel that shows one robot. An event of the robot only sets a flag, on whatever thread it arrives; a timer of the
+ * event dispatch thread checks the flag ten times a second while the panel is visible, and only then: not on a hidden
+ * tab, not in an iconified window. Must be used on the event dispatch thread, except {@link #heard}.
  */
 public abstract class NewsPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int REFRESH_MS = 100;
 
-    /** A robot that says nothing is shown anew this often, for silence is news as well. */
+    /**
+     * Number of timer ticks without an event after which the panel is refreshed anyway, so that a missing report is
+     * shown too.
+     */
     private static final int TICKS_OF_SILENCE = 10;
 
     private final transient MajicBot bot;
@@ -27,9 +30,9 @@ public abstract class NewsPanel extends JPanel {
     private int quietTicks;
 
     /**
-     * Makes an empty panel; it hears of the robot as long as it is part of a window.
+     * Creates an empty panel; it listens to the robot while it is part of a window.
      *
-     * @param bot which one to listen to
+     * @param bot the robot to listen to
      */
     protected NewsPanel(MajicBot bot) {
         super(null);
@@ -42,25 +45,29 @@ public abstract class NewsPanel extends JPanel {
         inSight(seen);
     }
 
-    /** Shows what the robot said last. Called on the event dispatch thread, at most ten times a second; must not wait. */
+    /**
+     * Shows the robot's last reported state. Called on the event dispatch thread, at most ten times a second; must not
+     * block.
+     */
     protected abstract void refresh();
 
     /**
-     * Takes note of what must not be missed between two refreshes. Called on the driver's own threads while the panel is
-     * part of a window, seen or not; must be quick and touch nothing of Swing.
+     * Records events that must not be missed between two refreshes. Called on the driver's own threads while the panel
+     * is part of a window, visible or not; must be quick and must not use Swing.
      *
-     * @param state what the robot shares with all robots
+     * @param state the part of the state that all robots have
      */
     protected void heard(BotState state) {}
 
     /**
-     * Begins or ends what is only worth doing while somebody looks. Called on the event dispatch thread; must not wait.
+     * Starts or ends work that is only useful while the panel is visible. Called on the event dispatch thread; must not
+     * block.
      *
-     * @param seen whether the panel has come into sight, or is gone from it
+     * @param seen whether the panel has become visible; false when it is hidden
      */
     protected void inSight(boolean seen) {}
 
-    /** Shows what the robot said last if it said something since; for a panel that has just been made. */
+    /** Refreshes if the robot has reported anything since the last refresh; for a panel that has just been created. */
     public final void refreshOnNews() {
         if (news.getAndSet(false)) {
             quietTicks = 0;

@@ -14,8 +14,8 @@ import javax.swing.JPanel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a robot's camera sees, as large as the room allows, with a caption in its corner; or in words why there is nothing
- * to be seen, over the faded last picture if there was one. For the event dispatch thread.
+ * Shows a robot's camera picture, as large as the space allows, with a caption in its corner; or a reason why there is
+ * no picture, over the faded last picture if there was one. Must be used on the event dispatch thread.
  */
 public final class PictureView extends JPanel {
     private static final long serialVersionUID = 1;
@@ -27,7 +27,7 @@ public final class PictureView extends JPanel {
     private String words = "";
 
     /**
-     * An empty view.
+     * Creates an empty view.
      *
      * @param width of the pictures, pixels
      * @param height of the pictures, pixels
@@ -41,8 +41,8 @@ public final class PictureView extends JPanel {
     /**
      * Shows a picture.
      *
-     * @param newImage not to be changed any more
-     * @param newCaption short; for instance the pictures a second
+     * @param newImage must not be changed afterwards
+     * @param newCaption short; for instance the frame rate
      */
     public void show(BufferedImage newImage, String newCaption) {
         image = newImage;
@@ -53,7 +53,7 @@ public final class PictureView extends JPanel {
     }
 
     /**
-     * Says why there is no picture.
+     * Shows why there is no picture.
      *
      * @param why a few words
      */
@@ -65,7 +65,7 @@ public final class PictureView extends JPanel {
     }
 
     /**
-     * What stands in the corner.
+     * Returns the caption in the corner.
      *
      * @return empty while there is no picture
      */
@@ -74,7 +74,7 @@ public final class PictureView extends JPanel {
     }
 
     /**
-     * What stands in place of a picture.
+     * Returns the reason that is shown in place of a picture.
      *
      * @return empty while there is one
      */
@@ -82,7 +82,7 @@ public final class PictureView extends JPanel {
         return words;
     }
 
-    /** The part that pictures fill: their shape is kept. */
+    /** Returns the area that pictures fill; it keeps their aspect ratio. */
     private Rectangle2D frame() {
         BufferedImage shown = image;
         Dimension shape = shown == null ? getPreferredSize() : new Dimension(shown.getWidth(), shown.getHeight());

@@ -11,8 +11,8 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A slider for something that is set and measured: its name, the knob, the reading. The knob follows what is measured
- * except while a person holds it, and until what the person chose has come about. For the event dispatch thread.
+ * A slider for a value that is set and measured: its name, the knob, the reading. The knob follows the measured value,
+ * except while it is dragged, and until the chosen value is reached. Must be used on the event dispatch thread.
  */
 public final class ReachSlider extends JPanel {
     private static final long serialVersionUID = 1;
@@ -25,24 +25,24 @@ public final class ReachSlider extends JPanel {
     private final transient Wish wish;
     private boolean following;
 
-    /** Takes what a person chooses. */
+    /** Receives the value chosen with the slider. */
     @FunctionalInterface
     public interface Wish {
         /**
-         * A value was chosen.
+         * Sets a chosen value.
          *
          * @param value in the parameter's unit
-         * @param last whether the knob was let go
+         * @param last whether the knob was released
          */
         void choose(double value, boolean last);
     }
 
     /**
-     * A slider that has no reading yet.
+     * Creates a slider that has no reading yet.
      *
      * @param parameter gives name, unit, range and help
      * @param positiveLeft whether values grow to the left, as turns do
-     * @param wish called on the event dispatch thread; must not wait
+     * @param wish called on the event dispatch thread; must not block
      */
     public ReachSlider(Parameter parameter, boolean positiveLeft, Wish wish) {
         super(new MigLayout("insets 0, fillx, gap 4 0, novisualpadding", "[][grow, fill][right]", "[center]"));
@@ -67,7 +67,7 @@ public final class ReachSlider extends JPanel {
     }
 
     /**
-     * Gives names and readings of sliders below each other the same widths.
+     * Aligns sliders below each other: their names and readings get the same widths.
      *
      * @param sliders all that stand below each other
      */
@@ -96,11 +96,11 @@ public final class ReachSlider extends JPanel {
     }
 
     /**
-     * Shows what is measured.
+     * Shows the measured value.
      *
      * @param words the reading with its unit
      * @param value the same for the knob; null leaves it where it is
-     * @param chosen whether a choice of the person is still under way, so that the knob stays on it
+     * @param chosen whether a chosen value is not yet reached, so that the knob stays on it
      */
     public void show(String words, @Nullable Double value, boolean chosen) {
         reading.setText(words);
@@ -118,7 +118,7 @@ public final class ReachSlider extends JPanel {
     }
 
     /**
-     * The knob.
+     * Returns the knob.
      *
      * @return for tests
      */

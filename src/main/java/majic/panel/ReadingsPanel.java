@@ -14,8 +14,9 @@ import majic.bot.MajicBot;
 import majic.bot.Value;
 
 /**
- * A robot's readings by name, in as many columns as fit, the most useful first: rows without room are left out, none is
- * cut. All values are taken from one source, such as the robot or a snapshot of it. For the event thread.
+ * Shows a robot's readings by name, in as many columns as fit, the most useful first; rows that do not fit are left
+ * out, none is cut. All values are read from one source, such as the robot or a snapshot of it. Must be used on the
+ * event dispatch thread.
  *
  * @param <S> the source
  */
@@ -23,13 +24,13 @@ public final class ReadingsPanel<S> extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int LEAST_ROWS = 3;
 
-    /** Figures far from their names are hard to read along. */
+    /** Maximum width of a column, as a factor of the width needed: figures far from their names are hard to read. */
     private static final double WIDEST = 1.4;
 
-    /** Text may come out a little wider than measured on a screen of another scale. */
+    /** Reserve in pixels: text may be slightly wider than measured on a screen of another scale. */
     private static final int SLACK = 4;
 
-    /** Stands for a value that there is not. */
+    /** Text for a missing value. */
     public static final String NONE = "–";
 
     private final String longestValue;
@@ -50,7 +51,8 @@ public final class ReadingsPanel<S> extends JPanel {
 
     /**
      * Creates a panel that shows parameters of a robot. One that is unknown, or that this robot does not have, shows
-     * {@link #NONE}. The parameters are read on the event thread, so they must not be ones that wait for the robot.
+     * {@link #NONE}. The parameters are read on the event thread, so they must not be ones that block for the robot's
+     * answer.
      *
      * @param longestValue a text as wide as the widest value
      * @param parameters their names in the order of the rows
@@ -61,7 +63,10 @@ public final class ReadingsPanel<S> extends JPanel {
         return panel;
     }
 
-    /** Short: without the word "about" of estimates, and without the reason why a value is unknown. */
+    /**
+     * Formats a value in short form: without the word "about" of estimates, and without the reason why a value is
+     * unknown.
+     */
     private static String text(MajicBot bot, String name) {
         try {
             Value value = bot.get(name);
@@ -78,7 +83,7 @@ public final class ReadingsPanel<S> extends JPanel {
      * Adds a row below the others.
      *
      * @param name of the reading; the parameter's, if there is one
-     * @param text makes the text of the value
+     * @param text formats the value
      * @return this panel
      */
     public ReadingsPanel<S> with(String name, Function<? super S, String> text) {
@@ -95,8 +100,8 @@ public final class ReadingsPanel<S> extends JPanel {
     /**
      * Shows the values.
      *
-     * @param source gives them
-     * @param current whether they are of now; older ones are greyed
+     * @param source the source of the values
+     * @param current whether they are current; older ones are greyed
      */
     public void show(S source, boolean current) {
         for (int index = 0; index < texts.size(); index++) {
@@ -105,7 +110,7 @@ public final class ReadingsPanel<S> extends JPanel {
         }
     }
 
-    /** Its height in a room of this size; 0 if the room is too small for it. */
+    /** Returns its height within an area of this size; 0 if the area is too small for it. */
     int heightWithin(int width, int height) {
         Dimension least = getMinimumSize();
         return width < least.width || height < least.height ? 0 : Math.min(height, heightIn(width));
@@ -150,7 +155,7 @@ public final class ReadingsPanel<S> extends JPanel {
         return new Dimension(columnWidth(), names.size() * rowHeight());
     }
 
-    /** How high it must be to show every row. */
+    /** Returns the height needed to show every row. */
     private int heightIn(int width) {
         return rowHeight() * ceil(names.size(), columnsIn(width));
     }
@@ -159,7 +164,7 @@ public final class ReadingsPanel<S> extends JPanel {
         return Math.max(1, (width + gap()) / (columnWidth() + gap()));
     }
 
-    /** Between two columns, and between readings and drawing. */
+    /** Returns the gap in pixels between two columns, and between readings and drawing. */
     int gap() {
         return rowHeight();
     }

@@ -11,8 +11,8 @@ import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells when a component comes into a person's sight and when it goes out of it: a hidden tab is out of sight, and so is
- * what lies in an iconified window, which Swing takes for showing. For the event dispatch thread.
+ * Reports when a component becomes visible to the user or is hidden: a component on a hidden tab is not visible, nor is
+ * one in an iconified window, which Swing reports as showing. Must be used on the event dispatch thread.
  */
 final class Sight {
     private final Component component;
@@ -22,9 +22,9 @@ final class Sight {
     private boolean seen;
 
     /**
-     * Watches over a component that cannot be seen yet.
+     * Creates a watch for a component that is not visible yet.
      *
-     * @param audience told of each change
+     * @param audience receives each change
      */
     Sight(Component component, Consumer<Boolean> audience) {
         this.component = component;
@@ -36,7 +36,7 @@ final class Sight {
         });
     }
 
-    /** Takes the component for out of sight: it leaves its window. */
+    /** Reports the component as hidden, since it is removed from its window. */
     void end() {
         follow(null);
     }

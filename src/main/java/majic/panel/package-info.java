@@ -1,7 +1,7 @@
 /**
- * What the panels of robots share: colours, readings in columns, the way news come onto the screen. Used by the panel
- * classes of robots' packages, also of those that come as plug-ins, and by the window; a driver must load without it. Nothing here
- * knows a particular robot, and nothing here sends a robot anything.
+ * Components that the panels of robots share: colours, readings in columns, refreshing after events. Used by the panel
+ * classes of robots' packages, also of those in plug-ins, and by the window; a driver must load without it. Nothing
+ * here depends on a particular robot, and nothing here sends anything to a robot.
  */
 @NullMarked
 package majic.panel;

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Places where a robot met something with its sensors, in bounded memory: one for each square of {@value #CELL_MM} mm, the
- * newest; the oldest go first. Thread-safe; nobody waits for it.
+ * Holds places where a robot detected something with its sensors, in bounded memory: one for each square of
+ * {@value #CELL_MM} mm, the newest; the oldest are removed first. Thread-safe; no call blocks for long.
  */
 public final class Echoes {
     private static final int CAPACITY = 3000;
@@ -19,16 +19,16 @@ public final class Echoes {
     private boolean changed;
 
     /**
-     * Something that was met.
+     * A detected point.
      *
      * @param xMm on the floor
      * @param yMm on the floor
-     * @param atNanos when, on the robot's clock
+     * @param atNanos time of the detection, on the robot's clock
      */
     public record Echo(double xMm, double yMm, long atNanos) {}
 
     /**
-     * Takes in what was met, in place of what was met in the same square before.
+     * Adds a detected point, replacing an earlier one in the same square.
      *
      * @param echo not older than those before
      */
@@ -44,16 +44,16 @@ public final class Echoes {
         changed = true;
     }
 
-    /** Forgets everything. */
+    /** Removes all points. */
     public synchronized void clear() {
         bySquare.clear();
         changed = true;
     }
 
     /**
-     * All there are.
+     * Returns all points.
      *
-     * @return the oldest first, 3000 at most; does not change
+     * @return the oldest first, 3000 at most; unmodifiable
      */
     public synchronized List<Echo> all() {
         if (changed) {

@@ -2,12 +2,12 @@ package majic.panel.map;
 
 import majic.bot.Value;
 
-/** Lengths for grids and scale bars. */
+/** Computes lengths for grids and scale bars. */
 public final class Lengths {
     private Lengths() {}
 
     /**
-     * The nearest length of the series 1, 2, 5, 10 that is not longer.
+     * Returns the nearest length of the series 1, 2, 5, 10 that is not longer.
      *
      * @param mm positive
      * @return mm
@@ -19,7 +19,7 @@ public final class Lengths {
     }
 
     /**
-     * A length as people say it: {@code 20 mm}, {@code 50 cm}, {@code 1 m}.
+     * Formats a length with the usual unit: {@code 20 mm}, {@code 50 cm}, {@code 1 m}.
      *
      * @param mm positive
      * @return with its unit

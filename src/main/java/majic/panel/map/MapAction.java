@@ -7,30 +7,30 @@ import java.util.function.Predicate;
 import javax.swing.AbstractAction;
 import javax.swing.KeyStroke;
 
-/** What can be done to a map: each by a key while the map has the focus, most by a button too. */
+/** The actions on a map: each has a key that works while the map has the focus; most have a button too. */
 enum MapAction {
-    /** Larger. */
+    /** Zooms in. */
     ZOOM_IN("Zoom in", List.of("typed +"), map -> map.zoom(1.25)),
-    /** Smaller. */
+    /** Zooms out. */
     ZOOM_OUT("Zoom out", List.of("typed -"), map -> map.zoom(0.8)),
-    /** Everything. */
+    /** Shows everything. */
     FIT("Show everything", List.of("typed 0"), ZoomableMap::fit),
-    /** Robot in the middle. */
+    /** Keeps the robot in the middle. */
     FOLLOW("Keep the robot in the middle", List.of("typed f"), ZoomableMap::toggleFollow, ZoomableMap::follows),
-    /** Robot in the middle, looking up. */
+    /** Keeps the robot in the middle, with its heading up. */
     AHEAD_UP("Turn the map with the robot", List.of("typed u"), ZoomableMap::toggleAheadUp, ZoomableMap::hasAheadUp),
-    /** Forget; by button alone, for what is forgotten does not come back. */
+    /** Clears trails and echoes; by button alone, because cleared data cannot be restored. */
     CLEAR("Clear trails and echoes", List.of(), ZoomableMap::clear),
-    /** What lies left of it. */
+    /** Moves the view to the left. */
     LEFT("Look left", List.of("LEFT"), map -> map.drag(MapAction.STEP_PX, 0)),
-    /** What lies right of it. */
+    /** Moves the view to the right. */
     RIGHT("Look right", List.of("RIGHT"), map -> map.drag(-MapAction.STEP_PX, 0)),
-    /** What lies above. */
+    /** Moves the view up. */
     UP("Look up", List.of("UP"), map -> map.drag(0, MapAction.STEP_PX)),
-    /** What lies below. */
+    /** Moves the view down. */
     DOWN("Look down", List.of("DOWN"), map -> map.drag(0, -MapAction.STEP_PX));
 
-    /** Those that have a button, in their order; the last one stands apart. */
+    /** The actions with a button, in the order of the buttons; the last one is set apart. */
     static final List<MapAction> WITH_BUTTON = List.of(ZOOM_IN, ZOOM_OUT, FIT, FOLLOW, AHEAD_UP, CLEAR);
 
     private static final int STEP_PX = 40;
@@ -66,7 +66,7 @@ enum MapAction {
         return title;
     }
 
-    /** With the key that does the same. */
+    /** Returns the tool tip, with the key of the same action. */
     String tip() {
         return keys.isEmpty() ? title : title + " (" + keys.get(0).replace("typed ", "") + ")";
     }
@@ -75,7 +75,7 @@ enum MapAction {
         return toggles;
     }
 
-    /** Whether it means anything on this map: what has to do with the robot needs one to follow. */
+    /** Returns whether the action applies to this map: actions about the robot need one to follow. */
     boolean suits(ZoomableMap map) {
         return map.hasRobot() || this != FOLLOW && this != AHEAD_UP;
     }

@@ -4,25 +4,25 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 
-/** What lies on the floor of a {@link ZoomableMap}. Asked on the event dispatch thread. */
+/** The content of a {@link ZoomableMap}. Called on the event dispatch thread. */
 public interface MapContent {
     /**
-     * Paints it.
+     * Paints the content.
      *
-     * @param pen in pixels; whatever is set on it is forgotten afterwards
+     * @param pen in pixels; its settings are discarded afterwards
      * @param view from the floor to the pixels
      */
     void paint(Graphics2D pen, MapView view);
 
     /**
-     * What the map shows when it shows everything.
+     * Returns the area that the map shows when it shows everything.
      *
      * @return mm on the floor, neither empty nor narrow
      */
     Rectangle2D extent();
 
     /**
-     * What the map keeps free at its foot when it shows everything, for words that stand there.
+     * Returns the height that the map keeps free at its bottom when it shows everything, for text.
      *
      * @return pixels
      */
@@ -30,15 +30,15 @@ public interface MapContent {
         return 0;
     }
 
-    /** Forgets where robots have been and what they met there. */
+    /** Clears the robots' trails and detected points. */
     void clear();
 
     /**
-     * What is said of a place that somebody points at.
+     * Returns the tool tip for a place under the mouse pointer.
      *
      * @param xMm on the floor
      * @param yMm on the floor
-     * @param view how the floor lies on the map
+     * @param view the mapping from floor to pixels
      * @return a tip
      */
     default String tip(double xMm, double yMm, MapView view) {

@@ -10,7 +10,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.RoundRectangle2D;
 import majic.panel.Ink;
 
-/** The lines of a floor at round distances, and a bar as long as they are apart. */
+/** Draws grid lines on a floor at round distances, and a scale bar as long as their distance. */
 final class MapGrid {
     private static final double WANTED_PX = 90;
     private static final int INSET = 10;
@@ -28,7 +28,7 @@ final class MapGrid {
         this.stepMm = Lengths.round(WANTED_PX / view.pxPerMm());
     }
 
-    /** All lines that can be seen, however the floor is turned; upright ones are sharp. */
+    /** Paints all visible lines, at any rotation of the floor; lines parallel to the axes of the screen are sharp. */
     void paintLines() {
         double reach = Math.hypot(view.width(), view.height()) / 2 / view.pxPerMm();
         pen.setColor(ink.grey(0.13));
@@ -56,7 +56,10 @@ final class MapGrid {
         pen.draw(new Line2D.Double(from, to));
     }
 
-    /** At the lower left, with a little of the floor's colour around it so that it can be read on anything. */
+    /**
+     * Paints the scale bar at the lower left, on a margin of the floor's colour so that it is readable on any
+     * background.
+     */
     void paintScale(Color floor) {
         String text = Lengths.text(stepMm);
         FontMetrics metrics = pen.getFontMetrics();

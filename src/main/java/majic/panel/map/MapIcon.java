@@ -11,13 +11,13 @@ import javax.swing.Icon;
 import majic.panel.Ink;
 
 /**
- * The sign on a map's button, drawn in the colour of text.
+ * The symbol on a map's button, drawn in the colour of text.
  *
- * @param action what the button does
+ * @param action the button's action
  * @param size pixels
  */
 record MapIcon(MapAction action, int size) implements Icon {
-    /** What the signs are drawn in. */
+    /** Size of the grid in which the symbols are designed. */
     private static final double GRID = 14;
 
     @Override

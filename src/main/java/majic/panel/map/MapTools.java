@@ -12,7 +12,7 @@ import javax.swing.JToggleButton;
 import majic.panel.Ink;
 import net.miginfocom.swing.MigLayout;
 
-/** The buttons in a map's corner. */
+/** Holds the buttons in a map's corner. */
 final class MapTools extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int ICON_PX = 14;
@@ -43,7 +43,7 @@ final class MapTools extends JPanel {
         add(button, action == MapAction.CLEAR ? "gapleft 6" : "");
     }
 
-    /** Presses the buttons in whose state the map is. */
+    /** Selects the buttons that match the map's state. */
     void showState() {
         toggles.forEach((action, button) -> button.setSelected(action.isOn(map)));
     }

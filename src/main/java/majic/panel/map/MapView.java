@@ -5,8 +5,8 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 
 /**
- * How a floor lies on a component: which place is in the middle, how large it is, what points up. On the floor x and y are
- * mm, counterclockwise positive; pixels go right and down. Immutable.
+ * The mapping of a floor to a component: the place in the middle, the scale, the direction that points up. On the floor
+ * x and y are mm, angles counterclockwise positive; pixels go right and down. Immutable.
  *
  * @param pxPerMm the scale, {@value #SMALLEST} to {@value #LARGEST}; a value outside is brought inside
  * @param xMm what is in the middle
@@ -16,24 +16,24 @@ import java.awt.geom.Rectangle2D;
  * @param height of the component, pixels
  */
 public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int width, int height) {
-    /** x to the right, y up. */
+    /** Value of {@code upDeg} with x to the right and y up. */
     public static final double Y_UP = 90;
 
     private static final double SMALLEST = 0.002;
     private static final double LARGEST = 2;
 
-    /** Keeps the scale within its limits. */
+    /** Limits the scale to its range. */
     public MapView {
         pxPerMm = Math.max(SMALLEST, Math.min(LARGEST, pxPerMm));
     }
 
     /**
-     * The largest view, y up, that shows all of a piece of floor.
+     * Returns the largest view, y up, that shows all of an area of the floor.
      *
      * @param extent of the floor, mm
      * @param width of the component, pixels
      * @param height of the component, pixels
-     * @return with the piece of floor in the middle
+     * @return a view with the area in the middle
      */
     public static MapView fitting(Rectangle2D extent, int width, int height) {
         double scale = Math.min(width / extent.getWidth(), height / extent.getHeight());
@@ -41,7 +41,7 @@ public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int 
     }
 
     /**
-     * From the floor to the component.
+     * Returns the transform from the floor to the component.
      *
      * @return a new one, for the caller to keep
      */
@@ -54,7 +54,7 @@ public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int 
     }
 
     /**
-     * Where a place is seen.
+     * Returns the pixel of a place.
      *
      * @param placeXMm on the floor
      * @param placeYMm on the floor
@@ -65,7 +65,7 @@ public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int 
     }
 
     /**
-     * What is seen at a pixel.
+     * Returns the place at a pixel.
      *
      * @param x to the right
      * @param y down
@@ -80,7 +80,7 @@ public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int 
     }
 
     /**
-     * Larger by a factor, with the same place under a pixel.
+     * Returns the view scaled by a factor, with the same place at a pixel.
      *
      * @param factor positive; below 1 makes it smaller
      * @param x of the pixel
@@ -95,7 +95,7 @@ public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int 
     }
 
     /**
-     * Moved as if dragged.
+     * Returns the view moved as if dragged.
      *
      * @param rightPx pixels
      * @param downPx pixels
@@ -107,7 +107,7 @@ public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int 
     }
 
     /**
-     * The same with another place in the middle.
+     * Returns the view with another place in the middle.
      *
      * @param newXMm mm
      * @param newYMm mm
@@ -118,7 +118,7 @@ public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int 
     }
 
     /**
-     * The same on a component of another size.
+     * Returns the view for a component of another size.
      *
      * @param newWidth pixels
      * @param newHeight pixels

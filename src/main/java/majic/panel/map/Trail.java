@@ -5,14 +5,14 @@ import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 
 /**
- * Where a robot has been, from its first pose on, in bounded memory: when it is full, every other point is left out, so that
- * old and long ways get coarser and none gets shorter. Thread-safe; nobody waits for it.
+ * Holds the path of a robot from its first pose on, in bounded memory: when it is full, every other point is removed,
+ * so that old and long paths get coarser but none gets shorter. Thread-safe; no call blocks for long.
  */
 public final class Trail {
     private static final int CAPACITY = 2048;
     private static final double FIRST_STEP_MM = 20;
 
-    /** No robot goes this far from one word to the next: its pose was set anew. */
+    /** Distance in mm between two reports that no robot can cover: its pose was set anew. */
     private static final double JUMP_MM = 1000;
 
     private final float[] xs = new float[CAPACITY];
@@ -22,7 +22,7 @@ public final class Trail {
     private double stepMm = FIRST_STEP_MM;
 
     /**
-     * Takes in where the robot is; less than a step from the last point is left out.
+     * Adds the robot's pose; one less than a step from the last point is left out.
      *
      * @param pose now
      */
@@ -41,7 +41,7 @@ public final class Trail {
         size++;
     }
 
-    /** A jump that goes to a point left out goes to the one after it. */
+    /** Removes every other point; a jump to a removed point becomes a jump to the next one. */
     private void thin() {
         int kept = 0;
         for (int index = 0; index < size; index += 2) {
@@ -54,14 +54,14 @@ public final class Trail {
         stepMm *= 2;
     }
 
-    /** Forgets everything. */
+    /** Removes all points. */
     public synchronized void clear() {
         size = 0;
         stepMm = FIRST_STEP_MM;
     }
 
     /**
-     * How many points there are.
+     * Returns the number of points.
      *
      * @return 0 to 2048
      */
@@ -70,9 +70,9 @@ public final class Trail {
     }
 
     /**
-     * Draws the way.
+     * Copies the trail into a path.
      *
-     * @param path emptied first; then the way on the floor, mm
+     * @param path cleared first, then filled with the trail on the floor, mm
      * @param leastMm points closer than this to the one before are left out
      */
     public synchronized void trace(Path2D path, double leastMm) {
@@ -93,7 +93,7 @@ public final class Trail {
     }
 
     /**
-     * Makes a piece of floor so large that it holds the way.
+     * Enlarges an area of the floor so that it contains the trail.
      *
      * @param extent mm; grows
      */

@@ -6,8 +6,8 @@ import majic.bot.Pose;
 import majic.panel.Ink;
 
 /**
- * What the floors of all robots share: where the robot started, the way it came, and how much of the floor is worth seeing.
- * {@link #hear} is for the driver's threads, everything else for the event dispatch thread.
+ * The part of the map that all robots share: the robot's start, its trail, and the visible area. {@link #hear} may be
+ * called on the driver's threads, everything else on the event dispatch thread.
  */
 public abstract class WayContent implements RobotContent {
     private final Trail trail = new Trail();
@@ -15,20 +15,20 @@ public abstract class WayContent implements RobotContent {
     private final Reach reach;
 
     /**
-     * How much floor around the robot is seen while the map follows it.
+     * How much floor around the robot is visible while the map follows it.
      *
-     * @param pxPerMm at which the robot is drawn at least, as long as that leaves the least reach around it
-     * @param leastMm to the nearest edge of the map
-     * @param mostMm to the nearest edge of the map
-     * @param marginMm around everything when everything is shown
+     * @param pxPerMm minimum scale of the robot, as long as that leaves the minimum distance around it
+     * @param leastMm minimum distance to the nearest edge of the map
+     * @param mostMm maximum distance to the nearest edge of the map
+     * @param marginMm margin around everything when everything is shown
      */
     public record Reach(double pxPerMm, double leastMm, double mostMm, double marginMm) {}
 
     /**
-     * A floor that nobody has been on.
+     * Creates a floor without a trail.
      *
-     * @param reach how much of it is seen
-     * @param measured whether the robot measures its way; else it is drawn as an estimate
+     * @param reach how much of it is visible
+     * @param measured whether the robot measures its path; otherwise the trail is drawn as an estimate
      */
     protected WayContent(Reach reach, boolean measured) {
         this.reach = reach;
@@ -36,7 +36,7 @@ public abstract class WayContent implements RobotContent {
     }
 
     /**
-     * Remembers where the robot is.
+     * Records the robot's pose.
      *
      * @param now on the floor
      */
@@ -58,9 +58,9 @@ public abstract class WayContent implements RobotContent {
     }
 
     /**
-     * Makes a piece of floor so large that it holds what else is to be seen.
+     * Enlarges an area of the floor so that it contains the further content.
      *
-     * @param extent mm; holds the start, the robot and its way
+     * @param extent mm; contains the start, the robot and its trail
      */
     protected void extend(Rectangle2D extent) {}
 
@@ -76,11 +76,11 @@ public abstract class WayContent implements RobotContent {
     }
 
     /**
-     * Paints the way.
+     * Paints the trail.
      *
      * @param pen in pixels
      * @param view from the floor to the pixels
-     * @param ink what it is painted with
+     * @param ink the colours to use
      */
     protected final void paintWay(Graphics2D pen, MapView view, Ink ink) {
         way.paint(pen, view, ink);

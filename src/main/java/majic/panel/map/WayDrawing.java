@@ -9,13 +9,13 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.panel.Ink;
 
-/** The way a robot came, from where it started. For the event dispatch thread. */
+/** Draws the trail of a robot, from its start. Must be used on the event dispatch thread. */
 public final class WayDrawing {
     private static final String START = "start";
     private static final double START_PX = 5;
     private static final double STEP_PX = 2;
 
-    /** Thousands of round joins would take longer than all the rest. */
+    /** A bevelled join: thousands of round joins would take longer to paint than everything else. */
     private static final Stroke MEASURED = new BasicStroke(1.6f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL);
 
     private static final Stroke ESTIMATED =
@@ -31,31 +31,31 @@ public final class WayDrawing {
     }
 
     /**
-     * The way of a robot that measures it.
+     * Creates a drawing of the trail of a robot that measures its path.
      *
-     * @param trail what is drawn, as it is at each painting
-     * @return drawn in one line
+     * @param trail the trail, read at each painting
+     * @return a solid line
      */
     public static WayDrawing measured(Trail trail) {
         return new WayDrawing(trail, MEASURED);
     }
 
     /**
-     * The way of a robot that cannot tell how far it went.
+     * Creates a drawing of the trail of a robot that cannot measure how far it moved.
      *
-     * @param trail what is drawn, as it is at each painting
-     * @return drawn in dashes
+     * @param trail the trail, read at each painting
+     * @return a dashed line
      */
     public static WayDrawing estimated(Trail trail) {
         return new WayDrawing(trail, ESTIMATED);
     }
 
     /**
-     * Paints the way.
+     * Paints the trail.
      *
      * @param pen in pixels
      * @param view from the floor to the pixels
-     * @param ink what it is painted with
+     * @param ink the colours to use
      */
     public void paint(Graphics2D pen, MapView view, Ink ink) {
         trail.trace(way, STEP_PX / view.pxPerMm());
@@ -65,11 +65,11 @@ public final class WayDrawing {
     }
 
     /**
-     * Paints a mark where the way begins.
+     * Paints a mark at the start of the trail.
      *
      * @param pen in pixels
      * @param view from the floor to the pixels
-     * @param ink what it is painted with
+     * @param ink the colours to use
      */
     public static void paintStart(Graphics2D pen, MapView view, Ink ink) {
         Point2D start = view.pixel(0, 0);

@@ -15,9 +15,9 @@ import majic.panel.Ink;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A floor with a grid and a scale bar, which follows a robot if there is one to follow, shows everything, or shows what
- * somebody chose with mouse, keys or buttons. The wheel zooms, dragging moves, a double click shows everything. Little room takes the buttons away;
- * wheel and keys stay. For the event dispatch thread.
+ * A floor with a grid and a scale bar. Follows a robot if there is one to follow, shows everything, or shows the area
+ * chosen with mouse, keys or buttons. The wheel zooms, dragging moves, a double click shows everything. On a small map
+ * the buttons are hidden; wheel and keys still work. Must be used on the event dispatch thread.
  */
 public class ZoomableMap extends JPanel {
     private static final long serialVersionUID = 1;
@@ -31,29 +31,29 @@ public class ZoomableMap extends JPanel {
     private boolean aheadUp;
     private transient MapView chosen = new MapView(1, 0, 0, MapView.Y_UP, 1, 1);
 
-    /** Who decides what is seen. */
+    /** Determines which area is visible. */
     enum Mode {
         /** The robot stays in the middle. */
         FOLLOW,
-        /** Everything is seen. */
+        /** Everything is visible. */
         FIT,
-        /** Somebody chose. */
+        /** The area was chosen by the user. */
         FREE
     }
 
     /**
-     * A map that follows a robot.
+     * Creates a map that follows a robot.
      *
-     * @param content what lies on it
+     * @param content the content of the map
      */
     public ZoomableMap(RobotContent content) {
         this(content, content, Mode.FOLLOW);
     }
 
     /**
-     * A map that shows everything.
+     * Creates a map that shows everything.
      *
-     * @param content what lies on it
+     * @param content the content of the map
      */
     public ZoomableMap(MapContent content) {
         this(content, null, Mode.FIT);
@@ -79,9 +79,9 @@ public class ZoomableMap extends JPanel {
     }
 
     /**
-     * How the floor lies on the component now.
+     * Returns the present mapping of the floor to the component.
      *
-     * @return of the present size
+     * @return the view at the present size
      */
     public final MapView view() {
         int width = Math.max(1, getWidth());
@@ -93,7 +93,10 @@ public class ZoomableMap extends JPanel {
         };
     }
 
-    /** Between the buttons and the words at the foot, which would hide a part of it. */
+    /**
+     * Returns the view that fits everything between the buttons and the text at the bottom, which would hide a part of
+     * it.
+     */
     private MapView everything(int width, int height) {
         int head = tools.isVisible() ? tools.getHeight() : 0;
         int foot = content.footPx();
@@ -109,7 +112,7 @@ public class ZoomableMap extends JPanel {
         return new MapView(scale, pose.xMm(), pose.yMm(), aheadUp ? pose.headingDeg() : MapView.Y_UP, width, height);
     }
 
-    /** Whether there is one robot that the map can follow. */
+    /** Returns whether there is one robot that the map can follow. */
     boolean hasRobot() {
         return followed != null;
     }
@@ -122,7 +125,7 @@ public class ZoomableMap extends JPanel {
         return follows() && aheadUp;
     }
 
-    /** Shows everything from now on, until somebody chooses something else. */
+    /** Shows everything from now on, until another area is chosen. */
     public final void fit() {
         become(Mode.FIT);
     }
@@ -146,7 +149,7 @@ public class ZoomableMap extends JPanel {
         repaint();
     }
 
-    /** Larger by a factor; a map that follows goes on following. */
+    /** Scales the view by a factor; a map that follows continues to follow. */
     void zoom(double factor, double x, double y) {
         if (follows()) {
             double now = view().pxPerMm();
@@ -191,7 +194,7 @@ public class ZoomableMap extends JPanel {
         return content.tip(place.getX(), place.getY(), view());
     }
 
-    /** The colour of the floor in the present look. */
+    /** Returns the colour of the floor in the present look and feel. */
     static Color floor() {
         Color floor = UIManager.getColor("TextArea.background");
         return floor == null ? Color.WHITE : floor;
@@ -224,7 +227,7 @@ public class ZoomableMap extends JPanel {
         }
     }
 
-    /** Shows by the frame who has the keys. */
+    /** Shows by the border whether the map has the focus. */
     private final class Frame implements FocusListener {
         @Override
         public void focusGained(FocusEvent event) {

@@ -1,6 +1,4 @@
-/**
- * The zoomable map of robots' panels and of the window: a floor with a grid, the way a robot came, echoes.
- */
+/** The zoomable map of robots' panels and of the window: a floor with a grid, the robots' trails, detected points. */
 @NullMarked
 package majic.panel.map;
 
