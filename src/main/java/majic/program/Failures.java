@@ -11,15 +11,15 @@ import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Turns what went wrong at the start into one sentence and an exit status. */
+/** Converts an error at the start into one sentence and an exit status. */
 public final class Failures {
-    /** A line failed. */
+    /** Exit status: a line failed. */
     public static final int FAILED = 1;
 
-    /** The command line is wrong. */
+    /** Exit status: the command line is wrong. */
     public static final int USAGE = 2;
 
-    /** Window or lab did not start. */
+    /** Exit status: window or lab did not start. */
     static final int NO_START = 3;
 
     private static final System.Logger LOG = System.getLogger(Failures.class.getName());
@@ -36,14 +36,14 @@ public final class Failures {
         return USAGE;
     }
 
-    /** The parser of the command line names Java types; a person knows numbers. */
+    /** Rewrites messages of the command-line parser that name Java types, such as for numbers. */
     private static String plain(ParameterException problem) {
         return String.valueOf(problem.getMessage())
                 .replaceFirst("is not an? (long|int)$", "is not a whole number")
                 .replaceFirst("is not a double$", "is not a number");
     }
 
-    /** What was asked for cannot be done, and here is why. */
+    /** Prints why a request cannot be carried out, and returns the exit status. */
     public static int failed(CommandLine command, BotException problem) {
         LOG.log(Level.DEBUG, "a command failed", problem);
         say(command, problem);

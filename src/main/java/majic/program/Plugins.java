@@ -16,17 +16,17 @@ import java.util.ServiceLoader;
 import java.util.stream.Stream;
 import majic.bot.BotType;
 
-/** Finds the types of robots: those in this jar, and those in jars that the user dropped into the plug-ins folder. */
+/** Finds the types of robots: those in MAJIC's jar, and those in jars in the plug-ins folder. */
 public final class Plugins {
     private static final System.Logger LOG = System.getLogger(Plugins.class.getName());
 
-    /** The order of the thesis; types from plug-ins follow by name. */
+    /** The types in the order of the thesis; types from plug-ins follow by name. */
     private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson");
 
     private Plugins() {}
 
     /**
-     * All types of robots.
+     * Returns all types of robots.
      *
      * @param folder the plug-ins folder; need not exist
      * @return the types; a broken plug-in is logged and left out
@@ -42,7 +42,7 @@ public final class Plugins {
         return types;
     }
 
-    /** False at the end; a type that cannot be made is skipped. */
+    /** Adds the next type; returns false at the end. A type that cannot be instantiated is skipped. */
     private static boolean takeNext(Iterator<BotType> found, List<BotType> types) {
         try {
             boolean more = found.hasNext();

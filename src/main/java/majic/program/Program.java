@@ -27,8 +27,8 @@ import majicsim.LabOptions;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One running MAJIC: team, session, perhaps a lab. Closing it stops and closes all robots within 3 s, whatever their
- * links do; it is done at the latest when the program is asked to end.
+ * One running MAJIC: team, session, and optionally a lab. Closing it stops and closes all robots within 3 s, whatever
+ * the state of their connections; this happens at the latest when the program is asked to end.
  */
 public final class Program implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Program.class.getName());
@@ -47,7 +47,7 @@ public final class Program implements AutoCloseable {
     private final CountDownLatch closed = new CountDownLatch(1);
 
     /**
-     * Builds everything and starts nothing but the session log.
+     * Builds everything; starts nothing except the session log.
      *
      * @param folder the user's folder
      * @param lab a running lab; null for none
@@ -69,13 +69,15 @@ public final class Program implements AutoCloseable {
         session = new Session(team, factory, log, acts, quit::countDown);
     }
 
-    /** From now on the end of the Java program, for whatever reason, closes this one once the robots are closed. */
+    /**
+     * Registers this program to be closed when the Java program ends, for whatever reason, after the robots are closed.
+     */
     public void closeWhenProgramEnds() {
         ShutdownHook.afterwards(this::close);
     }
 
     /**
-     * Starts a lab in a program that has none, at the wall clock's pace.
+     * Starts a lab in a program that has none, at the pace of the wall clock.
      *
      * @throws BotException if there is one already or it cannot open its ports
      */
@@ -113,10 +115,10 @@ public final class Program implements AutoCloseable {
     }
 
     /**
-     * Takes lines over a socket from now on; they wait until {@link #addFirst} has ended.
+     * Starts to accept lines over a socket; they wait until {@link #addFirst} has ended.
      *
-     * @param address where to listen
-     * @param open whether clients are obeyed without a token
+     * @param address the address to listen at
+     * @param open whether clients are accepted without a token
      * @return the server
      * @throws IOException if the port is taken
      */
@@ -128,8 +130,8 @@ public final class Program implements AutoCloseable {
     }
 
     /**
-     * Adds the robots that were asked for at the start, and then lets the clients' lines through. Blocks until all are
-     * there or were refused.
+     * Adds the robots that were requested at the start, and then accepts the clients' lines. Blocks until every robot
+     * is added or refused.
      *
      * @param lines MAJIC Script that adds them
      * @return whether every line succeeded
@@ -146,12 +148,12 @@ public final class Program implements AutoCloseable {
         return succeeded;
     }
 
-    /** From now on somebody listens to the session: says what went wrong before, too. */
+    /** Reports the errors that occurred before, now that the session has a listener. */
     public void announce() {
         settings.onTrouble(session::alarm);
     }
 
-    /** Asks the program to end. */
+    /** Requests the end of the program. */
     public void quit() {
         quit.countDown();
     }
@@ -160,7 +162,7 @@ public final class Program implements AutoCloseable {
         return quit.getCount() == 0;
     }
 
-    /** Waits until somebody asks the program to end. */
+    /** Waits until the end of the program is requested. */
     public void awaitQuit() throws InterruptedException {
         quit.await();
     }
@@ -170,7 +172,10 @@ public final class Program implements AutoCloseable {
         closeRobots();
     }
 
-    /** Whoever comes second waits for the first: the program must not end in the middle of it. */
+    /**
+     * Closes the robots; a second caller waits until the first has finished, because the program must not end before
+     * that.
+     */
     private void closeRobots() {
         if (closing.compareAndSet(false, true)) {
             closeAll();

@@ -1,6 +1,6 @@
 package majic.program;
 
-/** The command line asked for something that cannot be; the message is the sentence for the user. */
+/** Reports that the command line requests something impossible; the message is the sentence for the user. */
 public final class UsageException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

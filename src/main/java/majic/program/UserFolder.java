@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Where MAJIC keeps what belongs to the user: settings, session logs, its own log, plug-ins. The environment variable
+ * The folder of the user's data: settings, session logs, MAJIC's own log, plug-ins. The environment variable
  * {@code MAJIC_HOME} chooses another place.
  *
  * @param path the folder
@@ -33,7 +33,7 @@ public record UserFolder(Path path) {
         return data == null || data.isBlank() ? Path.of(home, ".local", "share", "majic") : Path.of(data, "majic");
     }
 
-    /** A folder inside, made if it is missing. */
+    /** Returns a folder inside it, created if it is missing. */
     Path folder(String name) throws IOException {
         return Files.createDirectories(path.resolve(name));
     }

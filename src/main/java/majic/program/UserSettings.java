@@ -21,17 +21,17 @@ import majic.bot.BotException;
 import majic.bot.Settings;
 
 /**
- * The user's settings in a properties file, read when first needed, written anew at every change. A damaged file is renamed
- * and the settings begin empty; one that cannot be read is tried again at every use, and is not written meanwhile. Both are
- * told. Thread-safe.
+ * Holds the user's settings in a properties file, read at the first use, rewritten at every change. A damaged file is
+ * renamed and the settings start empty; a file that cannot be read is tried again at every use, and is not written
+ * until then. Both are reported. Thread-safe.
  */
 final class UserSettings implements Settings {
     private final Path file;
 
-    /** What the file held, with all changes since. */
+    /** The file's content, with all changes since. */
     private final Properties kept = new Properties();
 
-    /** What was put while the file could not be read. */
+    /** Changes made while the file could not be read. */
     private final Properties unwritten = new Properties();
 
     private final List<String> untold = new ArrayList<>();
@@ -44,9 +44,9 @@ final class UserSettings implements Settings {
     }
 
     /**
-     * Has somebody told what is wrong with the file, from the first use on.
+     * Reports problems with the file, from the first use on.
      *
-     * @param alarm gets a sentence, on the thread that uses the settings
+     * @param alarm receives a sentence, on the thread that uses the settings
      */
     synchronized void onTrouble(Consumer<String> alarm) {
         listener = alarm;
@@ -79,7 +79,7 @@ final class UserSettings implements Settings {
         write();
     }
 
-    /** Throws what keeps the file from being read; a damaged one is none of that. */
+    /** Reads the file once; throws if it cannot be read, but not if it is damaged. */
     private void readOnce() throws IOException {
         if (read) {
             return;
@@ -122,7 +122,7 @@ final class UserSettings implements Settings {
                 : problem.getMessage();
     }
 
-    /** Writes beside the file first, down to the disk, so that a crash leaves the old one whole. */
+    /** Writes to a temporary file first, synchronised to the disk, so that a crash leaves the old file complete. */
     private void write() {
         Path fresh = file.resolveSibling(file.getFileName() + ".new");
         try {

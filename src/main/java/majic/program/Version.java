@@ -2,7 +2,7 @@ package majic.program;
 
 import picocli.CommandLine.IVersionProvider;
 
-/** Which MAJIC this is, from the jar's manifest. */
+/** Reads MAJIC's version from the jar's manifest. */
 public final class Version implements IVersionProvider {
     static String text() {
         String version = Version.class.getPackage().getImplementationVersion();

@@ -14,7 +14,7 @@ import majic.gui.kit.Surroundings.SerialPortChoice;
 import majic.link.SerialPorts;
 import majic.script.MajicParser;
 
-/** Opens the window and stays until the program is asked to end. */
+/** Opens the window and blocks until the program is asked to end. */
 public final class Window {
     private final Program program;
     private final MajicParser parser;
@@ -25,9 +25,9 @@ public final class Window {
     }
 
     /**
-     * Shows the window and waits for the end.
+     * Shows the window and blocks until the end of the program.
      *
-     * @param firstLines they add robots; said once the window stands
+     * @param firstLines lines that add robots; submitted once the window is shown
      * @return the exit status
      * @throws UsageException if the display cannot be used
      */
@@ -55,7 +55,7 @@ public final class Window {
         }
     }
 
-    /** Builds and paints the window where nobody sees it. */
+    /** Builds and paints the window without showing it. */
     public void rehearse() {
         MajicFrame frame = open(this::build);
         onEventThread(() -> {
@@ -102,7 +102,7 @@ public final class Window {
                 .toList();
     }
 
-    /** The window could not be opened. */
+    /** Reports that the window could not be opened. */
     static final class WindowFailed extends RuntimeException {
         private static final long serialVersionUID = 1;
 
