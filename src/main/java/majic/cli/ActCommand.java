@@ -19,7 +19,7 @@ public final class ActCommand implements Callable<Integer> {
     @Spec
     private @Nullable CommandSpec spec;
 
-    /** Without a further word it lists the words there are. */
+    /** Lists the subcommands when it is called without one. */
     @Override
     public Integer call() {
         if (spec != null) {

@@ -17,7 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code majic act from-session}: a file of a saved session or a script. */
+/** {@code majic act from-session}: makes an act's file of a saved session or a script. */
 @Command(
         name = "from-session",
         mixinStandardHelpOptions = true,

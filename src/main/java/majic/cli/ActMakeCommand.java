@@ -19,7 +19,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code majic act make}: a file of classes, of a source or of a script. */
+/** {@code majic act make}: makes an act's file of classes, of a source or of a script. */
 @Command(
         name = "make",
         mixinStandardHelpOptions = true,

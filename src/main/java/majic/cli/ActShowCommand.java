@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code majic act show}: what a file says of itself. */
+/** {@code majic act show}: shows the description in an act's file. */
 @Command(
         name = "show",
         mixinStandardHelpOptions = true,

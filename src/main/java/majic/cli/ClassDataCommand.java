@@ -17,8 +17,8 @@ import majicsim.LabOptions;
 import picocli.CommandLine.Command;
 
 /**
- * {@code majic class-data}: a whole start that nobody sees. The launcher runs it once in the background, to let the Java
- * machine write down the classes that the next starts will need.
+ * {@code majic class-data}: performs a complete start without showing anything. The launcher runs it once in the
+ * background, so that the Java machine records the classes that later starts need.
  */
 @Command(name = "class-data", hidden = true, description = "Rehearses a start, for the launcher.")
 public final class ClassDataCommand implements Callable<Integer> {

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
-/** The options that shape a simulated lab, the same for {@code --lab} and for {@code lab}. */
+/** The options of a simulated lab, the same for {@code --lab} and for {@code lab}. */
 final class LabChoice {
     private static final double SLOWEST = 0.01;
     private static final double FASTEST = 100;
@@ -96,7 +96,7 @@ final class LabChoice {
                     + " (1); the others are sim:pioneer2, sim:pioneer3 …")
     private int pioneers = 1;
 
-    /** Whether any lab but the usual one is chosen. */
+    /** Returns whether a lab other than the default one is chosen. */
     boolean isGiven() {
         boolean ports = aiboPort != LabPorts.AIBO || pioneerPort != LabPorts.PIONEER || hemissonPort != 0;
         boolean model = !pioneerModel.equalsIgnoreCase(PioneerRobot.STANDARD_MODEL);
@@ -104,14 +104,14 @@ final class LabChoice {
         return exact || seed != 1 || world != null || speed != 1 || ports || model || hemisson || pioneers != 1;
     }
 
-    /** What a lab of this choice is opened with. */
+    /** Returns the options with which a lab of this choice is opened. */
     LabOptions options() throws IOException {
         Room room = world == null ? Room.standard() : Room.load(world);
         LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort));
         return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson(), pioneers());
     }
 
-    /** Its speed, checked. */
+    /** Returns its speed, after a check. */
     double speed() {
         if (!(speed >= SLOWEST && speed <= FASTEST)) {
             throw new UsageException("--speed " + speed + ": outside " + SLOWEST + " … " + FASTEST);
@@ -119,7 +119,7 @@ final class LabChoice {
         return speed;
     }
 
-    /** Says which default ports were taken, so that nobody looks for a robot there. */
+    /** Reports which default ports were in use, so that no robot is expected there. */
     void tellTakenPorts(Map<String, String> addresses) {
         tellIfTaken("aibo", aiboPort, addresses);
         tellIfTaken("pioneer", pioneerPort, addresses);
@@ -162,7 +162,7 @@ final class LabChoice {
         return port;
     }
 
-    /** For the help. */
+    /** Lists the Pioneer models for the help. */
     private static final class PioneerModels implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {

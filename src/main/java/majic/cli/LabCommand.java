@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParentCommand;
 
-/** {@code majic lab}: the simulators alone, for any client. */
+/** {@code majic lab}: runs the simulators alone, for any client. */
 @Command(
         name = "lab",
         mixinStandardHelpOptions = true,

@@ -13,7 +13,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code majic}: the window, or the console where there is no display. */
+/** {@code majic}: opens the window, or the console where there is no display. */
 @Command(
         name = "majic",
         mixinStandardHelpOptions = true,

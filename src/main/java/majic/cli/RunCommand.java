@@ -14,7 +14,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 
-/** {@code majic run FILE}: a file of MAJIC Script, without window. */
+/** {@code majic run FILE}: runs a file of MAJIC Script, without a window. */
 @Command(
         name = "run",
         mixinStandardHelpOptions = true,

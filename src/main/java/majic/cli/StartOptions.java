@@ -14,7 +14,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
-/** What can be asked for at every start of a session: a lab, robots, a port to listen at. */
+/** The options of every start of a session: a lab, robots, a port to listen at. */
 final class StartOptions {
     @Option(
             names = "--lab",
@@ -45,7 +45,7 @@ final class StartOptions {
             description = "With --listen: obey any program on this machine, without a token.")
     private boolean open;
 
-    /** What shapes the lab, where nothing else is to be started. */
+    /** Returns the options of the lab, where nothing else is to be started. */
     LabChoice labAlone() {
         if (lab || listen != null || !robots.isEmpty()) {
             throw new UsageException("lab runs the simulators alone; --lab, --add and --listen do not go with it");
@@ -54,12 +54,13 @@ final class StartOptions {
     }
 
     /**
-     * Builds the program these options ask for.
+     * Builds the program that these options request.
      *
      * @param folder the user's folder
      * @return the program, its robots not yet added
      * @throws UsageException if they do not go together
-     * @throws IOException if the lab or the socket cannot open its ports, the world is none, or a file cannot be written
+     * @throws IOException if the lab or the socket cannot open its ports, the world is none, or a file cannot be
+     *     written
      */
     Program program(UserFolder folder) throws IOException {
         if (open && listen == null) {
@@ -88,7 +89,7 @@ final class StartOptions {
         }
     }
 
-    /** On the standard error, since the standard output is for answers. */
+    /** Prints the server's address to the standard error, since the standard output is for answers. */
     private static void tell(LineServer server) {
         String clients = server.token()
                 .map(token -> "clients first send the token " + token.word() + ", which is also in " + token.file())
@@ -97,7 +98,7 @@ final class StartOptions {
     }
 
     /**
-     * The lines that add the robots asked for.
+     * Returns the lines that add the requested robots.
      *
      * @param program the built program
      * @return MAJIC Script
