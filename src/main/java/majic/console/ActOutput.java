@@ -12,7 +12,7 @@ import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** What an act's file is called, where it goes, and what its author says of it; the same for all ways to make one. */
+/** Options for an act's file: its name, its place, and its author's description; the same for all ways to make one. */
 public final class ActOutput {
     @Option(
             names = {"-o", "--output"},
@@ -32,7 +32,7 @@ public final class ActOutput {
     @Option(names = "--description", paramLabel = "TEXT", description = "one or two sentences")
     private String description = "";
 
-    /** Writes the file, and shows what it says of itself. */
+    /** Writes the file, and shows its description. */
     public void write(String unlessNamed, Function<ActDetails, byte[]> made, PrintWriter out) throws IOException {
         String called = name == null ? unlessNamed : name;
         byte[] file = made.apply(new ActDetails(called, actVersion, author, description));

@@ -15,8 +15,8 @@ import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
 
 /**
- * MAJIC Script from standard input. At a terminal it has a prompt, history and completion; in a pipe it prints an answer
- * a line and ends, when the input does, after everything has been done.
+ * Runs MAJIC Script from standard input. At a terminal it has a prompt, history and completion; in a pipe it prints one
+ * answer per line and ends at the end of the input, after all commands are finished.
  */
 public final class Console {
     private final Program program;
@@ -24,16 +24,16 @@ public final class Console {
     private final MajicParser parser;
     private volatile boolean added = true;
 
-    /** Where lines come from and answers go to. */
+    /** Provides lines and shows answers. */
     public interface Source extends AutoCloseable {
-        /** The next line; null at the end. Blocks. */
+        /** Returns the next line; null at the end. Blocks. */
         @Nullable
         String next() throws IOException;
 
         /** Shows a line, from any thread. */
         void show(String line);
 
-        /** Whether a person sits there. */
+        /** Returns whether a user enters the lines interactively. */
         boolean interactive();
 
         @Override
@@ -46,24 +46,24 @@ public final class Console {
         this.parser = new MajicParser(program.session(), source.interactive());
     }
 
-    /** At a terminal or in a pipe, whichever standard input is. */
+    /** Creates a console for standard input, at a terminal or in a pipe. */
     public static Console standard(Program program) throws IOException {
         return System.console() == null || System.getenv("TERM") == null
                 ? new Console(program, new Pipe(System.in, System.out))
                 : new Console(program, new Terminal(program));
     }
 
-    /** Without input: only what it is told to run. */
+    /** Creates a console without input, which runs only the lines it is given. */
     public static Console silent(Program program) {
         return new Console(program, new Pipe(InputStream.nullInputStream(), System.out));
     }
 
     /**
-     * Adds robots, then runs some lines and those that come in, until the end or until somebody quits. At a terminal the
-     * prompt does not wait for the robots.
+     * Adds robots, then runs some lines and those of the input, until the end or until the program is asked to quit. At
+     * a terminal the prompt does not wait for the robots.
      *
-     * @param adding the lines that add the robots asked for
-     * @param lines what is said before anything is read
+     * @param adding the lines that add the requested robots
+     * @param lines the lines to run before any input is read
      * @return the exit status: 0 only if every line succeeded
      */
     public int run(List<String> adding, List<String> lines) {
@@ -121,7 +121,10 @@ public final class Console {
         }
     }
 
-    /** A person sees which line was refused; who reads what a pipe said does not. */
+    /**
+     * Runs a line. In a pipe, an error names the line's number: at a terminal the refused line is visible, in the
+     * output of a pipe it is not.
+     */
     private void take(String line, int number) {
         if (source.interactive()) {
             parser.parseText(line);
@@ -136,7 +139,7 @@ public final class Console {
         }
     }
 
-    /** Lines of a pipe or file. */
+    /** Reads the lines of a pipe or file. */
     private static final class Pipe implements Source {
         private final BufferedReader in;
         private final Consumer<String> out;

@@ -14,7 +14,7 @@ import org.jline.reader.impl.DefaultParser;
 import org.jline.terminal.TerminalBuilder;
 import org.jspecify.annotations.Nullable;
 
-/** A person at a terminal: prompt, history, completion; answers appear above the line being typed. */
+/** Reads lines at a terminal: prompt, history, completion; answers appear above the line being typed. */
 final class Terminal implements Console.Source {
     private static final String PROMPT = "majic> ";
 
@@ -22,9 +22,9 @@ final class Terminal implements Console.Source {
     private final LineReader reader;
 
     /**
-     * Takes over the terminal.
+     * Opens the terminal for reading lines.
      *
-     * @param program whose session it talks to
+     * @param program provides the session
      * @throws IOException if the terminal cannot be used
      */
     Terminal(Program program) throws IOException {

@@ -1,6 +1,4 @@
-/**
- * The terminal: lines from a person or a pipe.
- */
+/** The terminal: lines that are typed or come from a pipe. */
 @NullMarked
 package majic.console;
 
