@@ -17,11 +17,12 @@ import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One program connected to a {@link LineServer}. Its lines are carried out in their order, so many a second; a stop goes
- * past those that are held and drops them. Used by the server's thread, but for {@link #tell} and {@link #close}.
+ * A connection of one client to a {@link LineServer}. The client's lines are carried out in order, at a limited rate; a
+ * stop overtakes lines that are held and drops them. Must be used on the server's thread, except {@link #tell} and
+ * {@link #close}.
  */
 final class LineClient {
-    /** How many lines a client may give in a second; more are held. */
+    /** Maximum number of lines per second of a client; more are held. */
     static final int LINES_PER_SECOND = 200;
 
     private static final System.Logger LOG = System.getLogger(LineClient.class.getName());
@@ -59,7 +60,10 @@ final class LineClient {
         this.parser = parser;
     }
 
-    /** Takes what was said, if it is for this client. Called on the session's thread; never waits. */
+    /**
+     * Receives a line of the session, and queues it if it concerns this client. Called on the session's thread; never
+     * blocks.
+     */
     void tell(Line line) {
         if (admitted && (hearsAll || line.concerns(parser))) {
             answer(line.text());
@@ -70,12 +74,12 @@ final class LineClient {
         deaf |= !answers.offer(text);
     }
 
-    /** Whether something is to be done for it without a byte of its own. */
+    /** Returns whether work remains that no further byte of the client triggers. */
     boolean isWaiting() {
         return ended || dismissed || !admitted || !held.isEmpty();
     }
 
-    /** Whether it sends no more lines. */
+    /** Returns whether the client sends no more lines. */
     boolean hasEnded() {
         return ended;
     }
@@ -84,7 +88,7 @@ final class LineClient {
         return !socket.isOpen();
     }
 
-    /** Takes the bytes that have come, without waiting for more than these. */
+    /** Reads the bytes that have arrived, without waiting for more. */
     void read() {
         ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
         try {
@@ -127,7 +131,10 @@ final class LineClient {
         }
     }
 
-    /** A web page can make a browser connect, but not begin with the token, nor with MAJIC Script. */
+    /**
+     * Checks the first line: a web page can make a browser connect, but the browser's first line is neither the token
+     * nor MAJIC Script.
+     */
     private void admit(String line) {
         String[] words = line.strip().split("\\s+", 2);
         boolean all = words[words.length - 1].toLowerCase(Locale.ROOT).equals("all");
@@ -175,7 +182,7 @@ final class LineClient {
         }
     }
 
-    /** Says why, and closes the connection as soon as that was sent. */
+    /** Sends the reason, and closes the connection as soon as it is sent. */
     private void dismiss(String why) {
         answers.clear();
         answer(why);
@@ -183,7 +190,7 @@ final class LineClient {
         dismissedNanos = System.nanoTime();
     }
 
-    /** Does what can be done by now: carries held lines out, sends answers, ends. */
+    /** Does what can be done now: runs held lines, sends answers, ends the connection. */
     void work() {
         try {
             while (!held.isEmpty() && mayGive(held.element())) {
@@ -249,7 +256,7 @@ final class LineClient {
         }
     }
 
-    /** Ends the connection; lines that were given already are carried out all the same. */
+    /** Ends the connection; lines that were submitted already are still carried out. */
     void close() {
         try {
             socket.close();

@@ -6,13 +6,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Cuts bytes of UTF-8 text into lines, however they arrive. A line is cut off where no sensible one reaches. */
+/** Splits UTF-8 bytes into lines, in whatever portions they arrive. Lines longer than any valid one are truncated. */
 final class LineDecoder {
     private static final int LONGEST_LINE = 10_000;
 
     private final ByteArrayOutputStream begun = new ByteArrayOutputStream();
 
-    /** The lines that some bytes complete, without their line ends. */
+    /** Returns the lines that these bytes complete, without their line ends. */
     List<String> feed(ByteBuffer bytes) {
         List<String> lines = new ArrayList<>();
         while (bytes.hasRemaining()) {
@@ -27,7 +27,7 @@ final class LineDecoder {
         return lines;
     }
 
-    /** What has come of a line whose end is missing. */
+    /** Returns the part of an incomplete line that has arrived. */
     String rest() {
         return begun.toString(StandardCharsets.UTF_8);
     }

@@ -2,7 +2,10 @@ package majic.server;
 
 import java.util.function.LongSupplier;
 
-/** Allows so many lines a second, and as many at once after a second without any. Used by one thread. */
+/**
+ * Limits lines to a number per second; after a second without any, the same number may come at once. Used by one
+ * thread.
+ */
 final class LineRate {
     private final int perSecond;
     private final LongSupplier nanos;
@@ -10,7 +13,7 @@ final class LineRate {
     private long lastNanos;
 
     /**
-     * A full allowance.
+     * Creates a full allowance.
      *
      * @param perSecond lines a second, at least 1
      * @param nanos a clock that never goes back
@@ -22,7 +25,7 @@ final class LineRate {
         this.lastNanos = nanos.getAsLong();
     }
 
-    /** Takes one line from the allowance; false if there is none. */
+    /** Takes one line from the allowance; returns false if none is left. */
     boolean take() {
         long now = nanos.getAsLong();
         allowed = Math.min(perSecond, allowed + (now - lastNanos) / 1e9 * perSecond);

@@ -21,23 +21,26 @@ import majic.script.Session;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes lines of MAJIC Script over sockets and answers in lines, for programs in Python, MATLAB and the like. Listens on
- * this machine's own addresses only, and obeys a client only after its token unless it was opened to all. One thread
- * serves all clients and waits for none of them, so a client that floods, hangs or leaves holds up neither another
- * client nor a stop.
+ * Receives lines of MAJIC Script over sockets and sends answers in lines, for programs in Python, MATLAB and the like.
+ * Listens on this computer's own addresses only, and accepts lines from a client only after its token, unless it was
+ * opened without one. One thread serves all clients and blocks for none of them, so a client that floods, hangs or
+ * disconnects delays neither another client nor a stop.
  */
 public final class LineServer implements AutoCloseable {
-    /** How many clients there may be at a time. */
+    /** Maximum number of clients at a time. */
     static final int MOST_CLIENTS = 64;
 
     private static final System.Logger LOG = System.getLogger(LineServer.class.getName());
 
-    /** With fewer, connections of a flood that the system drops keep the next client waiting for a second. */
+    /**
+     * Size of the system's queue of unaccepted connections. If it is smaller, the system drops connections during a
+     * flood, and the next client waits for a second.
+     */
     private static final int MOST_UNACCEPTED = 1024;
 
     private static final long PAUSE_AFTER_TROUBLE_NANOS = 100_000_000;
 
-    /** How often clients are looked at whose lines wait for their turn. */
+    /** Interval in ms of the checks of clients with held lines. */
     private static final long LOOK_MS = 20;
 
     private final ServerSocketChannel listening;
@@ -57,10 +60,10 @@ public final class LineServer implements AutoCloseable {
     }
 
     /**
-     * Begins to listen. Lines other than stops wait until {@link #ready()}.
+     * Starts to listen. Lines other than stops wait until {@link #ready()}.
      *
      * @param address a loopback address; port 0 takes a free one
-     * @param session whose team is commanded
+     * @param session the session whose team is commanded
      * @param tokens makes the token of a port, which each client has to send first; null if none is needed
      * @return the server, accepting clients
      * @throws IllegalArgumentException if the address is not a loopback address; the message says so
@@ -85,7 +88,7 @@ public final class LineServer implements AutoCloseable {
         }
     }
 
-    /** Makes the token of a port. */
+    /** Creates the token of a port. */
     public interface TokenMaker {
         ListenToken token(int port) throws IOException;
     }
@@ -114,12 +117,12 @@ public final class LineServer implements AutoCloseable {
         return listening.socket().getLocalPort();
     }
 
-    /** The token that clients have to send; empty if none is needed. */
+    /** Returns the token that clients have to send; empty if none is needed. */
     public Optional<ListenToken> token() {
         return Optional.ofNullable(token);
     }
 
-    /** The robots that were asked for at the start are there: lines are carried out from now on. */
+    /** Starts to carry out lines; called when the robots that were requested at the start have been added. */
     public void ready() {
         ready = true;
         selector.wakeup();
@@ -136,7 +139,7 @@ public final class LineServer implements AutoCloseable {
         }
     }
 
-    /** Calls back, on any thread, once the clients were told all that was said so far. */
+    /** Runs a task, on any thread, once the clients have received all lines so far. */
     void afterwards(Runnable task) {
         session.afterwards(answers, () -> {
             task.run();
@@ -194,7 +197,7 @@ public final class LineServer implements AutoCloseable {
         clients.add(client);
     }
 
-    /** A client that sends no more lines and only waits for answers makes room for one that does. */
+    /** Drops one client that sends no more lines and only waits for answers, to make room for one that does. */
     private boolean dropOneThatEnded() {
         Optional<LineClient> ended =
                 clients.stream().filter(LineClient::hasEnded).findFirst();

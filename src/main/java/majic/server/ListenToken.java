@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * What a client of the line server sends first, to show that it belongs to the user who started MAJIC: a new random word
- * at each start, in a file that only this user can read.
+ * The token that a client of the line server sends first, to show that it belongs to the user that started MAJIC: a new
+ * random word at each start, in a file that only this user can read.
  *
  * @param word the token
  * @param file where it is kept while the server listens
@@ -30,9 +30,9 @@ public record ListenToken(String word, Path file) {
     private static final int RANDOM_BYTES = 24;
 
     /**
-     * Makes a token and writes its file, instead of one of an earlier start.
+     * Creates a token and writes its file, replacing one of an earlier start.
      *
-     * @param folder where to
+     * @param folder the folder of the file
      * @param port the server's, which names the file
      * @return the token
      * @throws IOException if the file cannot be written, or not be kept from other users
@@ -50,7 +50,7 @@ public record ListenToken(String word, Path file) {
         return new ListenToken(word, file);
     }
 
-    /** Holds from the moment the file is made, so that at no time another user can open it. */
+    /** Returns the permissions with which the file is created, so that at no time another user can open it. */
     private static FileAttribute<?> ownerOnly(FileSystem system) throws IOException {
         if (system.supportedFileAttributeViews().contains("posix")) {
             return PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"));
@@ -72,7 +72,7 @@ public record ListenToken(String word, Path file) {
         }
     }
 
-    /** Compares in a time that does not tell how much of it is right. */
+    /** Compares in a time that does not reveal how much of the word is right. */
     boolean is(String said) {
         return MessageDigest.isEqual(word.getBytes(StandardCharsets.UTF_8), said.getBytes(StandardCharsets.UTF_8));
     }

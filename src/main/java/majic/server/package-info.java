@@ -1,6 +1,4 @@
-/**
- * Commands from other programs: a line server on a loopback port, and its clients.
- */
+/** Accepts commands from other programs: a line server on a loopback port, and its clients. */
 @NullMarked
 package majic.server;
 
