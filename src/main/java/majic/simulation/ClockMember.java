@@ -1,6 +1,6 @@
 package majic.simulation;
 
-/** What one member of a {@link LabClock} does, and since when. Guarded by the clock's lock. */
+/** Holds the state of one member of a {@link LabClock}, and since when it has it. Guarded by the clock's lock. */
 final class ClockMember {
     private boolean waiting;
     private long sinceNanos = System.nanoTime();
@@ -18,7 +18,7 @@ final class ClockMember {
         sinceNanos = System.nanoTime();
     }
 
-    /** For instance {@code running for 10.2 s} of real time. */
+    /** Describes the state, for instance {@code running for 10.2 s} of real time. */
     @Override
     public String toString() {
         double seconds = (System.nanoTime() - sinceNanos) / 1e9;

@@ -19,16 +19,16 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The clock of a simulated lab, which everybody who commands its robots waits on. It takes one step of the lab after
- * another, as its {@link Pacing} allows: against the wall clock, or as soon as nobody has anything left to do.
+ * The clock of a simulated lab, on which all threads that command its robots wait. Takes one step of the lab after
+ * another, as its {@link Pacing} allows: at the pace of the wall clock, or as soon as all members wait.
  *
- * <p>Threads made by {@link #thread} and those that {@link #join} are members: a stepped clock stands still while one of
- * them runs, and goes on when all of them wait at a {@link Signal}. Who wakes a member counts it as running before it
- * does, so the clock cannot slip in between.
+ * <p>Threads made by {@link #thread} and those that {@link #join} are members: a stepped clock does not advance while
+ * one of them runs, and advances when all of them wait at a {@link Signal}. A thread that wakes a member counts it as
+ * running before waking it, so the clock cannot take a step in between.
  *
- * <p>A clock ends when a step of its lab throws, and a stepped one also when it has stood still for 10 s of real time
- * though a thread waits for a time to come and no member has used the processor. Every wait then throws a
- * {@link BotException} that says why.
+ * <p>A clock ends when a step of its lab throws, and a stepped one also when it has not advanced for 10 s of real time
+ * although a thread waits for a later time and no member has used the processor. Every wait then throws a
+ * {@link BotException} that gives the reason.
  */
 public final class LabClock implements TimeSource, AutoCloseable {
     private static final Logger LOG = System.getLogger(LabClock.class.getName());
@@ -48,13 +48,13 @@ public final class LabClock implements TimeSource, AutoCloseable {
     private long awakenings;
     private volatile boolean closed;
 
-    /** What the clock moves on: the lab. */
+    /** The simulation that the clock advances: the lab. */
     public interface Steps {
-        /** Moves the lab on by one step. */
+        /** Advances the lab by one step. */
         void step();
 
         /**
-         * The lab's time.
+         * Returns the lab's time.
          *
          * @return nanoseconds since its start
          */
@@ -109,7 +109,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         return () -> leave(thread);
     }
 
-    /** Is a member from the call of {@link #start()}, unless that fails, to its end. */
+    /** A thread that is a member from the call of {@link #start()}, unless that fails, to its end. */
     private final class MemberThread extends Thread {
         private final Runnable body;
 
@@ -144,7 +144,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         }
     }
 
-    /** False if the thread is a member already. */
+    /** Makes the thread a member; returns false if it is one already. */
     private boolean enter(Thread thread) {
         lock.lock();
         try {
@@ -223,7 +223,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         }
     }
 
-    /** Why a wait failed. */
+    /** Reports why a wait failed. */
     private static final class ClockEnded extends BotException {
         private static final long serialVersionUID = 1;
 
@@ -232,7 +232,10 @@ public final class LabClock implements TimeSource, AutoCloseable {
         }
     }
 
-    /** Waits until all members wait, and one of them for a time to come; tells how often any was woken before that. */
+    /**
+     * Waits until all members wait, and at least one of them for a later time; returns the number of wake-ups before
+     * that.
+     */
     private long awaitMembers() throws InterruptedException {
         lock.lockInterruptibly();
         try {
@@ -287,7 +290,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         waiter.wakeUp.signal();
     }
 
-    /** One thread waiting once. Guarded by the clock's lock. */
+    /** One wait of one thread. Guarded by the clock's lock. */
     private final class Waiter {
         private final long deadline;
         private final @Nullable ClockMember member = members.get(Thread.currentThread());
@@ -299,7 +302,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         }
     }
 
-    /** Waits on the lab's time. */
+    /** A signal whose timeouts are in the lab's time. */
     private final class LabSignal implements Signal {
         private final Set<Waiter> waiters = new HashSet<>();
         private long raises;

@@ -5,12 +5,12 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 
 /**
- * When a lab's clock may take its next step. Asked on the clock's own thread, again and again. In words it says what holds
- * the clock.
+ * Decides when a lab's clock may take its next step. Called repeatedly on the clock's own thread. Its {@code toString}
+ * describes what delays the clock.
  */
 public interface Pacing {
     /**
-     * Whether the next step may be taken; may wait a little before it says no.
+     * Returns whether the next step may be taken; may block briefly before it returns false.
      *
      * @param nowNanos the lab's time
      * @return true to take the step now
@@ -18,13 +18,13 @@ public interface Pacing {
     boolean mayStep(long nowNanos);
 
     /**
-     * Whether the clock stands still while somebody who lives by it is running.
+     * Returns whether the clock must not advance while one of its members runs.
      *
      * @return true for a stepped clock
      */
     boolean awaitsMembers();
 
-    /** Steps as fast as everybody keeps up: once nothing is under way on any line. */
+    /** Creates a pacing that steps as fast as all members keep up: once no byte is in transit on any connection. */
     static Pacing stepped(BooleanSupplier quiet) {
         return new Pacing() {
             @Override
@@ -51,7 +51,10 @@ public interface Pacing {
         };
     }
 
-    /** Follows the wall clock, so many times as fast. A lab that falls behind does not race to catch up. */
+    /**
+     * Creates a pacing that follows the wall clock, multiplied by a speed. A lab that is late does not run faster to
+     * make up for it.
+     */
     static Pacing scaled(double speed) {
         return new Pacing() {
             private static final long MOST_BEHIND_NANOS = 200_000_000;

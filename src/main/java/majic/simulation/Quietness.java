@@ -11,10 +11,10 @@ import majic.link.Traffic;
 import majicsim.net.LineCount;
 
 /**
- * Tells whether nothing is under way between the drivers and the robots of one lab: every byte that either end wrote has
- * been dealt with at the other. Asked by one thread.
+ * Determines whether no byte is in transit between the drivers and the robots of one lab: every byte that either end
+ * wrote has been processed at the other. Used by one thread.
  *
- * <p>Counts only grow, so two equal looks in a row mean that nothing moved between them.
+ * <p>Counts only grow, so two equal readings in succession mean that nothing was transferred between them.
  */
 public final class Quietness implements BooleanSupplier {
     private final Supplier<List<Traffic>> drivers;
@@ -22,7 +22,10 @@ public final class Quietness implements BooleanSupplier {
     private final Set<String> robotAddresses;
     private final Set<Ends> met = new HashSet<>();
 
-    /** Both ends of a connection. One alone does not tell it: a system gives one local port to connections with several robots. */
+    /**
+     * Addresses of both ends of a connection. One alone does not identify it: a system may use the same local port for
+     * connections to several robots.
+     */
     private record Ends(String driver, String robot) {
         static Ends of(Traffic link) {
             return new Ends(link.local(), link.remote());
@@ -34,11 +37,11 @@ public final class Quietness implements BooleanSupplier {
     }
 
     /**
-     * Compares both ends.
+     * Creates a comparison of both ends.
      *
-     * @param drivers the traffic of all links in this program
+     * @param drivers the traffic of all connections of this program
      * @param robots the lines of this lab
-     * @param robotAddresses where this lab's robots listen, so that links to others do not count
+     * @param robotAddresses where this lab's robots listen, so that connections to others do not count
      */
     public Quietness(Supplier<List<Traffic>> drivers, Supplier<List<LineCount>> robots, Set<String> robotAddresses) {
         this.drivers = drivers;
@@ -55,7 +58,7 @@ public final class Quietness implements BooleanSupplier {
                 && Set.copyOf(lines).equals(Set.copyOf(robots.get()));
     }
 
-    /** What both ends have counted, link by link, for a report on a clock that stands still. */
+    /** Lists the counts of both ends, connection by connection, for a report on a clock that does not advance. */
     @Override
     public String toString() {
         return "drivers " + ours() + ", robots " + robots.get();

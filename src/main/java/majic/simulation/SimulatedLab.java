@@ -21,7 +21,7 @@ import majicsim.world.Point;
 
 /** A simulated lab inside this program: its simulators, and the clock that their robots' drivers share with them. */
 public final class SimulatedLab implements LabAccess, AutoCloseable {
-    /** What tells a further robot of a type from the first: {@code pioneer2}. */
+    /** The number that distinguishes a further robot of a type from the first: {@code pioneer2}. */
     private static final Pattern COUNT = Pattern.compile("\\d+$");
 
     private final Lab lab;
@@ -52,7 +52,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     /**
      * Opens a lab whose clock follows the wall clock.
      *
-     * @param options what kind of lab
+     * @param options the options of the lab
      * @param speed how many times as fast
      * @return the running lab
      * @throws IOException if a port is taken or the room does not hold the robots
@@ -62,9 +62,9 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     }
 
     /**
-     * Opens a lab whose clock goes on as soon as everybody who lives by it waits.
+     * Opens a lab whose clock advances as soon as all its members wait.
      *
-     * @param options what kind of lab
+     * @param options the options of the lab
      * @return the running lab
      * @throws IOException if a port is taken or the room does not hold the robots
      */
@@ -80,7 +80,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
         return simulated;
     }
 
-    /** The simulators themselves, for what only a lab can do: faults, places. */
+    /** Returns the simulators themselves, for functions that only a lab has: faults, positions. */
     public Lab simulators() {
         return lab;
     }

@@ -9,9 +9,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * Tells when a stepped clock has stood still for so long that it will not go on, and what holds it. The time counts anew
- * as long as members use the processor: a long computation holds the clock by right. Guarded by the clock's lock, but
- * for {@link #stepped()}.
+ * Detects that a stepped clock has not advanced for so long that it will not continue, and reports what delays it. The
+ * time starts again as long as members use the processor, because a long computation may delay the clock. Guarded by
+ * the clock's lock, except {@link #stepped()}.
  */
 final class StandstillWatch {
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
@@ -21,12 +21,12 @@ final class StandstillWatch {
     private volatile long sinceNanos = System.nanoTime();
     private long usedNanos;
 
-    /** The clock has stepped, or nothing waits for it to. */
+    /** Records that the clock has taken a step, or that nothing waits for one. */
     void stepped() {
         sinceNanos = System.nanoTime();
     }
 
-    /** Whether nothing has happened for 10 s of real time. */
+    /** Returns whether nothing has happened for 10 s of real time. */
     boolean isOver(Collection<Thread> members) {
         long now = System.nanoTime();
         if (now - sinceNanos < PATIENCE_NANOS / 2) {
@@ -46,7 +46,7 @@ final class StandstillWatch {
                 .sum();
     }
 
-    /** All that may hold the clock: its members, the lines, and the stacks of all threads. */
+    /** Reports everything that may delay the clock: its members, the connections, and the stacks of all threads. */
     String report(Map<Thread, ClockMember> members, String lines) {
         StringJoiner report = new StringJoiner("\n");
         report.add(
