@@ -4,20 +4,20 @@ import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One line that message area, console and session log all show, the same everywhere. Immutable.
+ * One line of the session, shown in the same form by message area, console and session log. Immutable.
  *
- * @param kind what it is
+ * @param kind the kind of line
  * @param text one line; line ends and control characters in it are made visible
  * @param asker the parser whose line it repeats or answers; null if it concerns all
  */
 public record Line(Kind kind, String text, @Nullable Object asker) {
-    /** Makes a text of any origin safe to show. */
+    /** Makes line ends and control characters of the text visible. */
     public Line {
         text = VisibleText.of(text);
     }
 
     /**
-     * A line that concerns all.
+     * Creates a line that concerns all.
      *
      * @param kind what it is
      * @param text without line break
@@ -27,7 +27,7 @@ public record Line(Kind kind, String text, @Nullable Object asker) {
     }
 
     /**
-     * Whether it is to be shown to the source of lines that a parser has.
+     * Returns whether the line is to be shown at the source of lines that belongs to a parser.
      *
      * @param source the parser of one place where lines come from
      * @return false only if it answers another parser's line
@@ -36,15 +36,15 @@ public record Line(Kind kind, String text, @Nullable Object asker) {
         return asker == null || asker == source;
     }
 
-    /** What a line can be. */
+    /** The kinds of lines. */
     public enum Kind {
-        /** A line as it was given to MAJIC. */
+        /** A line as it was submitted to MAJIC. */
         COMMAND,
-        /** What became of a command, well or not. */
+        /** The result of a command, success or failure. */
         ANSWER,
-        /** Something a robot or MAJIC reports unasked. */
+        /** An unsolicited message from a robot or from MAJIC. */
         NOTICE,
-        /** Why a line was refused or a script ended, or what went wrong in MAJIC itself. */
+        /** The reason why a line was refused or a script ended, or an internal error of MAJIC. */
         ERROR
     }
 }

@@ -6,13 +6,15 @@ import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.charset.StandardCharsets;
 
-/** A file that whole lines are appended to. Lines that cannot be written leave no part of themselves. Not thread-safe. */
+/**
+ * Appends whole lines to a file. Lines that cannot be written completely leave no part in the file. Not thread-safe.
+ */
 final class LineFile implements Closeable {
     private final SeekableByteChannel channel;
     private long end;
 
     /**
-     * Begins an empty file.
+     * Starts an empty file.
      *
      * @param channel is written from its start on
      */
@@ -24,7 +26,7 @@ final class LineFile implements Closeable {
      * Appends lines.
      *
      * @param lines with their line ends
-     * @throws IOException if not all of them could be written; the file is as before then, as far as the system allows,
+     * @throws IOException if not all of them could be written; the file is then as before, as far as the system allows,
      *     and another attempt may succeed
      */
     void append(String lines) throws IOException {

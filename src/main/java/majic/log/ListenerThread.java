@@ -6,8 +6,9 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 
 /**
- * Passes lines to one listener, in order, on a thread of its own: a terminal that does not take its lines delays neither
- * a STOP nor the other listeners. The thread does not use the session's clock, since it deals with the outside.
+ * Passes lines to one listener, in order, on a thread of its own: a terminal that does not accept its lines delays
+ * neither a STOP nor the other listeners. The thread does not use the session's clock, since it communicates with the
+ * outside.
  */
 final class ListenerThread {
     private static final Logger LOG = System.getLogger(ListenerThread.class.getName());
@@ -32,21 +33,21 @@ final class ListenerThread {
         return listener == other;
     }
 
-    /** Returns at once; if the listener is far too slow, lines are dropped. */
+    /** Queues a line; returns at once. If the listener is far too slow, lines are dropped. */
     void pass(Line line) {
         if (!waiting.offer(() -> listener.line(line))) {
             LOG.log(Level.DEBUG, "a listener is too far behind for: {0}", line);
         }
     }
 
-    /** Runs a task once all lines so far were passed. */
+    /** Runs a task once all lines so far are passed. */
     void afterwards(Runnable task) {
         if (!waiting.offer(task)) {
             task.run();
         }
     }
 
-    /** Ends the thread once all lines so far were passed. */
+    /** Ends the thread once all lines so far are passed. */
     void end() {
         afterwards(() -> ended = true);
     }

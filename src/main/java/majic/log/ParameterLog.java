@@ -15,8 +15,8 @@ import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The parameter log: readings with their time, to be saved as comma-separated values. A few thousand are kept in
- * memory, the rest in a temporary file that goes with the program. Thread-safe.
+ * Holds readings of parameters with their time, to be saved as comma-separated values. Keeps a few thousand in memory,
+ * the rest in a temporary file that is deleted with the program's end. Thread-safe.
  */
 public final class ParameterLog {
     private static final Logger LOG = System.getLogger(ParameterLog.class.getName());
@@ -30,10 +30,10 @@ public final class ParameterLog {
     /**
      * Adds a reading.
      *
-     * @param seconds when, on the clock of the session
+     * @param seconds time of the reading, on the clock of the session
      * @param robot the robot's number
      * @param parameter its name
-     * @param value what was read
+     * @param value the reading
      */
     public synchronized void add(double seconds, int robot, String parameter, Value value) {
         rows.add(String.format(Locale.ROOT, "%.3f,%d,%s,%s", seconds, robot, quoted(parameter), columns(value)));
@@ -43,7 +43,7 @@ public final class ParameterLog {
     }
 
     /**
-     * Whether there is nothing to save.
+     * Returns whether there is nothing to save.
      *
      * @return true until the first reading
      */
@@ -52,9 +52,9 @@ public final class ParameterLog {
     }
 
     /**
-     * Writes all readings so far into a file, replacing what it held.
+     * Writes all readings so far into a file, replacing its content.
      *
-     * @param file where to
+     * @param file the file to write
      * @throws IOException if it cannot be written; the readings are kept
      */
     public synchronized void save(Path file) throws IOException {

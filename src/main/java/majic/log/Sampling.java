@@ -11,9 +11,9 @@ import majic.team.Member;
 import majic.time.Signal;
 import majic.time.TimeSource;
 
-/** Takes readings of robots at a steady pace, into the parameter log. Thread-safe. */
+/** Reads parameters of robots at regular intervals, into the parameter log. Thread-safe. */
 public final class Sampling {
-    /** Each takes a thread. */
+    /** Maximum number of series; each uses a thread. */
     private static final int MOST_SERIES = 20;
 
     private final ParameterLog log;
@@ -23,7 +23,7 @@ public final class Sampling {
     private final Signal changes;
     private final Map<Member, Set<Series>> running = new ConcurrentHashMap<>();
 
-    /** Some parameters of one robot. Compared by identity: the same may be logged twice. */
+    /** Some parameters of one robot, read together. Compared by identity: the same parameters may be logged twice. */
     private static final class Series {
         private final List<String> parameters;
         private final double seconds;
@@ -35,10 +35,10 @@ public final class Sampling {
     }
 
     /**
-     * With nothing to sample yet.
+     * Creates a sampling with nothing to read yet.
      *
-     * @param log where readings go
-     * @param time the clock to go by; readings are timed from now on
+     * @param log receives the readings
+     * @param time the clock; times of readings count from now on
      * @param notices receives a sentence when a robot can no longer be read; called on any thread
      */
     public Sampling(ParameterLog log, TimeSource time, Consumer<String> notices) {
@@ -50,7 +50,7 @@ public final class Sampling {
     }
 
     /**
-     * Begins to log some parameters of a robot, beside what is logged of it already. Returns at once.
+     * Starts to log some parameters of a robot, in addition to those already logged. Returns at once.
      *
      * @param member which robot
      * @param parameters their names
@@ -95,7 +95,7 @@ public final class Sampling {
         }
     }
 
-    /** A robot that was removed, or closed at the end, needs no explanation. */
+    /** Reports why the logging of a robot ended, unless the robot was removed or the program is closing. */
     private void complain(Member member, BotException problem) {
         if (member.bot().connection() != MajicBot.Connection.CLOSED) {
             notices.accept(member.number() + ": no longer logged: " + problem.getMessage());

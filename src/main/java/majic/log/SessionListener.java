@@ -4,8 +4,8 @@ package majic.log;
 @FunctionalInterface
 public interface SessionListener {
     /**
-     * Receives a line. Called on a thread of this listener alone, one line at a time and in the order things
-     * happened; it may take its time.
+     * Receives a line. Called on a thread of this listener alone, one line at a time and in the order of events; may
+     * block.
      *
      * @param line the line
      */

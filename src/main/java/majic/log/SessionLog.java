@@ -21,10 +21,10 @@ import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The session log: every line of the session, with the time of day, in a file that is complete at every moment. Written by a
- * thread of its own, so that a slow disk holds up neither a robot nor the window. When it cannot be written, as on a full
- * disk, that is reported once; what comes meanwhile is lost, and the log goes on as soon as possible with a line that tells how much
- * is missing. Thread-safe.
+ * Writes every line of the session, with the time of day, to a file that is complete at every moment. Uses its own
+ * thread, so that a slow disk delays neither a robot nor the window. If the file cannot be written, as on a full disk,
+ * that is reported once; lines are lost until it can be written again, and the log then continues with a line that
+ * gives the number of lost lines. Thread-safe.
  */
 public final class SessionLog implements AutoCloseable {
     private static final Logger LOG = System.getLogger(SessionLog.class.getName());
@@ -36,7 +36,7 @@ public final class SessionLog implements AutoCloseable {
     private static final long RETRY_MS = 1000;
     private static final String END = "";
 
-    /** Stands for a line when it is time to try again. */
+    /** Takes the place of a line when it is time to try again. */
     private static final String NOTHING_NEW = "\n";
 
     private final Clock clock;
@@ -54,7 +54,7 @@ public final class SessionLog implements AutoCloseable {
         this.lines = lines;
     }
 
-    /** A log that writes to a channel. */
+    /** Creates a log that writes to a channel. */
     static SessionLog to(SeekableByteChannel channel, Path file, Clock clock) {
         SessionLog log = new SessionLog(clock, file, new LineFile(channel));
         log.writer.setDaemon(true);
@@ -63,9 +63,9 @@ public final class SessionLog implements AutoCloseable {
     }
 
     /**
-     * Begins a log in a directory, which is made if need be.
+     * Starts a log in a directory, which is created if it is missing.
      *
-     * @param directory where session logs are kept
+     * @param directory the directory of the session logs
      * @param clock the time of day
      * @return the log; its file is named after the time
      * @throws IOException if the file cannot be made
@@ -81,7 +81,7 @@ public final class SessionLog implements AutoCloseable {
     }
 
     /**
-     * A log that keeps nothing, for programs and tests without one.
+     * Creates a log that keeps nothing, for programs and tests without one.
      *
      * @return the log
      */
@@ -90,8 +90,8 @@ public final class SessionLog implements AutoCloseable {
     }
 
     /**
-     * Adds a line with the time of day. Returns at once; when the disk is thousands of lines behind, lines get lost,
-     * and the log has their number.
+     * Adds a line with the time of day. Returns at once; if the disk is thousands of lines behind, lines are lost, and
+     * the log contains their number.
      *
      * @param kind what sort of line it is, in one word
      * @param text the line; line ends and control characters in it are made visible
@@ -106,17 +106,17 @@ public final class SessionLog implements AutoCloseable {
     }
 
     /**
-     * Reports when the log cannot be written any more, and when it can be again. Before, that goes to MAJIC's own
-     * log.
+     * Sets a listener for when the log can no longer be written, and when it can be again. Without one, that is
+     * reported to MAJIC's own log.
      *
-     * @param listener gets a sentence, on the log's thread; may write to this log
+     * @param listener receives a sentence, on the log's thread; may write to this log
      */
     public void onTrouble(Consumer<String> listener) {
         alarm = listener;
     }
 
     /**
-     * Where the log is.
+     * Returns the file of the log.
      *
      * @return its file; empty if nothing is kept
      */
@@ -124,7 +124,7 @@ public final class SessionLog implements AutoCloseable {
         return Optional.ofNullable(file);
     }
 
-    /** Writes what is left, for one second at most, and ends the log. */
+    /** Writes the remaining lines, for one second at most, and ends the log. */
     @Override
     public void close() {
         if (lines == null) {
@@ -152,7 +152,7 @@ public final class SessionLog implements AutoCloseable {
         }
     }
 
-    /** The next line; after a failure also what makes the writer try again. */
+    /** Returns the next line; after a failure also a line that makes the writer try again. */
     private String next() throws InterruptedException {
         if (!failing) {
             return unwritten.take();

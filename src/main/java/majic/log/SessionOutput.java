@@ -19,9 +19,9 @@ public final class SessionOutput {
     private final Object order = new Object();
 
     /**
-     * An output without listeners.
+     * Creates an output without listeners.
      *
-     * @param log gets every line
+     * @param log receives every line
      */
     public SessionOutput(SessionLog log) {
         this.log = log;

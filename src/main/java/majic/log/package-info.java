@@ -1,6 +1,6 @@
 /**
- * The lines of a session and where they go: to the session log, written as they come, and to all listeners. And the
- * parameter log: readings taken at a steady pace.
+ * Distributes the lines of a session to the session log, written as they come, and to all listeners; and holds the
+ * parameter log: readings taken at regular intervals.
  */
 @NullMarked
 package majic.log;

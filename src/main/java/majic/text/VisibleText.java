@@ -5,8 +5,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Makes texts of any origin safe to show in one line. Line ends, escape sequences of terminals and characters that turn
- * the direction of the writing become visible, so that no text can be taken for an answer of its own or change what a
+ * Makes text of any origin safe to show in one line. Line ends, escape sequences of terminals and characters that
+ * reverse the writing direction become visible, so that no text can be mistaken for a separate line or change what a
  * screen shows.
  */
 public final class VisibleText {
@@ -15,7 +15,7 @@ public final class VisibleText {
     private VisibleText() {}
 
     /**
-     * The text in one line of visible characters.
+     * Returns the text in one line of visible characters.
      *
      * @param text anything
      * @return the text with {@code \n}, {@code \r} and {@code \}{@code u001b} and the like, written out, in place of
