@@ -7,7 +7,7 @@ import majic.bot.BotAddress;
 import majic.bot.Pose;
 import majic.time.TimeSource;
 
-/** What the rest of MAJIC may know of a simulated lab. Thread-safe. */
+/** Gives the rest of MAJIC access to a simulated lab. Thread-safe. */
 public interface LabAccess {
     /**
      * A wall or the side of a box, in the room's frame.
@@ -38,13 +38,13 @@ public interface LabAccess {
     record Lamp(double x, double y) {}
 
     /**
-     * What robots see but do not run into. Immutable.
+     * The parts of the room that robots can see but cannot run into. Immutable.
      *
      * @param tapes all pieces of all stripes
-     * @param lamps all that shine
+     * @param lamps all lamps that are switched on
      */
     record Furnishing(List<Tape> tapes, List<Lamp> lamps) {
-        /** A bare room's. */
+        /** The furnishing of an empty room. */
         public static final Furnishing NONE = new Furnishing(List.of(), List.of());
 
         /** Copies the lists. */
@@ -55,15 +55,15 @@ public interface LabAccess {
     }
 
     /**
-     * The robots in the lab.
+     * Returns the robots in the lab.
      *
-     * @return their names, which are those of their types, with a number behind where there are several ({@code
-     *     pioneer2}); in the order they are to be numbered
+     * @return their names, which are those of their types, with a number appended where there are several
+     *     ({@code pioneer2}); in the order they are to be numbered
      */
     List<String> robots();
 
     /**
-     * Where a robot of the lab listens.
+     * Returns the address at which a robot of the lab listens.
      *
      * @param robot its name
      * @return its address as a user could type it, or empty if the lab has none
@@ -71,28 +71,28 @@ public interface LabAccess {
     Optional<BotAddress> address(String robot);
 
     /**
-     * The clock of the lab, for drivers of its robots.
+     * Returns the clock of the lab, for drivers of its robots.
      *
      * @return the same object at every call
      */
     TimeSource time();
 
     /**
-     * Where the robots really are, in the room's frame.
+     * Returns the robots' true poses, in the room's frame.
      *
      * @return by name of the robot, in the lab's order
      */
     Map<String, Pose> truePoses();
 
     /**
-     * The room.
+     * Returns the walls of the room.
      *
      * @return all walls and sides of boxes
      */
     List<Wall> walls();
 
     /**
-     * What is in the room beside its walls.
+     * Returns the contents of the room besides its walls.
      *
      * @return tape and lamps; none unless overridden
      */

@@ -1,6 +1,4 @@
-/**
- * The simulated lab as the rest of MAJIC sees it: its robots' addresses, its clock, its room.
- */
+/** Gives the rest of MAJIC access to the simulated lab: its robots' addresses, its clock, its room. */
 @NullMarked
 package majic.lab;
 
