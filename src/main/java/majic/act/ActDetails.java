@@ -1,15 +1,15 @@
 package majic.act;
 
 /**
- * What its author says of an act. Blanks around and line ends within are taken out.
+ * The author's description of an act. Surrounding blanks and line ends are removed.
  *
- * @param name what it is called, as in {@code act NAME}
- * @param version the author's own; may be empty
- * @param author who made it; may be empty
+ * @param name the act's name, as in {@code act NAME}
+ * @param version the author's version number; may be empty
+ * @param author the author's name; may be empty
  * @param description one or two sentences; may be empty
  */
 public record ActDetails(String name, String version, String author, String description) {
-    /** Makes one line of each. */
+    /** Turns each text into one line. */
     public ActDetails {
         name = Printable.line(name);
         version = Printable.line(version);
@@ -18,9 +18,9 @@ public record ActDetails(String name, String version, String author, String desc
     }
 
     /**
-     * Details of an act of which nothing else is known.
+     * Returns details that hold only a name.
      *
-     * @param name what it is called
+     * @param name the act's name
      * @return details with everything else empty
      */
     public static ActDetails named(String name) {

@@ -2,12 +2,12 @@ package majic.act;
 
 import majic.bot.BotException;
 
-/** An act that cannot be made, read or loaded. The message is one sentence that names the file or class. */
+/** Reports that an act cannot be made, read or loaded. The message is one sentence that names the file or class. */
 public class ActException extends BotException {
     private static final long serialVersionUID = 1;
 
     /**
-     * A failure with its sentence.
+     * Creates an exception with a message.
      *
      * @param message what is wrong with which file or class
      */
@@ -16,10 +16,10 @@ public class ActException extends BotException {
     }
 
     /**
-     * A failure with its sentence and what caused it.
+     * Creates an exception with a message and a cause.
      *
      * @param message what is wrong with which file or class
-     * @param cause what happened below
+     * @param cause the underlying exception
      */
     public ActException(String message, Throwable cause) {
         super(message, cause);

@@ -18,9 +18,9 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One act on robots of a team, from the loan of the robots to their return. Whoever stops one of them ends it for all: its
- * leave is revoked at once, the robots are halted, its thread is interrupted; if it does not end then it is left behind
- * without a robot. Used once.
+ * Runs one act on robots of a team, from claiming the robots to releasing them. A stop of one of these robots ends the
+ * act for all of them: its permission to move is revoked at once, the robots are halted, and its thread is interrupted.
+ * If the thread still does not end, it continues without a robot. Used once.
  */
 public final class ActRun {
     private enum Phase {
@@ -29,10 +29,13 @@ public final class ActRun {
         OVER
     }
 
-    /** After how long an act that is still ending is said to be, by the system's clock. */
+    /** Seconds after which an act that is still ending is reported as such, by the system's clock. */
     private static final double SOON_S = 0.5;
 
-    /** How long an act has for its ending, by the system's clock: an act that does not wait holds up a lab's. */
+    /**
+     * Seconds that an act may take to end, by the system's clock, because an act that does not wait stops a lab's
+     * clock.
+     */
     static final double GRACE_S = 2;
 
     private final MajicAct act;
@@ -49,13 +52,13 @@ public final class ActRun {
     private volatile boolean leftBehind;
 
     /**
-     * A run that has not begun.
+     * Creates a run that has not begun.
      *
-     * @param act fresh
-     * @param name what messages call it
+     * @param act the act, not started
+     * @param name the act's name in messages
      * @param members at least one robot for each of its roles, {@value Role#ME} the first
-     * @param leave of all these robots, from when the act was ordered: it may take its time to be loaded, and whoever
-     *     stops one of them meanwhile has stopped the act
+     * @param leave the permission to move all these robots, taken when the act was ordered: loading may take time, and
+     *     a stop of one of the robots meanwhile stops the act
      */
     public ActRun(MajicAct act, String name, Map<String, List<Member>> members, Permit leave) {
         this.act = act;
@@ -71,12 +74,12 @@ public final class ActRun {
     }
 
     /**
-     * Runs the act and waits for its end, at most {@value #GRACE_S} seconds longer than it is allowed to. However that
-     * is, the robots stand and are given back then.
+     * Runs the act and blocks until it ends, at most {@value #GRACE_S} seconds longer than it is permitted to run. In
+     * every case the robots are halted and released afterwards.
      *
-     * @param by whose robots they are; null for nobody's
+     * @param by the owner of the robots; null if they have none
      * @throws MotionStopped if a robot of it was stopped
-     * @throws BotException if a robot cannot be lent, or the act failed; the message says how
+     * @throws BotException if a robot cannot be claimed, or the act failed; the message gives the reason
      */
     public void run(@Nullable Owner by) {
         List<Member> lent = new ArrayList<>();
@@ -100,7 +103,7 @@ public final class ActRun {
         report();
     }
 
-    /** Whoever comes to end it from now on comes too late: the robots may be somebody else's already. */
+    /** Disables every later attempt to end the act, since the robots may already have another owner. */
     private void awaitEnd() throws InterruptedException {
         changes.await(() -> over && (halted || !isCutShort()), Signal.FOR_EVER);
         if (!phase.compareAndSet(Phase.RUNNING, Phase.OVER)) {
@@ -139,33 +142,31 @@ public final class ActRun {
         lent.forEach(member -> member.takeBack(owner));
     }
 
-    /**
-     * Ends it as {@link #run} then does: without a complaint. Returns at once.
-     */
+    /** Ends the act; {@link #run} then returns without an exception. Returns at once. */
     public void callOff() {
         calledOff = true;
         end();
     }
 
     /**
-     * Whether its thread still ran when its robots were taken back for good.
+     * Returns whether the act's thread was still running when its robots were released.
      *
-     * @return true once {@link #run} has given up waiting for its end
+     * @return true once {@link #run} has returned before the thread ended
      */
     public boolean isLeftBehind() {
         return leftBehind;
     }
 
     /**
-     * Who the robots belong to while it runs.
+     * Returns the owner of the robots while the act runs.
      *
-     * @return the owner that their team knows
+     * @return the owner as registered in the robots' team
      */
     public Owner owner() {
         return owner;
     }
 
-    /** Ends it; returns at once. */
+    /** Ends the act; returns at once. */
     private void end() {
         if (phase.compareAndSet(Phase.RUNNING, Phase.CUT_SHORT)) {
             cast.revoke();
@@ -212,7 +213,7 @@ public final class ActRun {
         members.get(0).tell(owner, words);
     }
 
-    /** Where the act is heard. */
+    /** Receives the act's notes and its end. */
     private final class Hall implements Audience {
         @Override
         public void said(String words) {

@@ -1,14 +1,14 @@
 package majic.act;
 
-/** Hears of an act while it runs, on the thread of the act. */
+/** Receives the events of a running act, on the act's thread. */
 interface Audience {
     /**
-     * It says what it is doing.
+     * Receives a note on what the act is doing.
      *
-     * @param words its own
+     * @param words the act's note
      */
     void said(String words);
 
-    /** It has ended, its ending included; it has no robot any more. */
+    /** Receives the end of the act, after its clean-up; the act can no longer use a robot. */
     void ended();
 }

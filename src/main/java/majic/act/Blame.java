@@ -4,11 +4,11 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import majic.bot.BotException;
 
-/** Puts into words for an act's author what his act failed by. */
+/** Describes the failure of an act for its author. */
 public final class Blame {
     private Blame() {}
 
-    /** The reason why its {@code behave()} failed, then the one of its {@code ended()}; either may be missing. */
+    /** Returns why {@code behave()} failed, then why {@code ended()} failed; either may be missing. */
     static Optional<String> of(MajicAct act) {
         Throwable failure = act.failure();
         Throwable ending = act.endingFailure();
@@ -22,7 +22,10 @@ public final class Blame {
         return "its ended() failed: " + of(act, failure);
     }
 
-    /** The robots' own complaints speak for themselves; anything else is a mistake in the act, and said with its place. */
+    /**
+     * Returns the message of a robot's error as it is; any other exception is a defect of the act and is given with its
+     * source line.
+     */
     static String of(MajicAct act, Throwable failure) {
         if (failure instanceof BotException) {
             return String.valueOf(failure.getMessage());
@@ -30,7 +33,7 @@ public final class Blame {
         return named(failure) + place(act.getClass(), failure);
     }
 
-    /** What kind of failure it is and its own words, in one line. */
+    /** Returns the kind of the exception and its message, in one line. */
     public static String named(Throwable failure) {
         String message = failure.getMessage();
         return Printable.of(failure.getClass().getSimpleName() + (message == null ? "" : ": " + message));

@@ -16,7 +16,7 @@ import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
-/** The robots that an act commands, by role. They are taken back together, for good. Thread-safe. */
+/** Holds the robots that an act commands, by role. All of them are released together, permanently. Thread-safe. */
 final class Cast {
     private static final Logger LOG = System.getLogger(Cast.class.getName());
 
@@ -26,7 +26,7 @@ final class Cast {
     private final Map<String, List<BotControl>> leases = new LinkedHashMap<>();
 
     /**
-     * Robots lent from now on.
+     * Creates a set of robots that the act may use from now on.
      *
      * @param robots by role, at least one each; {@value Role#ME} is the first
      */
@@ -37,12 +37,12 @@ final class Cast {
                 its.stream().map(robot -> (BotControl) new Lease(robot, lease)).toList()));
     }
 
-    /** What the act's own robot goes by. */
+    /** The name of the act's own robot. */
     TimeSource clock() {
         return all.get(0).time();
     }
 
-    /** The robots that have a role, as long as they are lent; at least one. */
+    /** Returns the robots of a role while the act may use them; at least one. */
     List<BotControl> robots(String role) {
         List<BotControl> its = leases.get(role);
         if (its == null) {
@@ -53,21 +53,24 @@ final class Cast {
     }
 
     /**
-     * Takes the leave to move back; returns at once. The robots still do what they were told last.
+     * Revokes the permission to move; returns at once. The robots still carry out the last commands sent to them.
      *
-     * @return whether this was the first time, so that nobody has halted them since
+     * @return true if it was not revoked before, so the robots are not yet halted
      */
     boolean revoke() {
         lease.revoke(() -> new MotionStopped("the act has ended"));
         return takenBack.compareAndSet(false, true);
     }
 
-    /** What all is done by that the act orders. A stop of one of the robots revokes it, and so does a link that is lost. */
+    /**
+     * Returns the permission under which all commands of the act run. A stop or a lost connection of one of the robots
+     * revokes it.
+     */
     Permit lease() {
         return lease;
     }
 
-    /** Why the leave to move was taken back; null as long as it was not. */
+    /** Returns why the permission to move was revoked; null while it is valid. */
     @Nullable
     BotException revocation() {
         try {
@@ -79,8 +82,8 @@ final class Cast {
     }
 
     /**
-     * Halts all robots side by side, and blocks as long as the slowest link takes: also on a thread that is interrupted,
-     * as acts often are, since whoever gets a robot next must not be halted in another's place.
+     * Halts all robots in parallel and blocks until the slowest connection has finished. Blocks on an interrupted
+     * thread too (the threads of acts often are), so that no late stop reaches a robot that already has a new owner.
      */
     void halt() {
         boolean interrupted = Thread.interrupted();

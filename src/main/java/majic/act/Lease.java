@@ -13,8 +13,9 @@ import majic.bot.PermittedControl;
 import majic.bot.Value;
 
 /**
- * A robot on loan. Once the leave is revoked every use of it but its name throws, and nothing reaches the robot any more. A stop by
- * the borrower ends what he has begun, and takes nobody else's leave. Thread-safe.
+ * Lets an act use a robot while its permission is valid. After that is revoked, every method but the name throws, and
+ * nothing reaches the robot any more. A stop by the act ends only the motions that the act has begun, and revokes no
+ * other permission. Thread-safe.
  */
 final class Lease implements BotControl {
     private final Permit permit;

@@ -15,23 +15,26 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A behaviour: what a robot does by itself. An author extends it and writes {@link #behave()}, in which {@link #bot}
- * is the robot; everything kept in fields that are not transient is saved with the act.
+ * A behaviour: what a robot does by itself. A subclass implements {@link #behave()} and uses the robot {@link #bot}
+ * there; all fields that are not transient are saved with the act.
  *
- * <p>An act runs once, on its own thread. It ends when {@link #behave()} returns or throws, or when somebody calls
- * {@link #end()}: then the robot is told to stand, every further use of {@link #bot} throws {@link MotionStopped}, and
- * the thread is interrupted, in that order. However it ends, {@link #ended(boolean)} is called, without a robot.
+ * <p>An act runs once, on its own thread. It ends when {@link #behave()} returns or throws, or when {@link #end()} is
+ * called: then the robot is sent a stop, every further use of {@link #bot} throws {@link MotionStopped}, and the thread
+ * is interrupted, in that order. In every case {@link #ended(boolean)} is called at the end, without a robot.
  */
 public abstract class MajicAct extends Thread implements Serializable {
     private static final long serialVersionUID = 1;
     private static final Logger LOG = System.getLogger(MajicAct.class.getName());
 
-    /** Nothing of this class is saved: a saved act has no thread, no robot and no clock, and is as new when read. */
+    /**
+     * No field of this class is saved: an act that is read from a file has no thread, no robot and no clock, and is not
+     * started.
+     */
     private static final ObjectStreamField[] serialPersistentFields = {};
 
     /**
-     * The robot; null before the act is started. Once {@link #behave()} has ended, or the act was ended, every use of it
-     * throws {@link MotionStopped}, on whatever thread.
+     * The robot; null before the act is started. Once {@link #behave()} has ended, or the act was ended, every use of
+     * it throws {@link MotionStopped}, on every thread.
      */
     protected transient volatile @Nullable BotControl bot;
 
@@ -43,14 +46,14 @@ public abstract class MajicAct extends Thread implements Serializable {
     private transient volatile boolean calledOff;
     private transient volatile boolean hasBehaved;
 
-    /** A behaviour that has no robot yet. Reading a saved act does not come by here. */
+    /** Creates a behaviour that has no robot yet. Not called when a saved act is read. */
     protected MajicAct() {
         super("act");
     }
 
     /**
-     * Which robots the act asks for, the first being the one it is loaded onto. Written into the act's file when that is
-     * made, and asked again before the act starts; called without a robot, on any thread.
+     * Returns the robots that the act needs; the first is the one it is loaded onto. Called when the act's file is
+     * made, which stores the result, and again before the act starts; without a robot, on any thread.
      *
      * @return at least one role; unless overridden, any one robot
      */
@@ -59,23 +62,23 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
-     * What the robot does. Called once, on the thread of the act. It may simply return, use {@link #pause} between
-     * motions, and let every exception pass.
+     * Controls the robot. Called once, on the thread of the act. May return at any time, use {@link #pause} between
+     * motions, and throw any exception.
      */
     protected abstract void behave();
 
     /**
-     * Called when the act has ended, on its thread, for tidying up. Its robots obey it no more.
+     * Cleans up. Called on the act's thread when the act has ended; it can no longer command its robots.
      *
-     * @param cutShort true if the act was ended from outside or failed, false if {@link #behave()} came to its end
+     * @param cutShort true if the act was ended from outside or failed, false if {@link #behave()} returned
      */
     protected void ended(boolean cutShort) {}
 
     /**
-     * Waits, on the clock of the robot. Unlike {@link Thread#sleep(long)}, which counts milliseconds, and which no
-     * simulated lab knows of.
+     * Waits by the robot's clock. {@link Thread#sleep(long)}, in contrast, takes milliseconds and does not follow the
+     * clock of a simulated lab.
      *
-     * @param seconds how long; zero or less returns at once
+     * @param seconds the time to wait, s; zero or less returns at once
      * @throws MotionStopped if the act was ended meanwhile
      */
     protected final void pause(double seconds) {
@@ -91,7 +94,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         checkMayGoOn();
     }
 
-    /** Only {@link #ended(boolean)} goes on without a robot. */
+    /** Throws if the act can no longer use its robot; only {@link #ended(boolean)} runs without one. */
     private void checkMayGoOn() {
         Thread current = Thread.currentThread();
         Cast robots = cast;
@@ -102,10 +105,10 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
-     * A further robot, by the role that {@link #roles()} gave it.
+     * Returns a further robot, by the role that {@link #roles()} gave it.
      *
      * @param role the act's word for it
-     * @return the robot; of no use any more once the act has ended
+     * @return the robot; every use throws once the act has ended
      * @throws BotException if the act has no such role, or no robots yet
      */
     protected final BotControl robot(String role) {
@@ -113,10 +116,10 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
-     * All robots of a role that {@link Role#orMore() may be several}.
+     * Returns all robots of a role that {@link Role#orMore() may be several}.
      *
      * @param role the act's word for it
-     * @return at least one, in the order they were named; of no use any more once the act has ended
+     * @return at least one, in the order they were named; every use throws once the act has ended
      * @throws BotException if the act has no such role, or no robots yet
      */
     protected final List<BotControl> robots(String role) {
@@ -128,7 +131,7 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
-     * Tells the person what the act is doing: it stands beside the robot, among the messages and in the session log.
+     * Shows the user what the act is doing: beside the robot, among the messages and in the session log.
      *
      * @param words a few of them
      */
@@ -140,10 +143,10 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
-     * Gives the act its robot and starts it, outside of any session; returns as soon as it lives by the robot's clock.
-     * What it says goes to the log.
+     * Gives the act its robot and starts it, outside of any session; returns once the act's thread is registered with
+     * the robot's clock. Notes of the act go to the log.
      *
-     * @param robot connected; nobody else should command it meanwhile
+     * @param robot connected; must not be commanded by other code meanwhile
      * @throws IllegalThreadStateException if it was started before
      * @throws BotException if it needs another robot, or several, or the system has no thread for it
      */
@@ -175,7 +178,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         }
     }
 
-    /** Starts the act with all its robots; returns as soon as it lives by the clock of its own. */
+    /** Starts the act with all its robots; returns once its thread is registered with the clock of its own robot. */
     final void start(Cast robots, Audience listening) {
         if (getState() != State.NEW) {
             throw new IllegalThreadStateException("an act runs only once");
@@ -208,9 +211,9 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
-     * Ends the act from outside: takes its robots away, halts them, then interrupts the thread. From the first moment on
-     * nothing the act says reaches a robot. Blocks as long as the slowest robot's stop does; may be called again, and
-     * from any thread. An act that was ended before it is started does nothing when it is.
+     * Ends the act from outside: revokes its use of the robots, halts them, then interrupts the thread. From the start
+     * of this call, no command of the act reaches a robot. Blocks as long as the slowest robot's stop does; may be
+     * called again, and from any thread. An act that is ended before its start does nothing when started.
      */
     public final void end() {
         calledOff = true;
@@ -222,18 +225,18 @@ public abstract class MajicAct extends Thread implements Serializable {
         interrupt();
     }
 
-    /** Why it failed or was cut short; null if it came to its end, or is still on its way. */
+    /** Returns why the act failed or was ended from outside; null if it completed or is still running. */
     final @Nullable Throwable failure() {
         return failure;
     }
 
-    /** What {@link #ended(boolean)} failed by; null if it did not, or was not called yet. */
+    /** Returns the exception that {@link #ended(boolean)} threw; null if it threw none, or was not called yet. */
     final @Nullable Throwable endingFailure() {
         return endingFailure;
     }
 
     /**
-     * An act is started with its robot, by {@link #start(MajicBot)} or by a session.
+     * Not supported: an act is started with its robot, by {@link #start(MajicBot)} or by a session.
      *
      * @throws IllegalStateException always
      */
@@ -242,7 +245,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         throw new IllegalStateException("an act is started with its robot");
     }
 
-    /** Runs the behaviour; called by the thread's start and by nobody else. */
+    /** Runs the behaviour; called only by the start of the thread. */
     @Override
     public final void run() {
         Cast robots = cast;
@@ -276,7 +279,9 @@ public abstract class MajicAct extends Thread implements Serializable {
         }
     }
 
-    /** Whatever the author's code throws, also what its methods do not declare, the robots are taken back and halted. */
+    /**
+     * Revokes the use of the robots and halts them, whatever the author's code throws, including undeclared exceptions.
+     */
     private boolean behaveToTheEnd(Cast robots) {
         try {
             if (robots.revocation() == null) {

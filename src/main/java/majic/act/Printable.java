@@ -2,23 +2,26 @@ package majic.act;
 
 import java.util.regex.Pattern;
 
-/** Makes texts out of files safe to show: no line ends, no control characters, nothing that turns the writing round. */
+/**
+ * Makes texts read from files safe to show: without line ends, control characters or characters that reverse the
+ * writing direction.
+ */
 public final class Printable {
     private static final Pattern UNSEEN = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Zl}\\p{Zp}]");
 
     private Printable() {}
 
     /**
-     * A text of which everything can be seen.
+     * Replaces invisible characters in a text.
      *
-     * @param text anything
-     * @return it with a question mark for each character that cannot be seen
+     * @param text any text
+     * @return the text with a question mark for each invisible character
      */
     public static String of(String text) {
         return UNSEEN.matcher(text).replaceAll("?");
     }
 
-    /** The text in one line, a blank for whatever cannot be seen. */
+    /** Returns the text in one line, with a blank for each invisible character. */
     static String line(String text) {
         return UNSEEN.matcher(text).replaceAll(" ").strip().replaceAll("\\s+", " ");
     }

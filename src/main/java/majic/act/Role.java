@@ -13,19 +13,20 @@ import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot that an act asks for: what the act calls it, and what it has to be able to do. Immutable.
+ * Describes a robot that an act needs: its name in the act and the types, parameters and commands it must have.
+ * Immutable.
  *
- * @param name the act's word for it, letters and digits; {@value #ME} is the robot the act is loaded onto
- * @param types the types of robots that will do, as in addresses; empty for any
+ * @param name the role's name, letters and digits; {@value #ME} is the robot the act is loaded onto
+ * @param types the permitted types of robots, as in addresses; empty for any
  * @param parameters the parameters it must have
  * @param commands the further commands it must have, beside those that every robot has
- * @param several whether further robots may play it too; of use for the last role of an act
+ * @param several whether several robots may take the role; used for the last role of an act
  */
 public record Role(String name, List<String> types, List<String> parameters, List<String> commands, boolean several) {
     /** The role of the robot that an act is loaded onto. */
     public static final String ME = "me";
 
-    /** How a command is told from a parameter. */
+    /** The suffix that distinguishes a command from a parameter. */
     private static final String CALL = "()";
 
     private static final Pattern TEXT =
@@ -34,7 +35,7 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
     /**
      * Keeps copies of the lists.
      *
-     * @throws IllegalArgumentException if a name is not letters and digits, or several robots shall be {@value #ME}
+     * @throws IllegalArgumentException if a name is not letters and digits, or if {@value #ME} is to be several robots
      */
     public Role {
         types = types.stream().map(type -> type.toLowerCase(Locale.ROOT)).toList();
@@ -50,19 +51,19 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
     }
 
     /**
-     * A role for any robot.
+     * Returns a role for any robot.
      *
-     * @param name the act's word for it
-     * @return a role with no further needs
+     * @param name the role's name, letters and digits
+     * @return a role without further requirements
      */
     public static Role any(String name) {
         return new Role(name, List.of(), List.of(), List.of(), false);
     }
 
     /**
-     * This role, for robots of some types only.
+     * Returns this role restricted to some types of robots.
      *
-     * @param wanted the types, as in addresses: {@code aibo}
+     * @param wanted the required types, as in addresses: {@code aibo}
      * @return a role with the same parameters and commands
      */
     public Role types(String... wanted) {
@@ -70,9 +71,9 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
     }
 
     /**
-     * This role, for robots that have some parameters.
+     * Returns this role restricted to robots with some parameters.
      *
-     * @param wanted their names: {@code distanceFront}
+     * @param wanted the required parameters' names: {@code distanceFront}
      * @return a role for the same types, with the same commands
      */
     public Role with(String... wanted) {
@@ -80,9 +81,9 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
     }
 
     /**
-     * This role, for robots that have some commands of their own.
+     * Returns this role restricted to robots with some type-specific commands.
      *
-     * @param wanted their names: {@code play}
+     * @param wanted the required commands' names: {@code play}
      * @return a role for the same types, with the same parameters
      */
     public Role calling(String... wanted) {
@@ -90,9 +91,10 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
     }
 
     /**
-     * This role, for one robot or as many as the user assigns. Only the last role of an act can be of this kind.
+     * Returns this role for one or more robots, as many as the user assigns. Only the last role of an act can be of
+     * this kind.
      *
-     * @return a role with the same needs
+     * @return a role with the same requirements
      * @throws IllegalArgumentException if it is {@value #ME}
      */
     public Role orMore() {
@@ -100,10 +102,10 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
     }
 
     /**
-     * Why a robot cannot play this role.
+     * Returns why a robot cannot take this role.
      *
-     * @param robot the robot; nothing is asked of it
-     * @return what it lacks, to put behind the robot's number ({@code has no parameter sonar3}); empty if it will do
+     * @param robot the robot; no command is sent to it
+     * @return what the robot lacks, to put behind its number ({@code has no parameter sonar3}); empty if it is suitable
      */
     public Optional<String> unfit(MajicBot robot) {
         String type = robot.type().name();
@@ -127,7 +129,7 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
      *
      * @param text for instance {@code me aibo|pioneer (distanceFront,bumped)}
      * @return the role
-     * @throws IllegalArgumentException if the text is none
+     * @throws IllegalArgumentException if the text is not a role
      */
     public static Role parse(String text) {
         Matcher parts = TEXT.matcher(text.strip());
@@ -151,14 +153,17 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
         return text == null ? List.of() : List.of(text.split(separator));
     }
 
-    /** The role as one reads and types it: {@code me aibo|pioneer (distanceFront,play())}; {@code follower+} for several. */
+    /**
+     * Returns the role as shown and typed: {@code me aibo|pioneer (distanceFront,play())}; {@code follower+} for
+     * several.
+     */
     @Override
     public String toString() {
         return textOf(several ? name + "+" : name, types, needs());
     }
 
     /**
-     * All that the robot must have, as in {@link #toString()}.
+     * Returns the parameters and commands that the robot must have, as in {@link #toString()}.
      *
      * @return the parameters by name, then the commands with brackets: {@code play()}
      */

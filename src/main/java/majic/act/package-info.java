@@ -1,8 +1,8 @@
 /**
- * Behaviours: programs that have a robot to themselves for a while, and lose it the moment somebody says so. Also their
- * files: how they are made, read, checked and trusted; docs/programmers-guide.md has the form.
+ * Behaviours: programs with exclusive use of a robot, which a stop revokes at once. Sub-packages make, read and check
+ * their files; docs/programmers-guide.md has the format.
  *
- * <p>Of MAJIC this package imports {@code majic.bot} alone; it knows neither the script language nor a window.
+ * <p>Of MAJIC it imports only {@code majic.bot}, {@code majic.time} and {@code majic.team}; it depends neither on the script language nor on the window.
  */
 @NullMarked
 package majic.act;

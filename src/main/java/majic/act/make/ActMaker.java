@@ -23,7 +23,7 @@ import majic.act.file.Unfit;
 
 /**
  * Makes an act's file from compiled classes, or from one source file. The class's constructor runs once, so that its
- * object can be saved; that is the author's own code on the author's own machine.
+ * object can be saved; this is the author's own code on the author's own computer.
  */
 public final class ActMaker {
     private final ClassPool pool;
@@ -37,9 +37,10 @@ public final class ActMaker {
     }
 
     /**
-     * Takes what an act shall be made of. A source file is compiled; nothing of it runs yet.
+     * Opens the classes or the source of an act. A source file is compiled; none of its code runs yet.
      *
-     * @param classes a class file in the folder of its package, a folder of such, a jar, or a single {@code .java} source
+     * @param classes a class file in the folder of its package, a folder of such, a jar, or a single {@code .java}
+     *     source
      * @return a maker for the acts in it
      * @throws ActException if it cannot be read or compiled
      */
@@ -53,7 +54,7 @@ public final class ActMaker {
     }
 
     /**
-     * The classes that can be acts, as far as can be told without running them.
+     * Returns the classes that can be acts, as far as their class files show.
      *
      * @return their names, sorted; possibly none
      */
@@ -74,10 +75,10 @@ public final class ActMaker {
     }
 
     /**
-     * The one act that is in it.
+     * Returns the class of the only act.
      *
-     * @return its class
-     * @throws ActException if there is none, saying why, or more than one
+     * @return the name of its class
+     * @throws ActException if there is none, with the reason, or more than one
      */
     public String onlyAct() {
         List<String> acts = acts();
@@ -105,12 +106,12 @@ public final class ActMaker {
     }
 
     /**
-     * Makes the file of an act, and reads it back to be sure.
+     * Makes the file of an act, and reads it back as a check.
      *
      * @param actClass the act's class, one of {@link #acts()}
-     * @param details what its author says of it
+     * @param details name, version, author and description of the act
      * @return the whole file; the same classes and details give the same bytes
-     * @throws ActException if the class is not suitable, saying why and what would be right
+     * @throws ActException if the class is not suitable, with the reason and what would be right
      */
     public byte[] make(String actClass, ActDetails details) {
         try {
@@ -132,7 +133,7 @@ public final class ActMaker {
      * Makes the file of an act of a class that MAJIC has itself, such as a script; such a file brings no code.
      *
      * @param act the act, with its data, not started
-     * @param details what its author says of it
+     * @param details name, version, author and description of the act
      * @return the whole file
      * @throws ActException if the act cannot be saved, or its class is not MAJIC's
      */

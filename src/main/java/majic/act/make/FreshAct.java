@@ -11,14 +11,14 @@ import majic.act.MajicAct;
 import majic.act.Role;
 import majic.act.file.Unfit;
 
-/** Makes the first object of an act's class, to save it. Here the author's code runs, on the author's own machine. */
+/** Makes the first object of an act's class, to save it. This runs the author's code on the author's own computer. */
 final class FreshAct {
     private FreshAct() {}
 
     /**
      * Makes an act.
      *
-     * @throws Unfit with what its constructor lacks or did, to go behind the class's name
+     * @throws Unfit with what is missing or wrong in its constructor, to put behind the class's name
      */
     static MajicAct of(String actClass, ClassLoader loader) throws IOException {
         try {
@@ -36,7 +36,7 @@ final class FreshAct {
         }
     }
 
-    /** The robots it asks for, checked. */
+    /** Returns the robots that the act needs, checked. */
     static List<Role> roles(MajicAct act) throws IOException {
         List<Role> roles = rolesAsSaid(act);
         if (roles.isEmpty()) {

@@ -1,6 +1,4 @@
-/**
- * The act maker: from classes, a source or a jar to a file of a behaviour.
- */
+/** Makes a behaviour's file from classes, a source or a jar. */
 @NullMarked
 package majic.act.make;
 
