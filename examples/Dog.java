@@ -1,13 +1,13 @@
 import majic.aibo.MajicAibo;
 
-/** An Aibo without window, team or script. */
+/** Moves an Aibo without window, team or script. */
 public final class Dog {
     private Dog() {}
 
     /**
-     * Walks up to what is ahead, looks to the left, and lies down.
+     * Walks up to an obstacle ahead, turns the head to the left, and lies down.
      *
-     * @param args where the dog is, for instance {@code aibo://192.168.1.20}
+     * @param args the robot's address, for instance {@code aibo://192.168.1.20}
      */
     public static void main(String[] args) {
         if (args.length != 1) {

@@ -1,13 +1,13 @@
 import majic.hemisson.MajicHemisson;
 
-/** A Hemisson without window, team or script. */
+/** Moves a Hemisson without window, team or script. */
 public final class Feeler {
     private Feeler() {}
 
     /**
-     * Drives ahead until something is near, turns away and tells what is there.
+     * Drives ahead until an obstacle is near, turns away and prints the readings.
      *
-     * @param args where the robot is, for instance {@code hemisson:/dev/ttyUSB0}
+     * @param args the robot's address, for instance {@code hemisson:/dev/ttyUSB0}
      */
     public static void main(String[] args) {
         if (args.length != 1) {

@@ -8,12 +8,12 @@ import majic.bot.MajicBot;
 import majic.hemisson.MajicHemisson;
 import majic.pioneer.MajicPioneer;
 
-/** Three unlike robots race side by side, each on a thread of its own. */
+/** Lets three different robots race side by side, each on its own thread. */
 public final class Race {
     private Race() {}
 
     /**
-     * Runs the race over two hundred millimetres.
+     * Runs the race over 200 mm.
      *
      * @param args the addresses of the Aibo, the Pioneer and the Hemisson
      * @throws InterruptedException if it is interrupted meanwhile

@@ -1,13 +1,13 @@
 import majic.pioneer.MajicPioneer;
 
-/** A Pioneer without window, team or script. */
+/** Moves a Pioneer without window, team or script. */
 public final class TenLines {
     private TenLines() {}
 
     /**
-     * Drives round a corner and tells what is ahead.
+     * Drives round a corner and prints the distance ahead.
      *
-     * @param args where the robot is, for instance {@code pioneer://localhost}
+     * @param args the robot's address, for instance {@code pioneer://localhost}
      */
     public static void main(String[] args) {
         if (args.length != 1) {

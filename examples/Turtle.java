@@ -11,14 +11,14 @@ import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
 
-/** A robot of one's own, whole: a turtle that exists only in memory. */
+/** A complete robot type of one's own: a turtle that exists only in memory. */
 public final class Turtle extends MajicBot {
     private volatile double speedMmPerSec;
     private volatile double turnDegPerSec;
     private volatile boolean penDown;
     private volatile Pose pose = Pose.START;
 
-    /** How MAJIC learns of turtles. */
+    /** Registers the robot type with MAJIC. */
     public static final class Type implements BotType {
         @Override
         public String name() {

@@ -1,13 +1,13 @@
 import majic.pioneer.MajicPioneer;
 
-/** A Pioneer that wanders by its sonars: ahead until something is near, then to the side with more room. */
+/** Lets a Pioneer wander by its sonars: ahead until an obstacle is near, then to the side with more room. */
 public final class Wanderer {
     private Wanderer() {}
 
     /**
-     * Drives a number of legs.
+     * Drives a number of stretches.
      *
-     * @param args where the robot is, for instance {@code pioneer://localhost}, and how many legs
+     * @param args the robot's address, for instance {@code pioneer://localhost}, and how many legs
      */
     public static void main(String[] args) {
         if (args.length != 2) {

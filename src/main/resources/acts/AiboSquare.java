@@ -2,7 +2,7 @@ import java.util.List;
 import majic.act.MajicAct;
 import majic.act.Role;
 
-/** An Aibo walks a square of half a metre and comes back to where it began. */
+/** An Aibo walks a square with sides of half a metre and returns to its start. */
 public final class AiboSquare extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final int SIDES = 4;

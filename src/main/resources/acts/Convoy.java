@@ -7,16 +7,16 @@ import majic.bot.BotException;
 import majic.bot.Value;
 
 /**
- * One robot leads, others follow in a row straight behind it, each at the distance that counts as near for it, by its own
- * sensors. All go as fast as the slowest. The leader stands when something is near ahead of it, or when one of those who
- * follow has lost sight of who goes ahead.
+ * One robot leads, others follow in a row straight behind it, each at its own {@code near} distance, measured by its
+ * own sensors. All move at the speed of the slowest. The leader stops while an obstacle is near ahead of it, or while a
+ * follower does not detect the robot ahead of it.
  */
 public final class Convoy extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final double STEP_S = 0.2;
     private static final double CATCHING_UP = 1.5;
 
-    /** Who sees less far ahead than that has run into the robot before it, before it stands. */
+    /** The smallest {@code near} of a follower, mm; with less it hits the robot ahead of it before it has stopped. */
     private static final double SHORTEST_SIGHT_MM = 100;
 
     private transient List<BotControl> lost = List.of();
@@ -56,7 +56,7 @@ public final class Convoy extends MajicAct {
         }
     }
 
-    /** Those that see no robot ahead. */
+    /** Drives the followers and returns those that detect no robot ahead. */
     private static List<BotControl> follow(List<BotControl> followers, double pace) {
         List<BotControl> blind = new ArrayList<>();
         for (BotControl follower : followers) {
@@ -67,7 +67,10 @@ public final class Convoy extends MajicAct {
         return blind;
     }
 
-    /** As fast as the leader at the right distance, not at all at half of it; stands, and says no, without a sight. */
+    /**
+     * Drives at the leader's speed at the right distance, faster beyond it, and at zero speed at half of it. Without a
+     * reading stops and returns false.
+     */
     private static boolean follow(BotControl robot, double pace) {
         boolean sees = robot.get("distanceFront") instanceof Value.Number;
         double half = number(robot, "near") / 2;

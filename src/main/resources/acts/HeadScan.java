@@ -3,7 +3,7 @@ import majic.act.MajicAct;
 import majic.act.Role;
 import majic.bot.Value;
 
-/** An Aibo looks around without a step, says where the nearest thing is, and keeps its eyes on it. */
+/** An Aibo turns its head without walking, shows where the nearest obstacle is, and keeps its head turned to it. */
 public final class HeadScan extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final int WIDEST_DEG = 90;

@@ -2,11 +2,14 @@ import java.util.List;
 import majic.act.MajicAct;
 import majic.act.Role;
 
-/** A Hemisson goes to a lamp: every sensor that sees light pulls it to where it looks. Without light it wanders. */
+/**
+ * A Hemisson drives to a lamp: every sensor that detects light turns it to that sensor's direction. Without light it
+ * wanders.
+ */
 public final class LightSeek extends MajicAct {
     private static final long serialVersionUID = 1;
 
-    /** Where the sensors light0 to light5 look. */
+    /** The directions of the sensors light0 to light5. */
     private static final double[] LOOKS_DEG = {0, -45, 45, -90, 90, 180};
 
     private static final double BRIGHT = 40;
@@ -36,7 +39,7 @@ public final class LightSeek extends MajicAct {
         say("here is the light");
     }
 
-    /** What the sensors see, 0 bright to 255 dark; the mean of a few looks, for one alone is noisy. */
+    /** Returns the sensors' readings, 0 bright to 255 dark; the mean of several readings, since one alone is noisy. */
     private double[] look() {
         double[] light = new double[LOOKS_DEG.length];
         for (int look = 0; look < LOOKS; look++) {
@@ -48,7 +51,7 @@ public final class LightSeek extends MajicAct {
         return light;
     }
 
-    /** The direction that the light comes from, degrees; not a number if there is none. */
+    /** Returns the direction of the light, degrees; not a number if there is none. */
     private static double pull(double[] light) {
         double dark = 0;
         for (double one : light) {

@@ -2,7 +2,7 @@ import java.util.List;
 import majic.act.MajicAct;
 import majic.act.Role;
 
-/** A Hemisson finds a line of black tape ahead of it and follows it; it stands while something is in its way. */
+/** A Hemisson finds a line of black tape ahead of it and follows it; it stops while an obstacle is in its way. */
 public final class LineFollow extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final double DARK = 90;
@@ -36,7 +36,7 @@ public final class LineFollow extends MajicAct {
         }
     }
 
-    /** Off the tape it turns to where it saw it last. */
+    /** Drives along the tape; off the tape turns to the side where it was last detected. */
     private void follow(boolean left, boolean right, double bend) {
         if (isSomethingNear()) {
             bot.drive(0, 0);
@@ -47,7 +47,7 @@ public final class LineFollow extends MajicAct {
         }
     }
 
-    /** Remembers it, for the robot rolls on a little. */
+    /** Returns whether the robot is on the tape, and stores it, since the robot rolls on a little. */
     private boolean meetsTape() {
         met = isOnTape();
         return met;

@@ -5,7 +5,7 @@ import majic.act.Role;
 import majic.bot.BotControl;
 import majic.bot.Value;
 
-/** Three unlike robots race side by side over a metre. Who is in stands, and so does who meets something on the way. */
+/** Three different robots race side by side over a metre. A robot stops at the finish or at an obstacle on the way. */
 public final class MajicRace extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final double COURSE_MM = 1000;
@@ -43,7 +43,7 @@ public final class MajicRace extends MajicAct {
         }
     }
 
-    /** One of them, on its way. */
+    /** Holds a robot in the race and where it started. */
     private static final class Racer {
         private final String name;
         private final BotControl robot;
@@ -70,7 +70,9 @@ public final class MajicRace extends MajicAct {
             return number("distanceFront") < number("near");
         }
 
-        /** One reading alone may be a slip of a sensor; it makes the robot stand, but puts it out only if it stays. */
+        /**
+         * Returns whether an obstacle stays in the way. A single reading, which may be wrong, only stops the robot.
+         */
         boolean staysBlocked() {
             blockedSteps = isBlocked() ? blockedSteps + 1 : 0;
             return blockedSteps > MOST_SLIPS;

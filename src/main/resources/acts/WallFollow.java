@@ -2,13 +2,13 @@ import java.util.List;
 import majic.act.MajicAct;
 import majic.act.Role;
 
-/** A Pioneer drives along the wall on its right, into corners and around them, half a metre away. */
+/** A Pioneer follows the wall on its right at half a metre, into corners and around them. */
 public final class WallFollow extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final double AWAY_MM = 500;
     private static final double STEP_S = 0.4;
 
-    /** How far ahead it means to be at the right distance. */
+    /** The distance ahead at which the robot is steered to reach the right distance from the wall. */
     private static final double AIM_MM = 800;
 
     private static final double SHARPEST_DEG_PER_SEC = 25;
@@ -42,7 +42,7 @@ public final class WallFollow extends MajicAct {
         return number("distanceFront") < AWAY_MM;
     }
 
-    /** What is farther than twice the wanted distance, or not there at all, is as good as that far. */
+    /** Returns a reading, limited to twice the intended distance; no reading counts as that limit. */
     private double toTheWall() {
         return Math.min(number("distanceRight"), 2 * AWAY_MM);
     }

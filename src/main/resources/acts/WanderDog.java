@@ -3,7 +3,7 @@ import majic.act.MajicAct;
 import majic.act.Role;
 import majic.bot.Value;
 
-/** An Aibo walks until something is near, looks to both sides, and turns to where there is more room. */
+/** An Aibo walks until an obstacle is near, measures to both sides, and turns to the side with more room. */
 public final class WanderDog extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final double LOOK_DEG = 70;
@@ -30,7 +30,7 @@ public final class WanderDog extends MajicAct {
         return bot.get("distanceFront").number() < bot.get("near").number();
     }
 
-    /** What the far sensor in the head measures at an angle, mm; no limit where it meets nothing. */
+    /** Returns the distance that the head's far sensor measures at an angle, mm; infinite if it detects nothing. */
     private double roomAt(double degrees) {
         bot.set("headPan", degrees);
         pause(0.3);

@@ -6,17 +6,17 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Loads the classes of one act's file, before those of the same name that MAJIC has. When nobody uses the act any more,
- * its classes go with it.
+ * Loads the classes of one act's file, before those of the same name that MAJIC has. The classes are unloaded when the
+ * act is no longer used.
  */
 public final class ActClassLoader extends ClassLoader {
     private final Map<String, byte[]> entries;
 
     /**
-     * A loader for one load of one file.
+     * Creates a loader for one load of one file.
      *
-     * @param label the file's name, for whoever looks at threads and classes
-     * @param entries what lies in the file, by path; checked before to hold no class of a reserved package
+     * @param label the file's name, shown in dumps of threads and classes
+     * @param entries the file's entries by path, already checked to hold no class of a reserved package
      */
     public ActClassLoader(String label, Map<String, byte[]> entries, ClassLoader majic) {
         super("act " + label, majic);

@@ -10,11 +10,11 @@ import majic.act.ActDetails;
 import majic.act.Role;
 
 /**
- * What lies in an act's file, taken apart and checked, with none of its code loaded.
+ * Holds the parts of an act's file, checked, without loading any of its code.
  *
- * @param manifest what it says of itself
- * @param signers who signed it
- * @param entries its classes and other files by path; empty if it is a mere object stream
+ * @param manifest the file's manifest
+ * @param signers the file's signers
+ * @param entries its classes and other files by path; empty if the file is only an object stream
  * @param classes its classes by name
  * @param data the object stream of the act
  * @param family the classes that belong to the act
@@ -32,9 +32,9 @@ public record ActContents(
     private static final int STREAM = 0xACED0005;
 
     /**
-     * Takes a file apart.
+     * Reads and checks the parts of a file.
      *
-     * @throws Unfit if it is no act, or one that this MAJIC must not or cannot load
+     * @throws Unfit if it is not an act, or one that this MAJIC must not or cannot load
      */
     static ActContents of(byte[] file, ClassLoader majic) throws IOException {
         if (file.length > BoundedZip.MAX_FILE_BYTES) {

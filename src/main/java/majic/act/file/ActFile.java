@@ -18,8 +18,8 @@ import majic.text.IoReason;
 
 /**
  * A behaviour in a file: a jar with the act's classes, the saved act and a manifest, or the object stream of an act
- * that MAJIC has the class of. Reading one checks it and loads none of its code; {@link #load} does, once the user has
- * agreed. Immutable; what is loaded is what was read, whatever became of the file meanwhile.
+ * whose class MAJIC has. Reading it checks it and loads none of its code; {@link #load} loads the code, once the user
+ * has agreed. Immutable; the act is loaded from the bytes that were read, even if the file has changed since.
  */
 public final class ActFile {
     public static final ClassLoader MAJIC = Objects.requireNonNull(MajicAct.class.getClassLoader());
@@ -44,11 +44,11 @@ public final class ActFile {
     }
 
     /**
-     * Reads a file, to show what it is. Nothing of its code is loaded.
+     * Reads a file, to show its contents. None of its code is loaded.
      *
      * @param file the file
      * @return what it says of itself
-     * @throws ActException if it cannot be read, or is no act that this MAJIC can load
+     * @throws ActException if it cannot be read, or is not an act that this MAJIC can load
      */
     public static ActFile read(Path file) {
         try {
@@ -61,12 +61,12 @@ public final class ActFile {
     }
 
     /**
-     * Takes a file that is in memory.
+     * Reads a file that is in memory.
      *
-     * @param label what to call it in errors
+     * @param label the file's name in errors
      * @param bytes the whole file
      * @return what it says of itself
-     * @throws ActException if it is no act that this MAJIC can load
+     * @throws ActException if it is not an act that this MAJIC can load
      */
     public static ActFile of(String label, byte[] bytes) {
         return new ActFile(label, bytes, false);
@@ -94,10 +94,10 @@ public final class ActFile {
     }
 
     /**
-     * Makes the act. Every call makes a new one, from classes of its own, which go when it goes. The act's code runs
-     * from here on: static initialisers, and whatever it does when it is read.
+     * Makes the act. Every call makes a new one, from classes of its own, which are unloaded with it. From this call on
+     * the act's code runs: static initialisers, and code that runs when the act is read.
      *
-     * @param trust what the user has agreed to
+     * @param trust the user's consents
      * @return an act that has no robot yet
      * @throws ActException if the user has not agreed to its code, or if it cannot be linked or read
      */
@@ -109,7 +109,7 @@ public final class ActFile {
     }
 
     /**
-     * What it is called in errors.
+     * Returns the file's name in errors.
      *
      * @return the file's name without its folder
      */
@@ -118,25 +118,25 @@ public final class ActFile {
     }
 
     /**
-     * What its author says of it.
+     * Returns the author's description of the act.
      *
-     * @return name, version, author, description; nothing vouches for them
+     * @return name, version, author, description; none of them is verified
      */
     public ActDetails details() {
         return contents.manifest().details();
     }
 
     /**
-     * The act's class.
+     * Returns the name of the act's class.
      *
-     * @return its name with dots
+     * @return the name with dots
      */
     public String actClass() {
         return contents.manifest().actClass();
     }
 
     /**
-     * Which MAJIC made the file.
+     * Returns the version of the MAJIC that made the file.
      *
      * @return for instance {@code 0.1.0}; empty if unknown
      */
@@ -145,7 +145,8 @@ public final class ActFile {
     }
 
     /**
-     * The robots the act asks for. A mere object stream does not say; the loaded act then knows better.
+     * Returns the robots that the act needs. An object stream alone does not contain them; use the loaded act's roles
+     * then.
      *
      * @return at least one, the first being the one the act is loaded onto
      */
@@ -154,16 +155,16 @@ public final class ActFile {
     }
 
     /**
-     * Who signed it.
+     * Returns the signers of the file.
      *
-     * @return those whose signatures fit all of the file; empty if it is not signed
+     * @return the signers whose signatures match the whole file; empty if it is not signed
      */
     public List<Signer> signers() {
         return contents.signers();
     }
 
     /**
-     * The hash of the whole file.
+     * Returns the SHA-256 hash of the whole file.
      *
      * @return 64 hexadecimal digits
      */
@@ -172,16 +173,16 @@ public final class ActFile {
     }
 
     /**
-     * Whether it came with MAJIC.
+     * Returns whether the act came with MAJIC.
      *
-     * @return true if so, and then it is trusted
+     * @return true if so; it is then trusted
      */
     public boolean isShipped() {
         return shipped;
     }
 
     /**
-     * Whether loading it runs code that is not MAJIC's.
+     * Returns whether loading the file runs code that is not MAJIC's.
      *
      * @return false for saved objects of MAJIC's own classes, such as scripts
      */
@@ -190,7 +191,7 @@ public final class ActFile {
     }
 
     /**
-     * The classes it brings.
+     * Returns the classes in the file.
      *
      * @return their names with dots, sorted
      */
@@ -199,9 +200,9 @@ public final class ActFile {
     }
 
     /**
-     * The files it brings beside classes, for these to read.
+     * Returns the files beside the classes, for these to read.
      *
-     * @return their paths in it, sorted
+     * @return their paths in the jar, sorted
      */
     public List<String> resources() {
         return contents.entries().keySet().stream()
@@ -213,9 +214,9 @@ public final class ActFile {
     }
 
     /**
-     * The packages its classes use. What they find by name at run time is not among them.
+     * Returns the packages that the classes use. Classes found by name at run time are not included.
      *
-     * @return their names, sorted, but for the file's own
+     * @return their names, sorted, without the packages of the file itself
      */
     public List<String> packages() {
         SortedSet<String> packages = new TreeSet<>();
@@ -228,15 +229,15 @@ public final class ActFile {
     }
 
     /**
-     * All of this for people, one line each, to show before they agree.
+     * Returns a description of the file, to show before the user agrees to it.
      *
-     * @return lines without line ends
+     * @return one line for each item, without line ends
      */
     public List<String> describe() {
         return ActSheet.of(this);
     }
 
-    /** Makes the act of a file whose code may run. */
+    /** Makes the act of a file whose code is trusted. */
     public MajicAct loadAgreed() {
         ClassLoader loader = carriesCode() ? new ActClassLoader(label, contents.entries(), MAJIC) : MAJIC;
         return new ActLoading(label, contents).load(loader);

@@ -3,9 +3,9 @@ package majic.act.file;
 import java.io.ObjectInputFilter;
 import java.util.function.Predicate;
 
-/** Admits an act, the classes that belong to it, and plain values within bounds. The second wall behind the scan. */
+/** Admits an act, the classes that belong to it, and plain values within bounds. A second check after the scan. */
 public record ActFilter(Predicate<String> own) implements ObjectInputFilter {
-    /** The JDK counts its own steps too, several for each object. */
+    /** The most steps that the JDK counts for one object, since it counts its own steps too. */
     private static final int STEPS_FOR_AN_OBJECT = 4;
 
     @Override

@@ -9,10 +9,10 @@ import majic.act.Printable;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes an act of the contents of its file.
+ * Makes an act from the contents of its file.
  *
- * @param label what to call the file in errors
- * @param contents what lies in it
+ * @param label the file's name in errors
+ * @param contents the file's checked contents
  */
 record ActLoading(String label, ActContents contents) {
     MajicAct load(ClassLoader loader) {

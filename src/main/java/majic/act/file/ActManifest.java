@@ -13,17 +13,17 @@ import majic.act.ActDetails;
 import majic.act.Role;
 
 /**
- * What the manifest of an act's file says.
+ * Holds the manifest of an act's file.
  *
  * @param actClass the act's class
- * @param details what its author says of it
- * @param majicVersion the MAJIC it was made with
- * @param roles the robots it asks for
+ * @param details name, version, author and description of the act
+ * @param majicVersion the version of the MAJIC that made the file
+ * @param roles the robots that the act needs
  */
 public record ActManifest(String actClass, ActDetails details, String majicVersion, List<Role> roles) {
     public static final String PATH = "META-INF/MANIFEST.MF";
 
-    /** The form of the file that this MAJIC writes and reads. */
+    /** The version of the file format that this MAJIC writes and reads. */
     private static final int FORMAT = 1;
 
     private static final Name ACT_FORMAT = new Name("Act-Format");
@@ -39,7 +39,7 @@ public record ActManifest(String actClass, ActDetails details, String majicVersi
         roles = List.copyOf(roles);
     }
 
-    /** The manifest as such; to check signatures with. */
+    /** Parses a manifest, to check signatures with. */
     static Manifest parse(byte[] bytes) throws IOException {
         try {
             return new Manifest(new ByteArrayInputStream(bytes));

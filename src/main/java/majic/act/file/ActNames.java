@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import majic.act.MajicAct;
 
-/** Which names of classes belong to whom, and what an act is called after its class. */
+/** Classifies class names by package, and derives an act's name from its class. */
 public final class ActNames {
     public static final String ACT = MajicAct.class.getName();
 
@@ -14,14 +14,14 @@ public final class ActNames {
 
     private ActNames() {}
 
-    /** Whether no file may bring a class of this name, since its package is MAJIC's or the JDK's. */
+    /** Returns whether a class name is reserved: its package is MAJIC's or the JDK's, so no file may contain it. */
     static boolean isReserved(String className) {
         String inPackage = className.contains(".") ? className : "";
         return MAJICS.matcher(ClassFile.packageOf(className)).matches()
                 || JAVAS.matcher(inPackage).matches();
     }
 
-    /** The class that a path in a jar is for: {@code a/B.class} for {@code a.B}. */
+    /** Returns the class name of a path in a jar: {@code a.B} for {@code a/B.class}. */
     static Optional<String> classAt(String path) {
         return path.endsWith(CLASS)
                 ? Optional.of(path.substring(0, path.length() - CLASS.length()).replace('/', '.'))
@@ -32,7 +32,7 @@ public final class ActNames {
         return className.replace('.', '/') + CLASS;
     }
 
-    /** The name behind the last dot or dollar sign. */
+    /** Returns the part of a name behind the last dot or dollar sign. */
     static String simple(String className) {
         return className.substring(Math.max(className.lastIndexOf('.'), className.lastIndexOf('$')) + 1);
     }

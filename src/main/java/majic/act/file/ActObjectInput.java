@@ -6,7 +6,7 @@ import java.io.InvalidClassException;
 import java.io.ObjectInputStream;
 import java.io.ObjectStreamClass;
 
-/** Reads an act; a class that the filter does not admit is not even looked for. */
+/** Reads an act; a class that the filter does not admit is not searched for. */
 public final class ActObjectInput extends ObjectInputStream {
     private final ActFilter filter;
     private final ClassLoader loader;

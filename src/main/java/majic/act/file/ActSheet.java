@@ -7,7 +7,7 @@ import majic.act.ActDetails;
 import majic.act.Printable;
 import majic.act.Role;
 
-/** What a file says of itself, in lines for people. */
+/** Describes an act's file in lines of text to show to the user. */
 final class ActSheet {
     private ActSheet() {}
 

@@ -3,19 +3,19 @@ package majic.act.file;
 import majic.bot.Settings;
 
 /**
- * Which code the user has agreed to, remembered by the hash of its file in the user's settings. Acts that come with
- * MAJIC, and files without code, need no consent.
+ * Stores which code the user has agreed to, by the hash of its file, in the user's settings. Acts that come with MAJIC,
+ * and files without code, need no consent.
  *
- * @param settings where it is remembered
+ * @param settings the user's settings
  */
 public record ActTrust(Settings settings) {
     private static final String KEY = "act.trusted.";
 
-    /** In place of a name, which no act has. */
+    /** Stored in place of a name; no act has this name. */
     private static final String TAKEN_BACK = "";
 
     /**
-     * Whether a file may be loaded.
+     * Returns whether a file may be loaded.
      *
      * @param file the file
      * @return true if it has no code of its own, came with MAJIC, or was agreed to before
@@ -31,11 +31,11 @@ public record ActTrust(Settings settings) {
     }
 
     /**
-     * The user has seen what the file says of itself and agrees to run its code, now and later. Another file, however
-     * alike, is asked for anew.
+     * Records that the user has seen the file's description and agrees to run its code, now and later. A file that
+     * differs in any byte needs a new consent.
      *
      * @param file the file
-     * @throws majic.bot.BotException if that could not be written down; it then holds until the program ends
+     * @throws majic.bot.BotException if the change could not be saved; it is then valid until the program ends
      */
     public void agree(ActFile file) {
         String name = file.details().name();
@@ -43,11 +43,11 @@ public record ActTrust(Settings settings) {
     }
 
     /**
-     * Takes the consent to a file back. What runs of it goes on; the next load is refused.
+     * Withdraws the consent to a file. A running act continues; the next load is refused.
      *
      * @param sha256 the hash of the whole file, 64 hexadecimal digits; the file itself may be gone
      * @return whether it had been agreed to
-     * @throws majic.bot.BotException if that could not be written down; it then holds until the program ends
+     * @throws majic.bot.BotException if the change could not be saved; it is then valid until the program ends
      */
     public boolean takeBack(String sha256) {
         boolean agreed = isAgreed(sha256);

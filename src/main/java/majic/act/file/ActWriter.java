@@ -8,9 +8,9 @@ import java.util.TreeMap;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 
-/** Packs an act's file. The same contents give the same bytes, so that what was agreed to once stays agreed to. */
+/** Packs an act's file. The same contents give the same bytes, so that a consent given once stays valid. */
 public final class ActWriter {
-    /** The first moment that a zip file can write down. */
+    /** The earliest time that a zip file can store. */
     private static final LocalDateTime NO_TIME = LocalDateTime.of(1980, 1, 1, 0, 0);
 
     private ActWriter() {}
@@ -18,8 +18,8 @@ public final class ActWriter {
     /**
      * Packs a file.
      *
-     * @param manifest what it says of itself
-     * @param files the classes it brings, and what lies beside them, by path
+     * @param manifest the file's manifest
+     * @param files the classes and the files beside them, by path
      * @param data the object stream of the act
      */
     public static byte[] pack(ActManifest manifest, Map<String, byte[]> files, byte[] data) {

@@ -17,35 +17,35 @@ import majic.text.IoReason;
 import majic.text.Suggestion;
 
 /**
- * Where behaviours are found by name: those that come with MAJIC, those in the user's own folder, and any file.
+ * Finds behaviours by name: those that come with MAJIC, those in the user's folder, and any file.
  *
- * @param folder the user's own; need not exist
- * @param trust which code the user has agreed to
+ * @param folder the user's folder; need not exist
+ * @param trust the user's consents
  */
 public record Acts(Path folder, ActTrust trust) {
-    /** How files with behaviours end. */
+    /** The file name extension of acts. */
     public static final String ENDING = ".act";
 
-    /** How files with behaviours in MAJIC Script end. */
+    /** The file name extension of behaviours in MAJIC Script. */
     public static final String SCRIPT_ENDING = ".majic";
 
     private static final String INDEX = "/acts/index";
 
     /**
-     * Whether a name is that of a file, and not one that a behaviour goes by.
+     * Returns whether a name is that of a file, not of a behaviour.
      *
-     * @param name as a line names a behaviour
-     * @return true if it ends in {@value #ENDING} or {@value #SCRIPT_ENDING}, whatever the case
+     * @param name a behaviour's name or file, as in a command
+     * @return true if it ends in {@value #ENDING} or {@value #SCRIPT_ENDING}, in upper or lower case
      */
     public static boolean isFile(String name) {
         return endsIn(name, ENDING) || endsIn(name, SCRIPT_ENDING);
     }
 
     /**
-     * Whether a file holds a behaviour in MAJIC Script.
+     * Returns whether a file is a behaviour in MAJIC Script.
      *
      * @param file its path or name
-     * @return true if it ends in {@value #SCRIPT_ENDING}, whatever the case
+     * @return true if it ends in {@value #SCRIPT_ENDING}, in upper or lower case
      */
     public static boolean isScript(String file) {
         return endsIn(file, SCRIPT_ENDING);
@@ -56,12 +56,14 @@ public record Acts(Path folder, ActTrust trust) {
     }
 
     /**
-     * Finds the file of a behaviour. Names ignore case. A file in the user's folder goes before a behaviour of the same
-     * name that comes with MAJIC.
+     * Finds the file of a behaviour. Names ignore case. A file in the user's folder takes precedence over a behaviour
+     * of the same name that comes with MAJIC.
      *
-     * @param name a name without ending, or the path of a file; a file that is not there is looked for in the user's folder
+     * @param name a name without extension, or the path of a file; if there is no such file, the user's folder is
+     *     searched
      * @return the file, which for a path need not exist; empty for a behaviour that comes with MAJIC
-     * @throws BotException if there is none of that name, or the user's folder has several; the message names what there is
+     * @throws BotException if there is none of that name, or the user's folder has several; the message lists the
+     *     available names
      */
     public Optional<Path> locate(String name) {
         if (isFile(name)) {
@@ -80,7 +82,7 @@ public record Acts(Path folder, ActTrust trust) {
         return files.stream().findFirst().map(folder::resolve);
     }
 
-    /** An act's file goes before a script, which it may have been made of. */
+    /** Returns the user's files of a name. Acts take precedence over scripts, from which they may have been made. */
     private List<String> ownNamed(String name) {
         List<String> files = own().stream()
                 .filter(file -> stem(file).equalsIgnoreCase(name))
@@ -99,10 +101,10 @@ public record Acts(Path folder, ActTrust trust) {
     }
 
     /**
-     * Whether a name means a file of the user's although a behaviour of that name comes with MAJIC.
+     * Returns whether a file of the user replaces a behaviour of the same name that comes with MAJIC.
      *
-     * @param name without ending
-     * @return true if the user's replaces it
+     * @param name the name without extension
+     * @return true if the user's file replaces it
      */
     public boolean replacesShipped(String name) {
         return shippedAs(name).isPresent()
@@ -114,11 +116,11 @@ public record Acts(Path folder, ActTrust trust) {
     }
 
     /**
-     * Finds a behaviour and reads what it says of itself.
+     * Finds a behaviour and reads its description.
      *
      * @param name as for {@link #locate}
-     * @return the act; nothing of its code is loaded
-     * @throws BotException if there is none of that name, it is no act, or it is a script
+     * @return the act; none of its code is loaded
+     * @throws BotException if there is none of that name, it is not an act, or it is a script
      */
     public ActFile find(String name) {
         Optional<Path> file = locate(name);
@@ -136,7 +138,7 @@ public record Acts(Path folder, ActTrust trust) {
     }
 
     /**
-     * The behaviours that need no path.
+     * Returns the behaviours that need no path.
      *
      * @return their names, sorted
      */
@@ -151,7 +153,7 @@ public record Acts(Path folder, ActTrust trust) {
         return file.substring(0, file.lastIndexOf('.'));
     }
 
-    /** The names of the files in the user's folder. */
+    /** Returns the names of the files in the user's folder. */
     private List<String> own() {
         if (!Files.isDirectory(folder)) {
             return List.of();
@@ -165,7 +167,7 @@ public record Acts(Path folder, ActTrust trust) {
         }
     }
 
-    /** The build writes down which acts it made. */
+    /** Returns the acts that come with MAJIC, from the list that the build writes. */
     private static List<String> shipped() {
         try (InputStream in = Acts.class.getResourceAsStream(INDEX)) {
             if (in == null) {

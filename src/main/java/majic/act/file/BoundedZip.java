@@ -11,13 +11,13 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipInputStream;
 
-/** Unpacks a jar into memory, within bounds that no packed zeros can break. */
+/** Unpacks a jar into memory, with size limits that also hold for highly compressed data. */
 public final class BoundedZip {
-    /** How large a file may be. */
+    /** The largest size of a file, bytes. */
     static final int MAX_FILE_BYTES = 16 << 20;
 
     private static final int MAX_ENTRIES = 2_000;
-    /** How large one entry may be. */
+    /** The largest size of one unpacked entry, bytes. */
     public static final int MAX_ENTRY_BYTES = 4 << 20;
 
     private static final int MAX_UNPACKED_BYTES = 32 << 20;
@@ -36,8 +36,8 @@ public final class BoundedZip {
     /**
      * Unpacks a jar.
      *
-     * @return what lies in it by path, folders left out
-     * @throws Unfit if it is damaged, cut off, or larger than any act
+     * @return the entries by path, without folders
+     * @throws Unfit if it is damaged, truncated, or larger than an act may be
      */
     public static Map<String, byte[]> unpack(byte[] zip) throws IOException {
         BoundedZip unpacked = new BoundedZip();
@@ -84,7 +84,7 @@ public final class BoundedZip {
         return bytes.toByteArray();
     }
 
-    /** What was unpacked is what a listing shows, and the end of the file is there. */
+    /** Checks that the unpacked entries are those of the central directory, and that the file is complete. */
     private void checkDirectory(byte[] zip) throws Unfit {
         int lowest = Math.max(0, zip.length - DIRECTORY_END_BYTES - MAX_COMMENT_BYTES);
         for (int at = zip.length - DIRECTORY_END_BYTES; at >= lowest; at--) {

@@ -10,23 +10,24 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What a class file says of itself, read without loading it (The Java Virtual Machine Specification, chapter 4).
+ * Holds the description of a class in its class file, read without loading it (The Java Virtual Machine Specification,
+ * chapter 4).
  *
  * @param name its name with dots
  * @param parent its superclass; empty for {@code java.lang.Object} and for modules
- * @param major the version of its form: 61 for Java 17
+ * @param major the major version of its format: 61 for Java 17
  * @param flags its access flags
  * @param nesting where it is declared
- * @param uses the classes it cannot be linked without, itself included
+ * @param uses the classes needed to link it, including itself
  */
 public record ClassFile(String name, String parent, int major, int flags, Nesting nesting, Set<String> uses) {
-    /** Where a class is declared. */
+    /** States where a class is declared. */
     enum Nesting {
-        /** By itself. */
+        /** At top level. */
         TOP,
         /** In another class, static. */
         STATIC,
-        /** In another class, of which each of its objects needs one. */
+        /** In another class; each of its objects needs an object of that class. */
         INNER,
         /** In a method, with or without a name. */
         LOCAL
@@ -63,7 +64,7 @@ public record ClassFile(String name, String parent, int major, int flags, Nestin
         return new ClassFile(name, parent == 0 ? "" : pool.className(parent), major, flags, nesting, Set.copyOf(uses));
     }
 
-    /** Fields or methods. */
+    /** Reads fields or methods and returns the classes in their descriptors. */
     private static Set<String> readMembers(DataInputStream in, ConstantPool pool) throws IOException {
         Set<String> uses = new TreeSet<>();
         for (int left = in.readUnsignedShort(); left > 0; left--) {
@@ -109,7 +110,7 @@ public record ClassFile(String name, String parent, int major, int flags, Nestin
         return Modifier.isAbstract(flags);
     }
 
-    /** The Java it was compiled for: 17. */
+    /** Returns the Java version the class was compiled for: 17. */
     int java() {
         return major - FIRST_MAJOR_BEHIND_JAVA_0;
     }
@@ -118,7 +119,7 @@ public record ClassFile(String name, String parent, int major, int flags, Nestin
         return packageOf(name);
     }
 
-    /** Empty for the package without a name. */
+    /** Returns the package of a class; empty for the unnamed package. */
     static String packageOf(String className) {
         return className.substring(0, Math.max(className.lastIndexOf('.'), 0));
     }

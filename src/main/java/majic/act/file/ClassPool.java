@@ -17,16 +17,17 @@ import majic.text.IoReason;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The classes an act may be made of: those of a class file and what lies around it, of a folder, a jar or a source.
+ * Holds the classes an act may be made from: those of a class file and of the files around it, of a folder, a jar or a
+ * source.
  *
- * @param label what to call it in errors
- * @param named the classes that were given, by name; one of them may be the act
- * @param root where further classes are looked for; null for nowhere
- * @param others what else lies in the folder or jar and an act might read, by path
+ * @param label the name of the input in errors
+ * @param named the given classes, by name; one of them may be the act
+ * @param root the folder in which further classes are searched for; null for none
+ * @param others the other files in the folder or jar, which an act might read, by path
  */
 public record ClassPool(
         String label, Map<String, byte[]> named, @Nullable Path root, Map<String, Content> others) {
-    /** A file that is read only if it is needed. */
+    /** Reads a file only when it is needed. */
     interface Content {
         byte[] read() throws IOException;
     }
@@ -36,7 +37,7 @@ public record ClassPool(
             Pattern.compile("META-INF/.*|(.*/)?\\..*|.*\\.(class|java|jar|act)|" + ActContents.DATA);
 
     /**
-     * Opens what the user gave.
+     * Opens the file or folder given by the user.
      *
      * @throws ActException if there are no classes in it
      */
@@ -134,7 +135,7 @@ public record ClassPool(
         return classes;
     }
 
-    /** The files that lie in one folder of a folder or jar with some classes, by path: texts or pictures that these may read. */
+    /** Returns the files in the same folders as some classes, by path: texts or pictures that these may read. */
     public Map<String, byte[]> beside(Collection<String> classes) throws IOException {
         Set<String> folders =
                 classes.stream().map(name -> folderOf(ActNames.pathOf(name))).collect(Collectors.toSet());
@@ -147,7 +148,7 @@ public record ClassPool(
         return beside;
     }
 
-    /** The code of a class, or null if it is not here. */
+    /** Returns the bytes of a class, or null if it is not in the pool. */
     byte @Nullable [] find(String className) throws IOException {
         byte[] known = named.get(className);
         if (known != null || root == null || ActNames.isReserved(className)) {

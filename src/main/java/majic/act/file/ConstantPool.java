@@ -7,7 +7,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The constants of a class file, as The Java Virtual Machine Specification, section 4.4, lays them out. */
+/** Reads the constants of a class file (The Java Virtual Machine Specification, section 4.4). */
 final class ConstantPool {
     private static final int UTF8 = 1;
     private static final int CLASS = 7;
@@ -33,7 +33,9 @@ final class ConstantPool {
         return pool;
     }
 
-    /** How many further places the constant takes: longs and doubles take two. */
+    /**
+     * Reads a constant and returns the number of further entries it takes; longs and doubles take two entries in all.
+     */
     private int readConstant(int i, DataInputStream in) throws IOException {
         tags[i] = in.readUnsignedByte();
         switch (tags[i]) {
@@ -58,7 +60,7 @@ final class ConstantPool {
         return texts[index];
     }
 
-    /** A class's name with dots. */
+    /** Returns a class's name with dots. */
     String className(int index) throws IOException {
         if (index <= 0 || index >= tags.length || tags[index] != CLASS) {
             throw new Unfit("is a damaged class file");
@@ -66,7 +68,7 @@ final class ConstantPool {
         return text(indexes[index]).replace('/', '.');
     }
 
-    /** Every class that the constants name, with dots; of an array the class of its elements. */
+    /** Returns every class that the constants name, with dots; for an array the class of its elements. */
     Set<String> classes() throws IOException {
         Set<String> classes = new TreeSet<>();
         for (int i = 1; i < tags.length; i++) {
@@ -80,7 +82,7 @@ final class ConstantPool {
         return classes;
     }
 
-    /** The classes in the descriptor of a field or method. */
+    /** Returns the classes in the descriptor of a field or method. */
     static Set<String> classesIn(String descriptor) {
         Set<String> classes = new TreeSet<>();
         Matcher found = CLASS_IN_DESCRIPTOR.matcher(descriptor);

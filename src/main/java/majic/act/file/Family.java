@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The classes that belong to an act: those of its file, those it extends, and what is nested in them. None but MAJIC's
- * own is loaded to find out, and no static initialiser runs.
+ * Finds the classes that belong to an act: those of its file, its superclasses, and the classes nested in them. Only
+ * MAJIC's own classes are loaded for this, and no static initialiser runs.
  */
 public final class Family {
     private final Map<String, ClassFile> inFile;
@@ -20,11 +20,11 @@ public final class Family {
     }
 
     /**
-     * Finds the family of an act.
+     * Finds the classes that belong to an act.
      *
      * @param actClass the act's class
      * @param inFile the classes of its file, by name
-     * @throws Unfit if the class is not there, or no act
+     * @throws Unfit if the class is missing or not an act
      */
     public static Family of(String actClass, Map<String, ClassFile> inFile, ClassLoader majic) throws IOException {
         Family family = new Family(inFile, majic);

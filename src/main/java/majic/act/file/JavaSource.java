@@ -86,7 +86,7 @@ public final class JavaSource {
         return "cannot be compiled: line " + first.getLineNumber() + ": " + what + more;
     }
 
-    /** Keeps the compiler's classes in memory. */
+    /** Holds the compiled classes in memory. */
     private static final class InMemory extends ForwardingJavaFileManager<JavaFileManager> {
         private final Map<String, ByteArrayOutputStream> compiled;
 

@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Finds the classes that an act cannot be linked without, and that MAJIC and the JDK do not have. */
+/** Finds the classes that are needed to link an act and are neither in MAJIC nor in the JDK. */
 public final class NeededClasses {
     private final ClassPool pool;
     private final ClassLoader majic;
@@ -62,7 +62,7 @@ public final class NeededClasses {
         }
     }
 
-    /** The code of each class, by name. */
+    /** Returns the bytes of each class, by name. */
     public Map<String, byte[]> code() {
         return code;
     }

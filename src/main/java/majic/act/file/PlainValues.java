@@ -5,18 +5,18 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The JDK's classes that an act may hold objects of, and how many of them. They run nothing of others when read. */
+/** Defines the JDK classes whose objects an act may hold, and the limits on them. They run no other code when read. */
 public final class PlainValues {
-    /** How deep objects may lie in one another. */
+    /** The greatest nesting depth of objects. */
     static final int MAX_DEPTH = 20;
 
-    /** How many objects, strings and classes a stream may have. */
+    /** The most objects, strings and classes in a stream. */
     static final int MAX_OBJECTS = 10_000;
 
-    /** How long an array, or the table of a collection, may be. */
+    /** The greatest length of an array, or of the table of a collection. */
     public static final int MAX_ARRAY = 65_536;
 
-    /** How long a stream may be. */
+    /** The greatest length of a stream, bytes. */
     static final int MAX_BYTES = 1 << 20;
 
     private static final Set<String> LEAVES = Set.of(
@@ -38,7 +38,7 @@ public final class PlainValues {
             "java.util.concurrent.atomic.AtomicInteger",
             "java.util.concurrent.atomic.AtomicLong");
 
-    /** Those that compute the hash of what they hold, or hand it on when asked for their own. */
+    /** The classes that compute the hash of their elements, or delegate to it for their own hash. */
     private static final Set<String> COLLECTIONS = Set.of(
             "java.util.ArrayDeque",
             "java.util.ArrayList",
@@ -54,7 +54,7 @@ public final class PlainValues {
             "java.util.TreeMap",
             "java.util.TreeSet");
 
-    /** What stands in the place of a {@code CollSer} and its like once they are read; none can be in a stream. */
+    /** The classes that replace {@code CollSer} and similar classes after reading; they cannot occur in a stream. */
     private static final Pattern SUCCESSORS = Pattern.compile(
             "java\\.util\\.(ImmutableCollections\\$\\w+|RegularEnumSet|JumboEnumSet)|java\\.time\\.\\w+");
 
@@ -62,7 +62,7 @@ public final class PlainValues {
 
     private PlainValues() {}
 
-    /** Whether a class, named as in a stream, is one of them or an array of them. */
+    /** Returns whether a class, named as in a stream, is a plain value or an array of them. */
     static boolean has(String name) {
         String element = element(name);
         return element.isEmpty()
@@ -71,17 +71,20 @@ public final class PlainValues {
                 || isArray(name) && element.equals("java.lang.Object");
     }
 
-    /** Whether objects of a class, shared, could make a stream far larger than it is. */
+    /** Returns whether shared objects of a class could make reading a short stream very expensive. */
     static boolean isContainer(String name) {
         return COLLECTIONS.contains(name) || isArray(name) && !element(name).isEmpty();
     }
 
-    /** Whether a class is no class of the stream, but what one of them makes of itself: its table, or its successor. */
+    /**
+     * Returns whether a class does not occur in the stream itself, but is created by one that does: its table or its
+     * replacement.
+     */
     static boolean isMadeOfOne(Class<?> type) {
         return type == Map.Entry[].class || SUCCESSORS.matcher(type.getName()).matches();
     }
 
-    /** The class of an array's elements, or the class itself; empty for a number or truth value. */
+    /** Returns the class of an array's elements, or the class itself; empty for a primitive type. */
     static String element(String name) {
         Matcher array = ARRAY.matcher(name);
         if (!array.matches()) {

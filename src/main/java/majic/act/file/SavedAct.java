@@ -12,15 +12,15 @@ import java.util.Optional;
 import majic.act.MajicAct;
 import org.jspecify.annotations.Nullable;
 
-/** Turns an act into its object stream, and finds out which of its fields cannot be saved. */
+/** Writes an act to an object stream, and finds the fields that cannot be saved. */
 public final class SavedAct {
     private SavedAct() {}
 
     /**
      * Saves an act.
      *
-     * @return its object stream, which the scan has passed
-     * @throws Unfit naming the field that cannot be saved
+     * @return its object stream, checked by the scan
+     * @throws Unfit if a field cannot be saved; the message names it
      */
     public static byte[] of(MajicAct act, Family family) throws IOException {
         try {

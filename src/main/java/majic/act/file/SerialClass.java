@@ -11,16 +11,16 @@ import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A class as an object stream describes it.
+ * Holds the description of a class in an object stream.
  *
- * @param name its name, with dots; of arrays as {@link Class#getName()} gives it
- * @param flags what follows of its objects
+ * @param name its name, with dots; for arrays as {@link Class#getName()} returns it
+ * @param flags the stream's flags, which define the data of its objects
  * @param fieldTypes the type of each field, one letter each, as in descriptors
- * @param parent the class above it, if that is saved too
+ * @param parent its superclass, if that is saved too
  */
 record SerialClass(
         String name, int flags, String fieldTypes, @Nullable SerialClass parent) {
-    /** This class and those above it, the topmost first: the order of their data. */
+    /** Returns this class and its superclasses, the topmost first: the order of their data. */
     Deque<SerialClass> lineage() {
         Deque<SerialClass> classes = new ArrayDeque<>();
         for (SerialClass one = this; one != null; one = one.parent) {
@@ -33,7 +33,7 @@ record SerialClass(
         return (flags & SC_SERIALIZABLE) != 0;
     }
 
-    /** Whether the class has written more than its fields. */
+    /** Returns whether the class has written data beside its fields. */
     boolean hasMore() {
         return (flags & SC_WRITE_METHOD) != 0 || isExternal();
     }
@@ -42,7 +42,7 @@ record SerialClass(
         return (flags & SC_EXTERNALIZABLE) != 0;
     }
 
-    /** Whether its end can be found without knowing the class. */
+    /** Returns whether the end of its data can be found without loading the class. */
     boolean isReadable() {
         return !isExternal() || (flags & SC_BLOCK_DATA) != 0;
     }

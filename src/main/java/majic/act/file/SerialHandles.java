@@ -6,11 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What the references in an object stream stand for, and which of them no act may use. */
+/** Maps the references in an object stream to their values, and refuses those that no act may use. */
 final class SerialHandles {
     private final List<Node> nodes = new ArrayList<>();
 
-    /** Something that a later reference may mean. */
+    /** Holds a value that a later reference may refer to. */
     static final class Node {
         private final boolean shareable;
         private boolean open = true;
@@ -20,7 +20,7 @@ final class SerialHandles {
             this.shareable = shareable;
         }
 
-        /** All of it was read. */
+        /** Marks the value as completely read. */
         void close() {
             open = false;
         }
@@ -32,9 +32,9 @@ final class SerialHandles {
     }
 
     /**
-     * Gives the next thing in the stream its number.
+     * Assigns the next handle to a value in the stream.
      *
-     * @param shareable whether it may be meant again once it is closed
+     * @param shareable whether references to it are permitted after it is completely read
      */
     Node add(boolean shareable) throws Unfit {
         if (nodes.size() == PlainValues.MAX_OBJECTS) {
@@ -45,7 +45,7 @@ final class SerialHandles {
         return node;
     }
 
-    /** Follows a reference to a value. */
+    /** Resolves a reference to a value. */
     void checkValue(int handle) throws Unfit {
         Node node = node(handle);
         if (node.open) {
@@ -56,7 +56,7 @@ final class SerialHandles {
         }
     }
 
-    /** Follows a reference to a class. */
+    /** Resolves a reference to a class. */
     SerialClass classAt(int handle) throws Unfit {
         SerialClass known = node(handle).described;
         if (known == null) {

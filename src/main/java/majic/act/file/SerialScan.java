@@ -12,8 +12,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Walks through an object stream without making any object of it (Java Object Serialization Specification, chapter 6),
- * to learn which classes it holds, and to refuse whatever is too large, too deep, shared, cyclic or no plain data.
+ * Parses an object stream without creating any object of it (Java Object Serialization Specification, chapter 6), to
+ * list its classes and to refuse data that is too large, too deep, shared, cyclic or not plain.
  */
 public final class SerialScan {
     private final DataInputStream in;
@@ -25,10 +25,10 @@ public final class SerialScan {
     }
 
     /**
-     * Walks through a stream of one object.
+     * Parses a stream of one object.
      *
-     * @return the classes in it but for plain values, the object's own first
-     * @throws Unfit if no act may look like this
+     * @return the classes in it without those of plain values, the object's own first
+     * @throws Unfit if the stream is not permitted for an act
      */
     public static Set<String> classes(byte[] stream) throws IOException {
         if (stream.length > PlainValues.MAX_BYTES) {
@@ -125,7 +125,7 @@ public final class SerialScan {
         }
     }
 
-    /** What a class has written beside its fields. */
+    /** Reads the data that a class has written beside its fields. */
     private void more(int depth) throws IOException {
         for (byte tag = in.readByte(); tag != TC_ENDBLOCKDATA; tag = in.readByte()) {
             switch (tag) {
@@ -153,7 +153,7 @@ public final class SerialScan {
         node.close();
     }
 
-    /** A class as a value, as tables of enums have it. */
+    /** Reads a class used as a value, as in tables of enums. */
     private void aboutClass(int depth) throws IOException {
         describedClass(depth);
         handles.add(true).close();
@@ -166,7 +166,7 @@ public final class SerialScan {
         node.close();
     }
 
-    /** A text that must be one: the type of a field, the name of an enum's constant. */
+    /** Reads a mandatory text: the type of a field or the name of an enum's constant. */
     private void fieldName() throws IOException {
         switch (in.readByte()) {
             case TC_STRING -> text(in.readUnsignedShort());

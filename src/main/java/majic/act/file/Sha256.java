@@ -4,11 +4,11 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** The hash by which a file or certificate is known again. */
+/** Computes the hash that identifies a file or certificate. */
 final class Sha256 {
     private Sha256() {}
 
-    /** 64 hexadecimal digits. */
+    /** Returns the hash as 64 hexadecimal digits. */
     static String of(byte[] bytes) {
         try {
             return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));

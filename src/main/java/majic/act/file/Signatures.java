@@ -15,7 +15,7 @@ import java.util.jar.Manifest;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** Checks the signatures that jarsigner has put into a jar. */
+/** Checks the signatures of a jar signed with jarsigner. */
 final class Signatures {
     private static final Pattern SIGNATURE = Pattern.compile("META-INF/[^/]+\\.(SF|RSA|DSA|EC)");
 
@@ -24,13 +24,13 @@ final class Signatures {
     private Signatures() {}
 
     /**
-     * Who has signed all of a jar.
+     * Returns the signers of a whole jar.
      *
      * @param jar the jar
-     * @param paths what lies in it
+     * @param paths the paths of its entries
      * @param manifest its manifest
-     * @return the signers; empty if nobody has
-     * @throws Unfit if a signature does not fit the jar, or not all of it
+     * @return the signers; empty if it is not signed
+     * @throws Unfit if a signature does not match the jar, or covers only a part of it
      */
     static List<Signer> check(byte[] jar, Set<String> paths, Manifest manifest) throws IOException {
         if (paths.stream().noneMatch(Signatures::isSignature)) {

@@ -5,10 +5,12 @@ import java.security.cert.CertificateEncodingException;
 import java.security.cert.X509Certificate;
 
 /**
- * Who has signed a file. The signature fits the file; whether the name is true, only the certificate's owner can tell.
+ * Identifies the signer of a file. The signature matches the file; whether the name is true can only be confirmed by
+ * the certificate's owner.
  *
  * @param name the name in the certificate: {@code CN=Ada Lovelace, O=Analytical Engines}
- * @param fingerprint the SHA-256 of the certificate, 64 hexadecimal digits, to compare with what the signer says
+ * @param fingerprint the SHA-256 of the certificate, 64 hexadecimal digits, to compare with the one that the signer
+ *     gives
  */
 public record Signer(String name, String fingerprint) {
     static Signer of(CodeSigner signer) {

@@ -3,7 +3,7 @@ package majic.act.file;
 import java.io.IOException;
 import java.util.Map;
 
-/** Whether a class can be an act, as far as its class file tells. */
+/** Checks from a class file whether a class can be an act. */
 public final class Suitability {
     private Suitability() {}
 
@@ -11,8 +11,8 @@ public final class Suitability {
      * Checks a class.
      *
      * @param act the class
-     * @param known the classes that come with it
-     * @throws Unfit with what is wrong and what would be right, to go behind the class's name
+     * @param known the classes beside it
+     * @throws Unfit with what is wrong and what would be right, to put behind the class's name
      */
     public static void check(ClassFile act, Map<String, ClassFile> known, ClassLoader majic) throws IOException {
         if (act.java() > Runtime.version().feature()) {

@@ -2,7 +2,10 @@ package majic.act.file;
 
 import java.io.IOException;
 
-/** Something in a file that no act may have. The message goes behind the file's name: {@code holds a java.net.URL}. */
+/**
+ * Reports content of a file that no act may have. The message is put behind the file's name: {@code holds a
+ * java.net.URL}.
+ */
 public final class Unfit extends IOException {
     private static final long serialVersionUID = 1;
 

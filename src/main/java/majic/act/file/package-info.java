@@ -1,5 +1,6 @@
 /**
- * Files of behaviours: reading, checking, finding and trusting them, with no code of theirs run before consent.
+ * Reads, checks and finds files of behaviours and stores the user's consent to them, without running their code before
+ * that.
  */
 @NullMarked
 package majic.act.file;
