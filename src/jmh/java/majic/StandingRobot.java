@@ -8,8 +8,8 @@ import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The other end of a benchmark: a robot on loopback that takes any number of clients, each on a daemon thread of its own, and
- * says by a clock what robots say unasked.
+ * Simulates a robot on loopback for benchmarks: accepts any number of clients, each on its own daemon thread, and sends
+ * periodic reports.
  */
 public final class StandingRobot implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(StandingRobot.class.getName());
@@ -19,35 +19,35 @@ public final class StandingRobot implements AutoCloseable {
     private final ServerSocket server;
     private final ScheduledThreadPoolExecutor clock = new ScheduledThreadPoolExecutor(1);
 
-    /** What is said with one client, until it leaves. */
+    /** Handles one client until it disconnects. */
     @FunctionalInterface
     public interface Conversation {
         /**
-         * Talks with a client on a thread of its own; its socket is closed afterwards.
+         * Exchanges data with a client on its own thread; its socket is closed afterwards.
          *
          * @param client the client
-         * @param robot whom it talks to
-         * @throws IOException once it is gone
+         * @param robot the simulated robot
+         * @throws IOException once the client has disconnected
          */
         void with(Socket client, StandingRobot robot) throws IOException;
     }
 
-    /** Something that is said, which fails once nobody is there any more. */
+    /** Sends a message; fails once the client has disconnected. */
     @FunctionalInterface
     public interface Report {
         /**
-         * Says it.
+         * Sends the message.
          *
-         * @throws IOException if the client is gone
+         * @throws IOException if the client has disconnected
          */
         void say() throws IOException;
     }
 
     /**
-     * Begins to listen at a free port.
+     * Starts to listen at a free port.
      *
-     * @param name for its threads
-     * @param conversation what it says
+     * @param name the name of its threads
+     * @param conversation handles each client
      * @throws IOException if there is no free port
      */
     public StandingRobot(String name, Conversation conversation) throws IOException {
@@ -58,19 +58,19 @@ public final class StandingRobot implements AutoCloseable {
     }
 
     /**
-     * Where it listens.
+     * Returns the port at which it listens.
      *
-     * @return its TCP port on loopback
+     * @return the TCP port on loopback
      */
     public int port() {
         return server.getLocalPort();
     }
 
     /**
-     * Says something from now on again and again, until its client is gone.
+     * Sends a report periodically from now on, until its client has disconnected.
      *
-     * @param periodMs how often, ms
-     * @param report what
+     * @param periodMs the period, ms
+     * @param report sends the report
      */
     public void every(int periodMs, Report report) {
         clock.scheduleAtFixedRate(() -> say(report), 0, periodMs, TimeUnit.MILLISECONDS);

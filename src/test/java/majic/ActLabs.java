@@ -12,14 +12,14 @@ import majic.lab.LabAccess;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.Named;
 
-/** The labs in which every shipped behaviour has to prove itself, and what is measured there. */
+/** Provides the labs in which every shipped behaviour is tested, and the measurements there. */
 final class ActLabs {
     private static final int SEEDS = 5;
     private static final double METRE_MM = 1000;
 
     private ActLabs() {}
 
-    /** A lab without noise, and five with. */
+    /** Returns a lab without noise and five with noise. */
     static Stream<Named<Supplier<LabRig>>> labs() {
         return Stream.concat(
                 Stream.of(Named.of("an exact lab", LabRig::exact)),
@@ -27,7 +27,7 @@ final class ActLabs {
                         .mapToObj(seed -> Named.of("noisy lab " + seed, () -> LabRig.noisy(seed))));
     }
 
-    /** The same labs, each with two Pioneers. */
+    /** Returns the same labs, each with two Pioneers. */
     static Stream<Named<Supplier<LabRig>>> labsWithTwoPioneers() {
         LabOptions two = LabOptions.exactOnFreePorts().withPioneers(2);
         return Stream.concat(
@@ -36,26 +36,26 @@ final class ActLabs {
                         .mapToObj(seed -> Named.of("noisy lab " + seed, () -> LabRig.of(two.withNoise(seed)))));
     }
 
-    /** A lab with one robot connected, as number 1. */
+    /** Returns a lab with one robot connected, as number 1. */
     static LabRig with(Supplier<LabRig> lab, String type) {
         LabRig rig = lab.get();
         rig.add(type);
         return rig;
     }
 
-    /** Lifts a robot and puts it down elsewhere. */
+    /** Moves a robot by hand to another place. */
     static void place(LabRig rig, String robot, Pose where) {
         rig.lab().simulators().place(robot, new majicsim.world.Pose(where.xMm(), where.yMm(), where.headingDeg()));
     }
 
-    /** Waits until something is said, a minute at most. */
+    /** Waits until a message appears, at most a minute. */
     static void awaitSaid(LabRig rig, String words) throws InterruptedException {
         for (int tenth = 0; tenth < 600 && !rig.said().contains(words); tenth++) {
             rig.lab().time().sleep(0.1);
         }
     }
 
-    /** Lets time pass; where the robots were after each second. */
+    /** Lets time pass and returns the robots' poses after each second. */
     static Map<String, List<Pose>> watch(LabRig rig, int seconds) throws InterruptedException {
         Map<String, List<Pose>> ways = new LinkedHashMap<>();
         for (int second = 0; second < seconds; second++) {
@@ -68,7 +68,7 @@ final class ActLabs {
         return ways;
     }
 
-    /** In how many squares of a metre a robot has been. */
+    /** Returns in how many squares of one metre a robot has been. */
     static long metresVisited(List<Pose> way) {
         return way.stream()
                 .map(pose -> List.of(Math.floor(pose.xMm() / METRE_MM), Math.floor(pose.yMm() / METRE_MM)))
@@ -76,7 +76,7 @@ final class ActLabs {
                 .count();
     }
 
-    /** From the middle of a robot to the nearest wall or box, mm. */
+    /** Returns the distance from the middle of a robot to the nearest wall or box, mm. */
     static double toTheWalls(LabRig rig, Pose pose) {
         return rig.lab().walls().stream()
                 .mapToDouble(wall -> toTheWall(wall, pose))
@@ -92,7 +92,7 @@ final class ActLabs {
         return Math.hypot(pose.xMm() - wall.x1() - share * dx, pose.yMm() - wall.y1() - share * dy);
     }
 
-    /** How often each robot drove into something. */
+    /** Returns the number of collisions of each robot. */
     static Map<String, Integer> bumps(LabRig rig) {
         return rig.lab().simulators().bumps();
     }

@@ -32,7 +32,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Makes the pictures of how a behaviour gets onto a robot: {@code mvn -Pscreenshots test}, on a machine with a display. */
+/**
+ * Makes the pictures of loading a behaviour onto a robot: {@code mvn -Pscreenshots test}, on a machine with a display.
+ */
 class ActPictures {
     private static final Path IMAGES = Path.of("docs", "images");
     private static final LabOptions OPTIONS =

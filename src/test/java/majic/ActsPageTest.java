@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
-/** The page on behaviours, followed to the letter: its sources compile, and every command on it does what it says. */
+/** Tests the page on behaviours: its sources compile, and every command on it works as described. */
 @Tag("jdk")
 @Timeout(120)
 class ActsPageTest {
@@ -37,7 +37,7 @@ class ActsPageTest {
         page = Files.readString(Path.of("docs/acts.md"));
     }
 
-    /** The lines of the block of a kind that has a text in it. */
+    /** Returns the lines of the code block of a language that contains a text. */
     private List<String> block(String kind, String part) {
         return BLOCK.matcher(page)
                 .results()
@@ -53,7 +53,7 @@ class ActsPageTest {
         return Files.write(folder.resolve(name), lines);
     }
 
-    /** A line of the page, with its files in the test's folder. */
+    /** Runs a line of the page, with its files in the test's folder. */
     private String here(String line) {
         return Pattern.compile("\\S+\\.(java|act|majic)\\b")
                 .matcher(line)
@@ -110,7 +110,7 @@ class ActsPageTest {
         }
     }
 
-    /** {@code ./majic act …}; the file goes beside its source, where on the page it goes into the folder one is in. */
+    /** Runs {@code ./majic act …}; the file is written beside its source, on the page into the current folder. */
     private void runInAShell(String line) {
         String[] words = (line.contains("make") ? line + " -o There.act" : line)
                 .replace("./majic act ", "")

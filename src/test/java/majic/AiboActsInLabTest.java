@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The shipped behaviours of the Aibo do what they are for. */
+/** Tests the shipped behaviours of the Aibo. */
 @Timeout(120)
 @Tag("long")
 class AiboActsInLabTest {
@@ -26,7 +26,7 @@ class AiboActsInLabTest {
         assertThat(gapOfTheSquare(LabRig::exact)).isLessThan(10);
     }
 
-    /** Two metres by a dog's steps, each up to a tenth too long or too short, and drifting 3 to 5 degrees a metre. */
+    /** Walks two metres with steps up to a tenth too long or too short and a drift of 3 to 5 degrees a metre. */
     @ParameterizedTest(name = "in {0}")
     @MethodSource("labs")
     void theSquareClosesWithinAnAibosLength(Supplier<LabRig> lab) throws InterruptedException {

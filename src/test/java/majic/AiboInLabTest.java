@@ -12,7 +12,7 @@ import majic.team.ManualControl;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The Aibo's driver against the simulated dog. */
+/** Tests the Aibo's driver with the simulated dog. */
 @Timeout(60)
 class AiboInLabTest {
     @Test

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Parameters and commands of the Aibo's driver against the simulated dog, in MAJIC Script. */
+/** Tests parameters and commands of the Aibo's driver with the simulated dog, in MAJIC Script. */
 @Timeout(120)
 class AiboParametersInLabTest {
     private final LabRig rig = LabRig.exact();

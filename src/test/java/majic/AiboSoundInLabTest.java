@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the simulated dog's speaker plays and its microphone hears. */
+/** Tests what the simulated dog's speaker plays and its microphone records. */
 @Timeout(120)
 class AiboSoundInLabTest {
     private static final int AMPLITUDE = 8000;
@@ -170,14 +170,14 @@ class AiboSoundInLabTest {
         }
     }
 
-    /** Looks again and again, since nobody tells what happens in the lab. */
+    /** Polls a condition, since the lab sends no notifications. */
     private void until(BooleanSupplier so) throws InterruptedException {
         while (!rig.team().changes().await(so, 0.05)) {
             assertThat(labSeconds()).isLessThan(300);
         }
     }
 
-    /** It plays one for each connection. */
+    /** Waits until the start sounds are over; the dog plays one for each connection. */
     private void theDogsOwnChimesAreOver() throws InterruptedException {
         rig.run("wait 2s");
     }
@@ -221,7 +221,7 @@ class AiboSoundInLabTest {
         return loudest;
     }
 
-    /** How often the left channel changes its sign. */
+    /** Returns how often the left channel changes its sign. */
     private static long crossings(byte[] bytes) {
         long crossings = 0;
         boolean above = false;

@@ -16,7 +16,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The driver with Hemissons of every kind: true receivers that go deaf, modules, both firmwares, modes of their own. */
+/**
+ * Tests the driver with all kinds of Hemissons: real receivers that lose bytes, modules, both firmwares, special modes.
+ */
 @Timeout(120)
 class AnyHemissonInLabTest {
     @ParameterizedTest
@@ -39,7 +41,7 @@ class AnyHemissonInLabTest {
         }
     }
 
-    /** Some can only be set. */
+    /** Reads a parameter, unless it can only be set. */
     private static void read(MajicBot bot, String parameter) {
         if (bot.parameter(parameter).readable()) {
             assertThat(bot.get(parameter)).isNotNull();

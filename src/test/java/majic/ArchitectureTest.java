@@ -18,15 +18,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Who may import whom. The house is described in docs/architecture.md. */
+/** Tests which package may import which, as described in docs/architecture.md. */
 class ArchitectureTest {
     private static final JavaClasses CLASSES = new ClassFileImporter()
             .withImportOption(location -> !location.contains("/test-classes/"))
             .importPackages("majic", "majicsim");
 
     /**
-     * The packages of ours that each package may use besides itself. A simulator may use nothing of majic: it must not
-     * share a driver's mistakes.
+     * Maps each package to the project's packages that it may use besides itself. A simulator must not use majic, so
+     * that it cannot share a driver's defects.
      */
     private static final Map<String, Set<String>> MAY_USE = table("""
             majic.bot                 : majic.time majic.text

@@ -25,7 +25,10 @@ import majicsim.LabOptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** STOP halts real drivers' robots though every listener blocks for ever. The lab's clock follows the wall clock here. */
+/**
+ * Tests that STOP halts real drivers' robots although every listener blocks forever. The lab's clock follows the wall
+ * clock here.
+ */
 @Timeout(60)
 class BlockedListenersTest {
     private final CountDownLatch testIsOver = new CountDownLatch(1);
@@ -38,7 +41,7 @@ class BlockedListenersTest {
         }
     }
 
-    /** Blocks at whatever it is told. */
+    /** Blocks at every notification. */
     private final class Blocked implements BotListener, TeamListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {

@@ -19,12 +19,12 @@ import majicsim.world.Noise;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A robot that hangs up while its last words are still under way holds no stepped clock up. */
+/** Tests that a robot that closes its connection before its last data has arrived does not block a stepped clock. */
 @Timeout(60)
 class ClosingLineTest {
     private final Faults faults = new Faults(Noise.seeded(1));
 
-    /** Answers the first bytes, and hangs up. */
+    /** Answers the first bytes and closes the connection. */
     private static final class LastWords implements Firmware {
         @Override
         public void received(Line line, byte[] bytes) {
@@ -59,7 +59,7 @@ class ClosingLineTest {
         }
     }
 
-    /** How many bytes come until the end. */
+    /** Returns the number of bytes until the end of the stream. */
     private static int readAll(Link link) {
         byte[] chunk = new byte[10];
         int bytes = 0;

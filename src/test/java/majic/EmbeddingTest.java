@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A program that only embeds a robot loads no window class and needs none of the program's libraries. */
+/** Tests that a program that only embeds a robot loads no window class and needs none of MAJIC's libraries. */
 @Tag("jdk")
 @Timeout(60)
 class EmbeddingTest {

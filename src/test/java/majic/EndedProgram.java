@@ -12,8 +12,8 @@ import majic.hemisson.MajicHemisson;
 import majic.pioneer.MajicPioneer;
 
 /**
- * A program that embeds one robot, moves it and closes nothing. Moves a metre, or drives at the speed it is given. Prints a
- * line once the robot moves; ends when a line comes.
+ * A program that embeds one robot, moves it and closes nothing. Moves a metre, or drives at a given speed. Prints a
+ * line once the robot moves; ends when it reads a line.
  */
 final class EndedProgram {
     private EndedProgram() {}

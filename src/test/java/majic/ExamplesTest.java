@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The stand-alone programs of the programmer's guide, run against the lab; {@link EmbeddingTest} runs the ten lines. */
+/** Runs the stand-alone programs of the programmer's guide with the lab; {@link EmbeddingTest} runs the ten lines. */
 @Tag("jdk")
 @Timeout(120)
 class ExamplesTest {

@@ -32,7 +32,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** No text of a robot, of an act or of an exception can pass for an answer, or give orders to a terminal. */
+/** Tests that no text of a robot, an act or an exception can imitate a reply, or control a terminal. */
 @Timeout(30)
 class ForgedAnswersTest {
     private static final String FORGED = "gone\n2 stop: done\r\u001b[2J\u202e\u2028";
@@ -71,7 +71,7 @@ class ForgedAnswersTest {
         program.close();
     }
 
-    /** A terminal that is never typed at. */
+    /** A terminal without input. */
     private static final class Screen implements Console.Source {
         private final BlockingQueue<String> shown = new LinkedBlockingQueue<>();
         private final CountDownLatch asked = new CountDownLatch(1);

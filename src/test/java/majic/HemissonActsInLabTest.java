@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The shipped behaviours of the Hemisson do what they are for, by the tape and the lamps of the standard room. */
+/** Tests the shipped behaviours of the Hemisson with the tape and the lamps of the standard room. */
 @Timeout(120)
 @Tag("long")
 class HemissonActsInLabTest {
@@ -49,7 +49,7 @@ class HemissonActsInLabTest {
         }
     }
 
-    /** How far the ground sensors are beside the middle of the tape, a rectangle with round corners. */
+    /** Returns the distance of the ground sensors from the middle of the tape, a rectangle with round corners. */
     private static double offTheTape(Pose robot) {
         double heading = Math.toRadians(robot.headingDeg());
         double x =

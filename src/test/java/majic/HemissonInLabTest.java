@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The Hemisson's driver against the lab's Hemisson, on the lab's stepped time. */
+/** Tests the Hemisson's driver with the lab's Hemisson, on the lab's stepped clock. */
 @Timeout(120)
 class HemissonInLabTest {
     private static final double HULL_MM = 60;
@@ -137,7 +137,7 @@ class HemissonInLabTest {
                 .start();
     }
 
-    /** Anywhere within 200 mm of a wall, looking anywhere, with room for the hull. */
+    /** Returns a random pose within 200 mm of a wall, in any direction, with room for the hull. */
     private void placeNearAWall(Random random) {
         Segment wall = lab.walls().get(random.nextInt(lab.walls().size()));
         double along = random.nextDouble();

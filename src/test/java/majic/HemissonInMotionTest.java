@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The questions to a moving robot without a watchdog: never a long pause, never a long question, and a stop at once. */
+/** Tests the queries to a moving robot without a watchdog: no long pause, no long query, and an immediate stop. */
 @Timeout(120)
 class HemissonInMotionTest {
     private static final String WITH_ALL_MODULES = "kteam+camera+ultrasonic+speech+lcd+io+overrun+paced";

@@ -8,7 +8,7 @@ import majic.bot.Pose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A Hemisson is calibrated with a ruler, and its motions use the result. */
+/** Tests that a Hemisson is calibrated with a ruler, and that its motions use the result. */
 @Timeout(120)
 class HemissonLessonInLabTest {
     @Test

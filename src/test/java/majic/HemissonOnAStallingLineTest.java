@@ -17,8 +17,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * A serial server that holds everything for a while and then delivers it at once, and a robot with the true receiver: a
- * stop that arrives together with a question would deafen it, and it would drive on.
+ * Tests a serial server that holds data for a while and then delivers all of it at once, with a robot with the real
+ * receiver: a stop that arrives together with a query would overrun it, and the robot would not stop.
  */
 @Timeout(120)
 class HemissonOnAStallingLineTest {

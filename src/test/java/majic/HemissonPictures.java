@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * Makes the pictures of the Hemisson's panel, with the robot on its way along a wall on a stepped clock: {@code mvn
+ * Makes the pictures of the Hemisson's panel, with the robot moving along a wall on a stepped clock: {@code mvn
  * -Pscreenshots test}, on a machine with a display.
  */
 class HemissonPictures {

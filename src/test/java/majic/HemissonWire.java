@@ -13,12 +13,12 @@ import org.slf4j.LoggerFactory;
 
 /** Records what a Hemisson's driver sends and receives, with the times of the lab's clock, from its log. */
 final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoCloseable {
-    /** One command or one answer, without its end. */
+    /** One command or one reply, without its line end. */
     record Said(long nanos, boolean byDriver, String text) {}
 
-    /** A command and its answer. */
+    /** A command and its reply. */
     record Exchange(Said command, Said answer) {
-        /** How long both take at 88 µs a character, ends included, ms. */
+        /** Returns the transmission time of both at 88 µs a character, line ends included, ms. */
         double lineMs() {
             return (command.text().length() + 1 + answer.text().length() + 2) * 0.088;
         }
@@ -37,14 +37,14 @@ final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoClos
         start();
     }
 
-    /** What was said from the first command that begins so to the first stop after it, both included. */
+    /** Returns the exchanges from the first command with a prefix to the first stop after it, both included. */
     List<Said> motion(String begin) {
         List<Said> said = List.copyOf(all);
         int from = first(said, 0, begin);
         return said.subList(from, first(said, from, "D,0,0") + 1);
     }
 
-    /** What the driver said from its first command of just this wording on. */
+    /** Returns what the driver sent from the first occurrence of a command on. */
     List<Said> commandsSinceFirst(String text) {
         return all.stream()
                 .filter(Said::byDriver)
@@ -52,7 +52,7 @@ final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoClos
                 .toList();
     }
 
-    /** What the driver said from a moment on. */
+    /** Returns what the driver sent from a time on. */
     List<Said> commandsSince(long nanos) {
         return all.stream()
                 .filter(said -> said.byDriver() && said.nanos() >= nanos)

@@ -28,8 +28,8 @@ import majicsim.LabOptions;
 import majicsim.hemisson.options.HemissonOptions;
 
 /**
- * A stepped lab, a team and a session on it, for one test. The thread that makes it lives by the lab's clock: time goes on
- * only while it waits. Everything runs over real sockets.
+ * Holds a stepped lab, a team and a session on it, for one test. The creating thread is registered with the lab's
+ * clock: time advances only while it waits. All connections are real sockets.
  */
 public final class LabRig implements AutoCloseable {
     private static final double LONGEST_WAIT_S = 3 * 3600;
@@ -57,27 +57,27 @@ public final class LabRig implements AutoCloseable {
         parser = new MajicParser(session, false);
     }
 
-    /** A lab without noise, nobody connected yet. */
+    /** Creates a lab without noise and without connected robots. */
     public static LabRig exact() {
         return new LabRig(LabOptions.exactOnFreePorts());
     }
 
-    /** A lab of one's own choice, nobody connected yet. */
+    /** Creates a given lab without connected robots. */
     static LabRig of(LabOptions options) {
         return new LabRig(options);
     }
 
-    /** As {@link #exact()}, with this Pioneer and its extras, as {@code p3dx-sh+gripper}. */
+    /** Creates a lab as {@link #exact()}, with this Pioneer and its extras, as {@code p3dx-sh+gripper}. */
     public static LabRig exactWithPioneer(String model) {
         return new LabRig(LabOptions.exactOnFreePorts().withPioneer(model));
     }
 
-    /** As {@link #exact()}, with this Hemisson and its extras, as {@code kteam+camera+overrun}. */
+    /** Creates a lab as {@link #exact()}, with this Hemisson and its extras, as {@code kteam+camera+overrun}. */
     public static LabRig exactWithHemisson(String model) {
         return new LabRig(LabOptions.exactOnFreePorts().withHemisson(HemissonOptions.parse(model)));
     }
 
-    /** A lab with noise and jitter, nobody connected yet. */
+    /** Creates a lab with noise and jitter, without connected robots. */
     public static LabRig noisy(long seed) {
         return new LabRig(LabOptions.exactOnFreePorts().withNoise(seed));
     }
@@ -88,7 +88,7 @@ public final class LabRig implements AutoCloseable {
         return this;
     }
 
-    /** Connects to the lab's robot of a type and takes it into the team. */
+    /** Connects to the lab's robot of a type and adds it to the team. */
     public MajicBot add(String type) {
         MajicBot bot = session.factory().create("sim:" + type);
         bot.connect();
@@ -112,20 +112,22 @@ public final class LabRig implements AutoCloseable {
         return said();
     }
 
-    /** Begins a line of MAJIC Script, without waiting for its end. */
+    /** Starts a line of MAJIC Script, without waiting for its end. */
     public void say(String line) {
         said.clear();
         parser.parseText(line);
     }
 
-    /** What was said since the last {@link #run} or {@link #say}. */
+    /** Returns the output since the last {@link #run} or {@link #say}. */
     public List<String> said() {
         synchronized (said) {
             return List.copyOf(said);
         }
     }
 
-    /** Waits on the lab's clock; looks anew whenever something happens in the team or a robot's readings come. */
+    /**
+     * Waits by the lab's clock; tests the condition again at each event of the team and each new reading of a robot.
+     */
     public boolean await(BooleanSupplier condition) throws InterruptedException {
         List<MajicBot> bots = team.members().stream().map(Member::bot).toList();
         bots.forEach(bot -> bot.addListener(news));
@@ -163,7 +165,7 @@ public final class LabRig implements AutoCloseable {
         lab.close();
     }
 
-    /** Wakes who waits for what robots measure. */
+    /** Signals threads that wait for readings. */
     private final class News implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {

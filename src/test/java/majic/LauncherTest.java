@@ -17,7 +17,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The shell script that builds and starts MAJIC, with scripts in place of Maven and Java. */
+/** Tests the shell script that builds and starts MAJIC, with scripts in place of Maven and Java. */
 @Tag("jdk")
 @Timeout(60)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has majic.cmd instead")

@@ -13,7 +13,7 @@ import majic.bot.MajicBot;
 import majic.gui.WaitPolicy;
 import majic.program.WindowPicture;
 
-/** A picture of one robot's panel for the documents, light or dark, of any size. */
+/** Makes a picture of one robot's panel for the documents, light or dark, of any size. */
 final class PanelPicture {
     private static final Path IMAGES = Path.of("docs", "images");
     private static final int PATIENCE_S = 30;
@@ -46,7 +46,7 @@ final class PanelPicture {
         }
     }
 
-    /** Waits until the panel shows the newest, paints and saves it, and closes its window. */
+    /** Waits until the panel shows the newest readings, paints and saves it, and closes its window. */
     static void save(JFrame frame, boolean dark, String name) throws Exception {
         long start = System.nanoTime();
         WaitPolicy.await("a refresh", () -> System.nanoTime() - start > 500_000_000L, PATIENCE_S);

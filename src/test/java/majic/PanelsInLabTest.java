@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 @Timeout(60)
 class PanelsInLabTest {
 
-    /** Whatever look and fonts an earlier test left behind, panels are measured in the program's own. */
+    /** Measures panels in the program's own look and fonts, whatever an earlier test has set. */
     @BeforeEach
     void lookAsInTheProgram() throws Exception {
         SwingUtilities.invokeAndWait(FlatLightLaf::setup);
@@ -107,7 +107,7 @@ class PanelsInLabTest {
                 .orElseThrow();
     }
 
-    /** The robot's panel as it would stand in a window, without a display. */
+    /** Returns the robot's panel as laid out in a window, without a display. */
     private static JComponent panel(Member member, int width, int height) throws Exception {
         JComponent[] made = new JComponent[1];
         SwingUtilities.invokeAndWait(() -> {

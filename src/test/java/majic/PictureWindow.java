@@ -18,7 +18,7 @@ import majic.program.Program;
 import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
 
-/** The window that pictures are taken of, and what is needed to get it where it shall be. Used off the event thread. */
+/** Controls the window of which pictures are taken. Used outside the event thread. */
 final class PictureWindow {
     private static final int PATIENCE_S = 60;
 
@@ -49,7 +49,7 @@ final class PictureWindow {
         }
     }
 
-    /** Becomes true when what was said has had the time to be shown. */
+    /** Becomes true when the messages have had time to be shown. */
     static final class Settled implements BooleanSupplier {
         private final long startNanos = System.nanoTime();
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What happens at the robot itself, as its driver tells of it: the lab's Pioneer on the lab's stepped clock. */
+/** Tests how the driver reports events at the robot itself, with the lab's Pioneer on the lab's stepped clock. */
 @Timeout(60)
 class PioneerDevicesInLabTest {
     private final LabRig rig = LabRig.exact();

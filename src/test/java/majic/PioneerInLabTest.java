@@ -15,13 +15,13 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The Pioneer's driver against the lab's Pioneer, on the lab's stepped clock. */
+/** Tests the Pioneer's driver with the lab's Pioneer, on the lab's stepped clock. */
 @Timeout(120)
 class PioneerInLabTest {
     private static final double FRONT_MM = 210;
     private static final double REAR_MM = 301;
     private static final double HALF_WIDTH_MM = 200;
-    /** More than lies between two of the points that stand for the outline. */
+    /** A bound above the distance between two points of the sampled outline, mm. */
     private static final double SAFE_MM = 50;
 
     private static final double TEN_MINUTES_S = 600;
@@ -97,7 +97,7 @@ class PioneerInLabTest {
         return report.amount() == null ? Double.NaN : report.amount().number();
     }
 
-    /** From the hull's outline to the nearest wall. */
+    /** Returns the distance from the hull's outline to the nearest wall. */
     private double clearMm(Pose at) {
         double least = Double.MAX_VALUE;
         for (double share = 0; share <= 1; share += 0.05) {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Parameters and commands of the Pioneer's driver against the lab's well equipped Pioneer, in MAJIC Script. */
+/** Tests parameters and commands of the Pioneer's driver with the lab's well equipped Pioneer, in MAJIC Script. */
 @Timeout(120)
 class PioneerParametersInLabTest {
     private final LabRig rig = LabRig.exactWithPioneer("p3dx-sh+gripper+gyro+charger");

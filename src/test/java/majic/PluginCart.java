@@ -18,7 +18,10 @@ import majic.bot.Value;
 import majic.link.Link;
 import majic.link.Links;
 
-/** The driver of a cart that nobody but its plug-in knows: it takes lines of text over TCP and drives until it is told to stop. */
+/**
+ * The driver of a cart that is known only by its plug-in: the cart accepts lines of text over TCP and drives until it
+ * receives a stop.
+ */
 final class PluginCart extends MajicBot {
     private final Link link;
 

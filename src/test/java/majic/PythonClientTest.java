@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The example client of the user's guide. */
+/** Tests the example client of the user's guide. */
 @Timeout(60)
 class PythonClientTest {
     private static final Path CLIENT = Path.of("examples", "client.py");

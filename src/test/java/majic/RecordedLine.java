@@ -10,7 +10,7 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import majic.link.PseudoTerminal;
 
-/** A line to a simulated robot that records what is sent to the robot: a TCP port or a serial port of the system. */
+/** Forwards a TCP port or a serial port of the system to a simulated robot and records the data sent to the robot. */
 final class RecordedLine implements AutoCloseable {
     private static final int NO_ROBOT = 0;
 
@@ -18,7 +18,7 @@ final class RecordedLine implements AutoCloseable {
     private final AutoCloseable plug;
     private final String address;
 
-    /** Passes text on. */
+    /** Forwards data. */
     private interface Sink {
         void take(String text) throws IOException;
     }
@@ -28,7 +28,7 @@ final class RecordedLine implements AutoCloseable {
         this.address = address;
     }
 
-    /** A TCP port in front of a robot's. */
+    /** Creates a TCP port in front of a robot's. */
     static RecordedLine tcp(int robotPort) throws IOException {
         ServerSocket server = new ServerSocket(0, 8, InetAddress.getLoopbackAddress());
         RecordedLine line = new RecordedLine(server, "//127.0.0.1:" + server.getLocalPort());
@@ -40,12 +40,12 @@ final class RecordedLine implements AutoCloseable {
         return line;
     }
 
-    /** A TCP port of a robot that takes everything and never answers. */
+    /** Creates a TCP port of a robot that accepts all data and never answers. */
     static RecordedLine mute() throws IOException {
         return tcp(NO_ROBOT);
     }
 
-    /** A serial port in front of a robot's TCP port. */
+    /** Creates a serial port in front of a robot's TCP port. */
     static RecordedLine serial(int robotPort) throws IOException {
         PseudoTerminal terminal = new PseudoTerminal();
         RecordedLine line = new RecordedLine(terminal, terminal.name());
@@ -119,26 +119,26 @@ final class RecordedLine implements AutoCloseable {
         thread.start();
     }
 
-    /** What a driver's address says behind the type of robot. */
+    /** Returns the part of a driver's address behind the type of robot. */
     String address() {
         return address;
     }
 
-    /** How many bytes were sent so far. */
+    /** Returns the number of bytes sent so far. */
     int length() {
         synchronized (sent) {
             return sent.length();
         }
     }
 
-    /** What was sent behind the first bytes. */
+    /** Returns what was sent after the first bytes. */
     String sentSince(int from) {
         synchronized (sent) {
             return sent.substring(from);
         }
     }
 
-    /** Waits until a text has been sent, behind the first bytes. */
+    /** Waits until a text has been sent, after the first bytes. */
     void await(String text, int from) throws InterruptedException {
         synchronized (sent) {
             while (sent.indexOf(text, from) < 0) {

@@ -3,7 +3,7 @@ package majic;
 import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
 
-/** Counts how often a robot goes round a point, either way. */
+/** Counts how often a robot moves round a point, in either direction. */
 final class Rounds {
     private final Pose middle;
     private @Nullable Double lastDeg;

@@ -12,13 +12,16 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A saved session that is run again takes a simulated robot to where it was. */
+/** Tests that running a saved session again moves a simulated robot to the same place. */
 @Timeout(60)
 class SavedSessionInLabTest {
-    /** How far a replay may end from where the session ended; the robot covers this in a twentieth of a second. */
+    /**
+     * The largest distance between the ends of a replay and of the session; the robot moves this far in a twentieth of
+     * a second.
+     */
     private static final double NEAR_MM = 12;
 
-    /** How much less far it gets by hand, as it brakes where it changed from ahead to a curve. */
+    /** The shortfall of a manual drive, since the robot brakes at the change from straight ahead to a curve. */
     private static final double BRAKED_MM = 60;
 
     @TempDir

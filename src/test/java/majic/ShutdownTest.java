@@ -29,7 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A program of its own that embeds a robot ends or stands still in mid-motion, and the robot is stopped. */
+/** Tests that a robot is stopped when the program that embeds it ends or is suspended during a motion. */
 @Tag("jdk")
 @Timeout(60)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has neither signals nor pseudo-terminals")
@@ -193,8 +193,8 @@ class ShutdownTest {
     }
 
     /**
-     * Lets a new process begin with the usual actions of its signals. It inherits which ones are ignored, and a shell
-     * script has SIGINT ignored by what it starts in the background, a test run for instance.
+     * Starts a new process with the default actions of its signals. A process inherits the ignored signals, and a shell
+     * script starts background processes, such as a test run, with SIGINT ignored.
      */
     private static final class UsualSignals {
         private static final Function SIGACTION =

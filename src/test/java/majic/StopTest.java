@@ -29,7 +29,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** STOP with twenty robots of ten labs, half of which no longer read what they are sent. */
+/** Tests STOP with twenty robots of ten labs, half of which no longer read the data sent to them. */
 @Timeout(60)
 class StopTest {
     private static final int LABS = 10;

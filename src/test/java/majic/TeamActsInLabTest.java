@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The shipped behaviours that are about more than one robot. */
+/** Tests the shipped behaviours for more than one robot. */
 @Timeout(120)
 @Tag("long")
 class TeamActsInLabTest {
@@ -111,7 +111,7 @@ class TeamActsInLabTest {
         }
     }
 
-    /** From middle to middle of two robots, mm, each second. */
+    /** Returns the distances between the middles of two robots, mm, each second. */
     private static List<Double> apart(Map<String, List<Pose>> ways, String ahead, String behind) {
         List<Pose> after = ways.get(behind);
         return IntStream.range(0, after.size())
@@ -131,7 +131,9 @@ class TeamActsInLabTest {
         }
     }
 
-    /** A dog ahead of a Pioneer whose middles are 900 mm apart, which leaves some 450 mm between them. */
+    /**
+     * Creates a lab with a dog ahead of a Pioneer, 900 mm between their middles and some 450 mm between their hulls.
+     */
     private static LabRig convoy(Supplier<LabRig> lab) {
         LabRig rig = lab.get();
         ActLabs.place(rig, "aibo", new Pose(-1000, 0, 0));

@@ -17,8 +17,8 @@ import majic.time.TimeSource;
 import majicsim.net.LineCount;
 
 /**
- * A stepped clock without a lab behind it: time passes at once when every thread that lives by it waits. The thread that
- * makes it lives by it.
+ * A stepped clock without a lab: time advances at once when every registered thread waits. The creating thread is
+ * registered.
  */
 public final class TestClock implements AutoCloseable {
     private static final long STEP_NANOS = 1_000_000;
@@ -32,10 +32,10 @@ public final class TestClock implements AutoCloseable {
     }
 
     /**
-     * One that something else lives by too, without a thread of its own.
+     * Creates a clock that also drives a component without its own thread.
      *
-     * @param onStep told the time at each step of a millisecond
-     * @param quiet whether nothing is under way on any line; time stands still meanwhile
+     * @param onStep receives the time at each step of a millisecond
+     * @param quiet whether no data is in transit on any line; time does not advance while there is
      */
     public TestClock(LongConsumer onStep, BooleanSupplier quiet) {
         clock = new LabClock(new CountedSteps(onStep), Pacing.stepped(quiet));
@@ -44,8 +44,8 @@ public final class TestClock implements AutoCloseable {
     }
 
     /**
-     * One for the peer at an address and its clients. Time stands still while anything is under way between them, so it does
-     * not matter how long a busy computer takes over it.
+     * Creates a clock for the peer at an address and its clients. Time does not advance while data is in transit
+     * between them, so the speed of the computer does not matter.
      */
     public static TestClock between(String address, Supplier<List<LineCount>> lines) {
         return new TestClock(nanos -> {}, new Quietness(Links::traffic, lines, Set.of(address)));
@@ -55,7 +55,7 @@ public final class TestClock implements AutoCloseable {
         return clock;
     }
 
-    /** Lets time pass until something is so; for ever, so tests have a time-out. */
+    /** Lets time pass until a condition is true; without limit, so tests need a timeout. */
     public void until(BooleanSupplier so) {
         Signal never = clock.signal();
         try {
@@ -67,7 +67,7 @@ public final class TestClock implements AutoCloseable {
         }
     }
 
-    /** Begins something on a thread of its own that lives by this clock. */
+    /** Starts a task on its own thread, registered with this clock. */
     public <T> CompletableFuture<T> aside(Supplier<T> work) {
         CompletableFuture<T> outcome = new CompletableFuture<>();
         Runnable body = () -> outcome.completeAsync(work, Runnable::run);
@@ -75,7 +75,7 @@ public final class TestClock implements AutoCloseable {
         return outcome;
     }
 
-    /** As {@link #aside(Supplier)}, for what has no result. */
+    /** Starts a task without a result, as {@link #aside(Supplier)} does. */
     public CompletableFuture<Void> aside(Runnable work) {
         return aside(() -> {
             work.run();
@@ -83,7 +83,7 @@ public final class TestClock implements AutoCloseable {
         });
     }
 
-    /** Lets time pass until what was begun is done; throws what it threw as {@link CompletableFuture#join} does. */
+    /** Lets time pass until a task is done; throws its exception as {@link CompletableFuture#join} does. */
     public <T> T join(CompletableFuture<T> begun) {
         until(begun::isDone);
         return begun.join();

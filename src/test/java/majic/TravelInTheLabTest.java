@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a robot is told to travel, the lab's own pose says it travelled. */
+/** Tests that the commanded distance matches the distance between the lab's own poses. */
 @Timeout(60)
 class TravelInTheLabTest {
     @ParameterizedTest(name = "{0} moves {1} mm")

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Robots that are not there, refuse, fall silent or drop out while they drive. */
+/** Tests robots that are absent, refuse, stop sending or disconnect while they drive. */
 @Timeout(60)
 class TroubleInTheLabTest {
     @ParameterizedTest

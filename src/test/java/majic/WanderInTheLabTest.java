@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The wander of the language's manual, unchanged, on all three robots at once. */
+/** Tests the wander script of the language's manual, unchanged, on all three robots at once. */
 @Timeout(180)
 @Tag("long")
 class WanderInTheLabTest {
@@ -55,7 +55,7 @@ class WanderInTheLabTest {
         }
     }
 
-    /** How far each robot truly went, mm, summed over seconds. */
+    /** Returns the true distance that each robot moved, mm, summed over seconds. */
     private static double[] watch(LabRig rig) throws InterruptedException {
         double[] travelled = new double[3];
         List<Pose> before = poses(rig);

@@ -13,7 +13,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The shipped wanderers drive into nothing in ten minutes among walls, boxes and robots that stand, and get around. */
+/**
+ * Tests that the shipped wander behaviours move around for ten minutes among walls, boxes and stationary robots without
+ * a collision.
+ */
 @Timeout(120)
 @Tag("long")
 class WanderingActsInLabTest {

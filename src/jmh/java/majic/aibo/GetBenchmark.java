@@ -22,11 +22,11 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How many questions a second the driver gets answered over loopback, one after the other, beside a bare socket that
+ * Measures how many successive queries a second the driver completes over loopback, compared with a bare socket that
  * exchanges the same bytes with the same peer.
  *
- * <p>Read: {@link #get} divided by {@link #bareEcho}. The difference is one thread that wakes another: the reader, which
- * has to serve everybody, wakes who asked.
+ * <p>Result: {@link #get} divided by {@link #bareEcho}. The difference is one thread waking another: the reader, which
+ * serves all threads, wakes the one that sent the query.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
@@ -54,21 +54,21 @@ public class GetBenchmark {
         readTo(StandingDog.INTRODUCTION.length());
     }
 
-    /** What a parameter that is not streamed costs. */
+    /** Measures reading a parameter that is not streamed. */
     @Benchmark
     public UrbiValue get() {
         AiboSession session = driver.session();
         return session.ask(session.connections().stop(), "headPan.val", ANSWER_S);
     }
 
-    /** The least it can take. */
+    /** Measures the lower bound. */
     @Benchmark
     public int bareEcho() throws IOException {
         bare.getOutputStream().write(QUESTION);
         return readTo(1);
     }
 
-    /** Reads at least that much, up to the end of a line. */
+    /** Reads at least a number of bytes, up to the end of a line. */
     private int readTo(int least) throws IOException {
         InputStream in = bare.getInputStream();
         int total = 0;
@@ -82,7 +82,7 @@ public class GetBenchmark {
         return total;
     }
 
-    /** Says good-bye. */
+    /** Closes the connections. */
     @TearDown
     public void close() throws IOException {
         driver.close();

@@ -8,8 +8,8 @@ import java.nio.charset.StandardCharsets;
 import majic.StandingRobot;
 
 /**
- * What a dog says in a benchmark: it introduces itself, answers every tagged command with the same number, and every standing
- * order with one reading a second.
+ * Simulates an Aibo for benchmarks: sends its greeting, answers every tagged command with the same number, and every
+ * repeated command with one reading a second.
  */
 final class StandingDog {
     static final String INTRODUCTION = """

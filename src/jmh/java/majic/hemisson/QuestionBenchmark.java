@@ -20,12 +20,12 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How long a question and its answer take over a pseudo-terminal, beside a bare loop of jSerialComm that writes and reads
- * the same bytes at another one of the same kind.
+ * Measures the time of a query and its reply over a pseudo-terminal, compared with a bare loop of jSerialComm that
+ * writes and reads the same bytes at a second one.
  *
- * <p>Compare p0.50 and p0.99 of {@link #ask} with those of {@link #bareLoop}. The difference is one thread that wakes
- * another: the reader, which serves all threads, wakes the one that asked. One of the driver's own polls, ten a second, may
- * come before a question.
+ * <p>Compare p0.50 and p0.99 of {@link #ask} with those of {@link #bareLoop}. The difference is one thread waking
+ * another: the reader, which serves all threads, wakes the one that sent the query. One of the driver's own polls, ten
+ * a second, may precede a query.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.SampleTime)
@@ -60,13 +60,13 @@ public class QuestionBenchmark {
         }
     }
 
-    /** What one question costs that is not polled. */
+    /** Measures one query of a value that is not polled. */
     @Benchmark
     public String ask() {
         return driver.run("i2cRead", List.of(Value.text("C0"), Value.text("10"), Value.of(1, Unit.NONE)));
     }
 
-    /** The least it can take. */
+    /** Measures the lower bound. */
     @Benchmark
     public int bareLoop() throws IOException {
         bare.writeBytes(QUESTION, QUESTION.length);
@@ -81,7 +81,7 @@ public class QuestionBenchmark {
         return total;
     }
 
-    /** Lets everything go. */
+    /** Closes all connections. */
     @TearDown
     public void close() {
         driver.close();

@@ -25,12 +25,13 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How long a {@code drive} takes from the call to its packets in the socket, in a running session, beside the bare
- * writing of the same packets.
+ * Measures the time of a {@code drive} from the call to writing its packets to the socket, in a running session,
+ * compared with only writing the same packets.
  *
- * <p>Read: p0.50 of {@link #drive} divided by p0.50 of {@link #bareWrites}, at most 2; and the same for p0.99. A drive
- * is two packets, VEL and RVEL, each in a write of its own; so is the bare one. Without a pause between them the peer and
- * all threads stay awake; with a pause of 1 ms each write has to wake the peer, as it has to when a user drives.
+ * <p>Result: p0.50 of {@link #drive} divided by p0.50 of {@link #bareWrites}, at most 2; and the same for p0.99. A
+ * drive is two packets, VEL and RVEL, each in a write of its own; so is the bare one. Without a pause between them the
+ * peer and all threads stay awake; with a pause of 1 ms each write has to wake the peer, as it has to when a user
+ * drives.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.SampleTime)
@@ -39,7 +40,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 2)
 @Fork(2)
 public class DriveBenchmark {
-    /** Between two drives, µs. */
+    /** The pause between two drives, µs. */
     @Param({"0", "1000"})
     public int pauseMicros;
 
@@ -66,7 +67,7 @@ public class DriveBenchmark {
         return ByteBuffer.allocateDirect(packet.length).put(packet);
     }
 
-    /** Not part of what is measured. */
+    /** Pauses; not measured. */
     @Setup(Level.Invocation)
     public void pause() {
         if (pauseMicros > 0) {
@@ -74,14 +75,14 @@ public class DriveBenchmark {
         }
     }
 
-    /** What a program calls. */
+    /** Measures the call. */
     @Benchmark
     public void drive() {
         step = (step + 1) % 100;
         driver.drive(200 + step, step - 50);
     }
 
-    /** The least it can take. */
+    /** Measures the lower bound. */
     @Benchmark
     public int bareWrites() throws IOException {
         return bare.write(speed.flip()) + bare.write(rate.flip());

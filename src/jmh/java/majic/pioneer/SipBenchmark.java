@@ -22,10 +22,10 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How many SIPs of 16 sonar readings one core takes from the bytes of the link to fields, and on to the published
- * state.
+ * Measures how many SIPs of 16 sonar readings one core converts from the connection's bytes to fields and to the
+ * published state.
  *
- * <p>Read: {@link #decode} at least 2 SIPs a microsecond; {@code gc.alloc.rate.norm} is the bytes allocated for each.
+ * <p>Result: {@link #decode} at least 2 SIPs a microsecond; {@code gc.alloc.rate.norm} is the bytes allocated for each.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
@@ -43,14 +43,14 @@ public class SipBenchmark {
     private @Nullable Sip sip;
     private long nanos;
 
-    /** From bytes to fields. */
+    /** Measures from the bytes to fields. */
     @Benchmark
     public @Nullable Sip decode() {
         decoder.feed(wire, wire.length, keep);
         return sip;
     }
 
-    /** From bytes to the published state. */
+    /** Measures from the bytes to the published state. */
     @Benchmark
     public PioneerState track() {
         nanos += CYCLE_NANOS;

@@ -26,7 +26,7 @@ final class StationaryPioneer {
         discard(client.getInputStream());
     }
 
-    /** Echoes the SYNCs; false for a client that sends something else, which is only read. */
+    /** Echoes the SYNCs. Returns false for a client that sends other data, which is only read. */
     private static boolean shakesHands(Socket client) throws IOException {
         byte[] sync = client.getInputStream().readNBytes(6);
         while (sync.length == 6 && sync[3] < SYNC2 && sync[2] == 3) {

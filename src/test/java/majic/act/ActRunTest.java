@@ -29,7 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** An act has its robots to itself, and whoever stops one of them ends it for all. */
+/** Tests that an act has exclusive use of its robots, and that a stop of one of them ends it for all. */
 @Tag("jdk")
 @Timeout(30)
 class ActRunTest implements TeamListener {
@@ -68,7 +68,7 @@ class ActRunTest implements TeamListener {
         said.add(message);
     }
 
-    /** Two robots drive side by side, for ever. */
+    /** Drives two robots side by side until it is ended. */
     private static class Pair extends MajicAct {
         private static final long serialVersionUID = 1;
 
@@ -107,7 +107,7 @@ class ActRunTest implements TeamListener {
         return new ActRun(act, "Pair", cast, first.leave().and(second.leave()));
     }
 
-    /** Sends all who follow away. */
+    /** Moves all followers away. */
     private static final class Scatter extends MajicAct {
         private static final long serialVersionUID = 1;
 
@@ -204,7 +204,7 @@ class ActRunTest implements TeamListener {
                         line.matches("1 act: failed: IllegalStateException: no idea \\(ActRunTest.java, line \\d+\\)"));
     }
 
-    /** Fails with its first word, and again when it tidies up. */
+    /** Fails with its first note, and again in its clean-up. */
     private static final class Failing extends MajicAct {
         private static final long serialVersionUID = 1;
 
@@ -248,7 +248,7 @@ class ActRunTest implements TeamListener {
         assertThat(leader.sent()).endsWith("halt");
     }
 
-    /** A clock that an act's thread cannot enter. */
+    /** A clock with which an act's thread cannot be registered. */
     private record ClosedToActs(TimeSource time) implements TimeSource {
         @Override
         public long nanos() {
@@ -320,7 +320,7 @@ class ActRunTest implements TeamListener {
         assertThat(first.owner()).isNull();
     }
 
-    /** Pays no attention to anything, until the test is over. */
+    /** Ignores interrupts until the test is over. */
     private static final class Deaf extends MajicAct {
         private static final long serialVersionUID = 1;
 
@@ -373,7 +373,7 @@ class ActRunTest implements TeamListener {
         assertThat(said).anyMatch(line -> line.startsWith("1 act: failed: connection lost"));
     }
 
-    /** Goes on whatever happens, a hundred times. */
+    /** Continues after every exception, a hundred times. */
     private static final class Stubborn extends MajicAct {
         private static final long serialVersionUID = 1;
 

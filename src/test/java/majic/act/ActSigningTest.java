@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A file that was signed names its signer, and is refused once anything in it was changed. */
+/** Tests that a signed file names its signer, and is refused after any change. */
 @Tag("jdk")
 @Timeout(60)
 class ActSigningTest {

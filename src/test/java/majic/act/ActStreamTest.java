@@ -34,7 +34,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The object stream of an act whose class MAJIC has loads as it is, with whatever plain values it holds. */
+/** Tests loading the object stream alone of an act whose class MAJIC has, with all kinds of plain values. */
 @Tag("jdk")
 @Timeout(30)
 class ActStreamTest {

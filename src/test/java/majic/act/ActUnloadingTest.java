@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** When an act has ended, nothing holds its classes. */
+/** Tests that the classes of an act are unloaded after its end. */
 @Tag("jdk")
 @Timeout(60)
 class ActUnloadingTest {

@@ -48,13 +48,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The shapes of the known deserialization attacks, in an act's field and alone: all refused, and nothing of them runs. */
+/**
+ * Tests that the forms of known deserialization attacks, in an act's field and alone, are refused and none of their
+ * code runs.
+ */
 @Tag("jdk")
 @Timeout(30)
 class HostileStreamsTest {
     private static final AtomicInteger RAN = new AtomicInteger();
 
-    /** Stands for the classes of libraries that do what a stream tells them to. */
+    /** Represents classes of libraries that run code chosen by a stream. */
     private static final class Gadget
             implements Serializable, InvocationHandler, Comparator<Object>, Comparable<Object> {
         private static final long serialVersionUID = 1;
@@ -94,7 +97,7 @@ class HostileStreamsTest {
         }
     }
 
-    /** A comparator that is a lambda travels as a SerializedLambda. */
+    /** A comparator that is a lambda is written as a SerializedLambda. */
     private interface SavedComparator extends Comparator<Object>, Serializable {}
 
     static Stream<Arguments> gadgets() throws Exception {

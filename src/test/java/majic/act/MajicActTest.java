@@ -23,7 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** An act commands its robot until it ends, and never afterwards. */
+/** Tests that an act can command its robot until it ends, and never afterwards. */
 @Timeout(30)
 class MajicActTest {
     private static final List<String> SAID = new CopyOnWriteArrayList<>();
@@ -47,7 +47,7 @@ class MajicActTest {
         team.close();
     }
 
-    /** Why something is refused. */
+    /** Returns the message of the exception. */
     private static String reason(Runnable refused) {
         try {
             refused.run();
@@ -102,7 +102,7 @@ class MajicActTest {
                 .hasMessage("an act is started with its robot");
     }
 
-    /** Drives a square, and goes on with its first side when it is cut short. */
+    /** Drives a square, and tries to repeat its first side after it was ended. */
     private static final class Square extends MajicAct {
         private static final long serialVersionUID = 1;
 
@@ -218,7 +218,7 @@ class MajicActTest {
         assertThat(SAID).containsExactly("cut short: true, robot: the act has ended");
     }
 
-    /** Swallows an interrupt, as many a library does. */
+    /** Swallows an interrupt, as many libraries do. */
     private static final class Swallowing extends MajicAct {
         private static final long serialVersionUID = 1;
 

@@ -5,11 +5,11 @@ import majic.act.file.ActTrust;
 import majic.act.file.Acts;
 import majic.bot.Settings;
 
-/** For sessions whose user has no behaviours of his own and has agreed to nothing. */
+/** Provides the behaviours for sessions without behaviours of the user and without consents. */
 public final class NoActs {
     private NoActs() {}
 
-    /** Those that come with MAJIC. */
+    /** Returns the behaviours that come with MAJIC. */
     public static Acts here() {
         return new Acts(Path.of("no", "such", "folder"), new ActTrust(Settings.inMemory()));
     }

@@ -34,7 +34,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever a file is that is taken for an act, it is refused in one sentence that begins with its name. */
+/** Tests that a file that is not an act is refused in one sentence that begins with its name. */
 @Tag("jdk")
 @Timeout(30)
 class OddFilesTest {
@@ -42,7 +42,7 @@ class OddFilesTest {
 
     private record Pair(int one, String other) implements Serializable {}
 
-    /** An act whose data does not come to its end. */
+    /** An act whose data is read without end. */
     private static final class Refusing extends MajicAct {
         private static final long serialVersionUID = 1;
 

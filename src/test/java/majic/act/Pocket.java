@@ -5,11 +5,11 @@ import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
 
-/** An act that MAJIC has the class of, and that has anything in its pocket. */
+/** An act whose class MAJIC has, with any object in a field. */
 class Pocket extends MajicAct {
     private static final long serialVersionUID = 1;
 
-    /** How a pocket is closed: an enum of the act's own. */
+    /** An enum that belongs to the act. */
     enum Button {
         OPEN,
         SHUT

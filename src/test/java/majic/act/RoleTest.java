@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What an act asks of a robot can be written, read and held against a robot. */
+/** Tests writing and reading the roles of an act and comparing them with a robot. */
 class RoleTest {
     private final MajicBot aibo =
             new FakeBot(new FakeType("aibo"), new BotEnvironment(TimeSource.system(), Settings.inMemory()));

@@ -10,7 +10,7 @@ import majic.act.file.Acts;
 import majic.act.make.ActMaker;
 import majic.bot.Settings;
 
-/** A user's act {@code Slow}, the check of which does not end before {@link #answer()}, as on a share that hangs. */
+/** Provides a user's act {@code Slow} whose check blocks until {@link #answer()}, as on a network share that hangs. */
 public final class SlowActs {
     private final Path folder;
     private final CountDownLatch asked = new CountDownLatch(1);
@@ -21,7 +21,7 @@ public final class SlowActs {
         this.folder = folder;
     }
 
-    /** Writes the act, whose code nobody has agreed to. */
+    /** Writes the act, without consent to its code. */
     public static SlowActs in(Path folder) throws IOException {
         Path source = Files.writeString(
                 folder.resolve("Slow.java"),

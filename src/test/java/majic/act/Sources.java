@@ -8,7 +8,7 @@ import majic.act.file.ActTrust;
 import majic.act.make.ActMaker;
 import majic.bot.Settings;
 
-/** Acts that are compiled while the tests run, so that this MAJIC has never seen their classes. */
+/** Compiles acts while the tests run, so that this MAJIC does not have their classes. */
 public final class Sources {
     /** Has a record, an enum whose constant has a body, a lambda and a helper beside it. */
     public static final String WANDER = """
@@ -61,12 +61,12 @@ public final class Sources {
         }
     }
 
-    /** An act file of a source; its class is called like it. */
+    /** Returns the act file of a source; the class has the same name. */
     public static byte[] act(Path folder, String name, String text) {
         return maker(folder, name, text).make(name, ActDetails.named(name));
     }
 
-    /** The trust of a user who agrees to a file. */
+    /** Returns a trust store with the consent to a file. */
     public static ActTrust trusting(ActFile file) {
         ActTrust trust = new ActTrust(Settings.inMemory());
         trust.agree(file);

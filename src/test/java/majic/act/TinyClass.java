@@ -4,13 +4,13 @@ import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 
-/** The shortest class files there are. */
+/** Makes minimal class files. */
 public final class TinyClass {
     private static final int PUBLIC_SUPER = 0x21;
 
     private TinyClass() {}
 
-    /** A class of a name and of a version, without anything in it. */
+    /** Returns an empty class with a name and a version. */
     public static byte[] of(String name, int major) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {

@@ -18,11 +18,11 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How many camera frames a second one core takes from the link's chunks to pictures' bytes.
+ * Measures how many camera frames a second one core converts from the connection's chunks to the pictures' bytes.
  *
- * <p>Read: frames a second; times {@code bytes} it is the stream at which the decoder keeps up. A dog sends about 30 a
- * second; a JPEG of 208 × 160 has about 5 KB (URBI sheet 12), the same picture raw 99,840 bytes, the largest blob here
- * 1 MB.
+ * <p>Result: frames a second; times {@code bytes} it is the largest data rate that the decoder can process. A dog sends
+ * about 30 a second; a JPEG of 208 × 160 has about 5 KB (URBI sheet 12), the same picture raw 99,840 bytes, the largest
+ * blob here 1 MB.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
@@ -33,14 +33,14 @@ import org.openjdk.jmh.annotations.Warmup;
 public class CameraBenchmark {
     private static final int CHUNK_BYTES = 4096;
 
-    /** Of one frame. */
+    /** The size of one frame, bytes. */
     @Param({"5347", "99840", "1000000"})
     public int bytes;
 
     private final UrbiDecoder decoder = new UrbiDecoder();
     private byte[][] chunks = {};
 
-    /** Makes one frame, cut as a reader gets it. */
+    /** Makes one frame, divided into chunks as a reader receives it. */
     @Setup
     public void cut() {
         byte[] header = ("[00011817:cam] BIN " + bytes + " jpeg 208 160 160\n").getBytes(StandardCharsets.ISO_8859_1);
@@ -54,7 +54,7 @@ public class CameraBenchmark {
         }
     }
 
-    /** From bytes to the picture's message. */
+    /** Measures from the bytes to the picture's message. */
     @Benchmark
     public List<UrbiMessage> decode() {
         List<UrbiMessage> found = List.of();

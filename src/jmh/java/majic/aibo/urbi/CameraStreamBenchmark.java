@@ -27,10 +27,10 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Camera frames a second that the driver takes from a peer on loopback that sends them as fast as they are taken, beside a
- * bare socket that reads the same bytes and does nothing with them.
+ * Measures how many camera frames a second the driver receives from a peer on loopback that sends at full speed,
+ * compared with a bare socket that reads the same bytes and discards them.
  *
- * <p>Read: frames a second; times {@code bytes} it is the stream at which the client keeps up.
+ * <p>Result: frames a second; times {@code bytes} it is the largest data rate that the client can process.
  */
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
@@ -40,17 +40,17 @@ import org.openjdk.jmh.annotations.Warmup;
 public class CameraStreamBenchmark {
     private static final int CONNECT_MS = 1000;
 
-    /** A peer that does nothing but send one frame again and again. */
+    /** A peer that only sends one frame repeatedly. */
     @State(Scope.Thread)
     public static class Camera {
-        /** Of one picture. */
+        /** The size of one picture, bytes. */
         @Param({"5347", "99840", "1000000"})
         public int bytes;
 
         private byte[] frame = {};
         private StandingRobot dog;
 
-        /** Begins to listen. */
+        /** Starts to listen. */
         @Setup
         public void open() throws IOException {
             byte[] header =
@@ -67,7 +67,7 @@ public class CameraStreamBenchmark {
             }
         }
 
-        /** Hangs up. */
+        /** Closes the connection. */
         @TearDown
         public void close() throws IOException {
             dog.close();
@@ -102,7 +102,7 @@ public class CameraStreamBenchmark {
             throw new IllegalStateException(why);
         }
 
-        /** What has arrived until then does not count for the next iteration. */
+        /** Discards frames that arrived before the next iteration. */
         @TearDown(Level.Iteration)
         public void close() {
             connection.leave();
@@ -111,7 +111,7 @@ public class CameraStreamBenchmark {
         }
     }
 
-    /** A socket. */
+    /** A bare socket. */
     @State(Scope.Thread)
     public static class Bare {
         private byte[] buffer = {};
@@ -124,20 +124,20 @@ public class CameraStreamBenchmark {
             socket = new Socket(InetAddress.getLoopbackAddress(), camera.dog.port());
         }
 
-        /** Hangs up. */
+        /** Closes the connection. */
         @TearDown(Level.Iteration)
         public void close() throws IOException {
             socket.close();
         }
     }
 
-    /** Up to the picture's message. */
+    /** Measures from the bytes to the picture's message. */
     @Benchmark
     public void client(Camera camera, Client client) throws InterruptedException {
         client.arrived.acquire();
     }
 
-    /** The least it can take. */
+    /** Measures the lower bound. */
     @Benchmark
     public int bareRead(Camera camera, Bare bare) throws IOException {
         InputStream in = bare.socket.getInputStream();

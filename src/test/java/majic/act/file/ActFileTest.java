@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A file brings the code of its act into a session that has never seen it, when the user agrees and not before. */
+/** Tests that a file brings the code of its act into a session that lacks it, and only after the user agrees. */
 @Tag("jdk")
 @Timeout(60)
 class ActFileTest {

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A jar is unpacked whole, or refused before it costs much. */
+/** Tests that a jar is unpacked completely, or refused before it uses much memory or time. */
 @Timeout(30)
 public class BoundedZipTest {
     private static final byte[] SOME = {1, 2, 3};

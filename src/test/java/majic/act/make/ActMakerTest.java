@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The maker takes a source, a class file, a folder or a jar, and says what is wrong with a class that will not do. */
+/** Tests making acts from a source, a class file, a folder or a jar, and the errors for unsuitable classes. */
 @Tag("jdk")
 @Timeout(60)
 class ActMakerTest {
@@ -175,7 +175,7 @@ class ActMakerTest {
                 .hasMessage("empty has no act: none of its classes extends MajicAct");
     }
 
-    /** Each class is called Act, and what stands here is all of it behind the imports. */
+    /** Tests sources of a class Act, given without the imports. */
     @ParameterizedTest(name = "{1}")
     @CsvSource(
             delimiter = '|',
@@ -194,7 +194,7 @@ class ActMakerTest {
         assertThatThrownBy(maker::onlyAct).isInstanceOf(ActException.class).hasMessageContaining(why);
     }
 
-    /** What stands here is the inside of a class Act. */
+    /** Tests bodies of a class Act. */
     @ParameterizedTest(name = "{1}")
     @CsvSource(
             delimiter = '|',
