@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
-/** The act maker on the command line says what it wrote, or in one sentence why it did not. */
+/** Tests that the act maker on the command line reports what it wrote, or in one sentence why it did not. */
 @Tag("jdk")
 @Timeout(60)
 class ActCommandTest {
@@ -101,7 +101,7 @@ class ActCommandTest {
     }
 
     @Test
-    void aSessionThatIsNoBehaviourSaysWhere() throws IOException {
+    void aSessionThatIsNoActIsRefusedWithThePlace() throws IOException {
         Path session = Files.writeString(folder.resolve("bad.majic"), "1 move 100\nquit\n");
         assertThat(run("from-session", session)).isEqualTo(Failures.FAILED);
         assertThat(err.toString()).contains("bad.majic:2:1: quit: is for a session");

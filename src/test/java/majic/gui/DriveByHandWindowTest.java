@@ -65,7 +65,7 @@ class DriveByHandWindowTest {
     }
 
     @Test
-    void aRobotThatCannotBeDrivenSaysWhyOnce() {
+    void theReasonWhyARobotCannotBeDrivenIsShownOnce() {
         window.team.stopAll();
         window.focus("drivePad1");
         window.hold(KeyEvent.VK_UP);

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class HelpTablesTest {
     @Test
-    void theCommandsShowEveryWordThatHelpKnows() {
+    void theCommandsShowEveryTopicOfHelp() {
         TableModel commands = HelpTables.file("commands", "Command", "What it does");
         String examples = String.join("\n", column(commands, 0)) + "\n" + String.join("\n", column(commands, 1));
 
@@ -41,7 +41,7 @@ class HelpTablesTest {
         assertThat(column(table, 1)).doesNotContainNull().noneMatch(String::isBlank);
     }
 
-    /** What the command line offers behind the word help. */
+    /** Returns the topics that the command line offers after the word help. */
     private static List<String> topics() {
         BotFactory factory = new BotFactory(List.of(), Settings.inMemory());
         try (Team team = new Team(TimeSource.system())) {

@@ -14,7 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A behaviour gets onto a robot by clicks, nothing happens before the last of them, and one click ends it. */
+/**
+ * Tests that an act is loaded onto a robot by clicks, that nothing happens before the last of them, and that one click
+ * ends it.
+ */
 @Tag("jdk")
 @Timeout(60)
 class LoadActWindowTest {
@@ -150,7 +153,7 @@ class LoadActWindowTest {
     }
 
     @Test
-    void whatItSaysStandsBesideItsName() throws IOException {
+    void itsMessageIsShownBesideItsName() throws IOException {
         own.spy();
         window.add("one");
         load("Spy");
@@ -182,7 +185,7 @@ class LoadActWindowTest {
     }
 
     @Test
-    void aFileWithoutABehaviourIsToldAndNothingIsChosen() throws IOException {
+    void aFileWithoutAnActIsReportedAndNothingIsChosen() throws IOException {
         window.add("one");
         chooseFromFile(Files.writeString(folder.resolve("bad.majic"), "me jump\nquit\n"));
         window.await("the mistakes", () -> window.text("actNote").contains("bad.majic:2:1"));
@@ -207,7 +210,7 @@ class LoadActWindowTest {
     }
 
     @Test
-    void aDamagedFileIsToldInASentenceAndCannotBeLoaded() throws IOException {
+    void aDamagedFileIsReportedInASentenceAndCannotBeLoaded() throws IOException {
         Files.writeString(folder.resolve("Broken.act"), "PK but not a jar");
         window.add("one");
         choose("Broken");
@@ -216,7 +219,7 @@ class LoadActWindowTest {
     }
 
     @Test
-    void aRobotItIsNotMadeForIsToldWhy() throws IOException {
+    void anUnsuitableRobotIsRefusedWithTheReason() throws IOException {
         own.script("Dogs", "add sim:aibo as 1", "1 move 100");
         window.add("one");
         choose("Dogs");

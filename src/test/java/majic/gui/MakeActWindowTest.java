@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The window makes what the act maker makes, and says in words why it cannot. */
+/** Tests that the window makes the same files as the act maker, and shows in words why it cannot. */
 @Tag("jdk")
 @Timeout(60)
 class MakeActWindowTest {
@@ -64,7 +64,7 @@ class MakeActWindowTest {
     }
 
     @Test
-    void whatIsNoActIsToldWhy() throws IOException {
+    void aFileThatIsNoActIsRefusedWithTheReason() throws IOException {
         window.write("makeFrom", own.source("Unfit", OwnActs.UNFIT).toString());
         window.await("why not", () -> window.text("makeOutcome").contains("has no act"));
         assertThat(window.text("makeOutcome")).doesNotContain("Exception");
@@ -72,7 +72,7 @@ class MakeActWindowTest {
     }
 
     @Test
-    void aScriptsMistakesAreToldWithTheirPlaces() throws IOException {
+    void errorsOfAScriptAreReportedWithTheirPlaces() throws IOException {
         Path script = Files.writeString(folder.resolve("bad.majic"), "me move 100\nme jump\nquit\n");
         window.write("makeFrom", script.toString());
         window.await("the mistakes", () -> window.text("makeOutcome").contains("bad.majic:3:1"));
@@ -91,7 +91,7 @@ class MakeActWindowTest {
     }
 
     @Test
-    void anErrorInAnActsOwnCodeIsToldAndLeavesTheWindowUsable() throws IOException {
+    void anErrorInAnActsOwnCodeIsReportedAndLeavesTheWindowUsable() throws IOException {
         String failing = "public class Failing extends majic.act.MajicAct {"
                 + " public java.util.List<majic.act.Role> roles() { throw new AssertionError(\"no idea\"); }"
                 + " protected void behave() {} }";

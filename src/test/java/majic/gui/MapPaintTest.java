@@ -80,7 +80,7 @@ class MapPaintTest {
     }
 
     @Test
-    void aRobotTellsWhoItIsAndAnyOtherPlaceWhereItLies() {
+    void theTipNamesARobotAndElseThePosition() {
         paint(scene(robot(new Pose(1000, 1000, 0), null)));
 
         assertThat(tip(1000, 1000)).isEqualTo("1 Toy: x 1000 mm, y 1000 mm, heading 0° on the map");

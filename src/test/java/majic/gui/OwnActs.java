@@ -11,12 +11,12 @@ import majic.act.make.ActMaker;
 import majic.bot.Settings;
 import majic.script.ScriptAct;
 
-/** The user's own behaviours of the window's tests. */
+/** The user's own acts in the window's tests. */
 final class OwnActs {
-    /** Set as soon as anything of the class {@code Spy} runs. */
+    /** System property that is set as soon as any code of the class {@code Spy} runs. */
     static final String FLAG = "majic.test.spy";
 
-    /** Nothing an act can be made of. */
+    /** A source from which no act can be made. */
     static final String UNFIT = "public class Unfit { }";
 
     static final String SPY = """
@@ -67,24 +67,24 @@ final class OwnActs {
         return new Acts(folder, trust);
     }
 
-    /** A script as an act, known by its name. */
+    /** Adds a script as an act with a name. */
     OwnActs script(String name, String... lines) throws IOException {
         ScriptAct act = new ScriptAct(name, String.join("\n", lines));
         Files.write(folder.resolve(name + ".act"), ActMaker.save(act, ActDetails.named(name)));
         return this;
     }
 
-    /** Moves on and on. */
+    /** Adds an act that moves without end. */
     OwnActs endless(String name, int mm) throws IOException {
         return script(name, "repeat", "me move " + mm, "wait 100ms", "end");
     }
 
-    /** An act with code; making it has loaded another copy of its class, which is forgotten. */
+    /** Adds an act with code; making it loads another copy of its class, which is discarded. */
     OwnActs spy() throws IOException {
         return spy("Spy");
     }
 
-    /** The same under another name. */
+    /** Adds the same act under another name. */
     OwnActs spy(String name) throws IOException {
         ActDetails details = new ActDetails(name, "1.0", "Mata Hari", "Looks around.");
         Files.write(
@@ -93,7 +93,7 @@ final class OwnActs {
         return this;
     }
 
-    /** An act with a role for as many as one likes, agreed to. */
+    /** Adds an act with a role for any number of robots; its code may run. */
     OwnActs convoy() throws IOException {
         byte[] file = ActMaker.from(source("Together", TOGETHER)).make("Together", ActDetails.named("Together"));
         Files.write(folder.resolve("Together.act"), file);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A behaviour that asks for further robots gets them from those that fit and are free. */
+/** Tests that an act with further roles gets suitable robots that are free. */
 @Tag("jdk")
 @Timeout(60)
 class RolesWindowTest {
@@ -56,7 +56,7 @@ class RolesWindowTest {
     }
 
     @Test
-    void whoCannotPlayAPartIsNotOfferedAndItIsSaidWhy() {
+    void anUnsuitableRobotIsNotOfferedAndTheReasonIsShown() {
         window.add("one");
         window.add("two");
         choose("WithDog");
@@ -104,7 +104,7 @@ class RolesWindowTest {
     }
 
     @Test
-    void whoRunsSomethingElseIsNotOffered() {
+    void aRobotThatRunsAnotherActIsNotOffered() {
         window.add("one");
         window.add("two");
         window.parser.parseText("2 act Relay with 1");

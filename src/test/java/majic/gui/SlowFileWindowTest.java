@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The window while a file that a typed line names is being checked. */
+/** Tests the window while a file that a typed line names is being checked. */
 @Tag("jdk")
 @Timeout(60)
 class SlowFileWindowTest {

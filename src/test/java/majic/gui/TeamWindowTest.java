@@ -21,7 +21,7 @@ class TeamWindowTest {
     }
 
     @Test
-    void killBotClosesTheRobotItsTabAndSaysSo() {
+    void killBotClosesTheRobotAndItsTabAndReportsIt() {
         ToyBot bot = window.add("one");
         window.click("Kill Bot");
         window.click("OK");
@@ -31,7 +31,7 @@ class TeamWindowTest {
     }
 
     @Test
-    void aRobotsTabShowsItsNumberAndTellsItsMake() {
+    void aRobotsTabShowsItsNumberAndItsMake() {
         window.add("one");
         JTabbedPane tabs = window.find("bots", JTabbedPane.class);
         assertThat(window.titles()).containsExactly("1");
@@ -41,14 +41,14 @@ class TeamWindowTest {
     }
 
     @Test
-    void aRobotsTabSaysWhereItIsAndWhatItDoes() {
+    void aRobotsTabShowsItsPoseAndItsState() {
         window.add("one").at(new Pose(120, -30, 45), true);
         window.await("its place", () -> window.text("pose1").equals("x 120 mm   y -30 mm   heading 45°"));
         assertThat(window.text("condition1")).isEqualTo("connected, moving");
     }
 
     @Test
-    void aRobotWithoutDisplaySaysSo() {
+    void aRobotWithoutDisplayHasATabThatStatesIt() {
         window.add("plain");
         window.await("the words", () -> window.isShowing("noDisplay"));
     }
@@ -74,7 +74,7 @@ class TeamWindowTest {
     }
 
     @Test
-    void killBotWithoutRobotsSaysThatThereAreNone() {
+    void killBotWithoutRobotsReportsThatThereAreNone() {
         window.click("Kill Bot");
         window.awaitMessage("There are no robots yet");
     }

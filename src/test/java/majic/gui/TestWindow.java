@@ -38,8 +38,8 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JFileChooserFixture;
 
 /**
- * A real window with toys for robots, and fingers to use it. The only class that knows the library for window tests.
- * Without a display it cannot be opened, and the test fails. Touching Swing off its thread fails the test too.
+ * Opens a real window with toy robots, and operates it. The only class that uses the library for window tests. Without
+ * a display it cannot be opened, and the test fails. Using Swing off its thread fails the test too.
  */
 public final class TestWindow implements AutoCloseable {
     private static final int PATIENCE_S = 30;
@@ -69,7 +69,7 @@ public final class TestWindow implements AutoCloseable {
         return new TestWindow(NoActs.here());
     }
 
-    /** With behaviours of the user's own. */
+    /** Opens a window with the user's own acts. */
     static TestWindow open(Acts acts) {
         return new TestWindow(acts);
     }
@@ -105,7 +105,7 @@ public final class TestWindow implements AutoCloseable {
         return robot.finder().findByName(name, kind, false);
     }
 
-    /** A component that has to come up first. */
+    /** Waits until a component is shown, and returns it. */
     <T extends Component> T awaitShowing(String name, Class<T> kind) {
         await(
                 name + " to show",
@@ -127,7 +127,7 @@ public final class TestWindow implements AutoCloseable {
                 .isEmpty();
     }
 
-    /** Whether the keys go to a window. */
+    /** Returns whether a window has the keyboard focus. */
     boolean hasKeys(String name) {
         Window focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
         return focused != null && name.equals(focused.getName());
@@ -147,7 +147,7 @@ public final class TestWindow implements AutoCloseable {
         robot.focusAndWaitForFocusGain(find(name, Component.class));
     }
 
-    /** Types into whatever has the focus. */
+    /** Types into the component that has the focus. */
     public void type(String text) {
         robot.enterText(text);
         robot.waitForIdle();
@@ -193,19 +193,19 @@ public final class TestWindow implements AutoCloseable {
         robot.waitForIdle();
     }
 
-    /** Presses a button without the mouse, where it may still be on its way to another place. */
+    /** Presses a button without the mouse, which may still be moving to another place. */
     void push(String name) {
         AbstractButton button = awaitShowing(name, AbstractButton.class);
         run(button::doClick);
     }
 
-    /** Does something on the event dispatch thread. */
+    /** Runs an action on the event dispatch thread. */
     void run(Runnable action) {
         GuiActionRunner.execute(action::run);
         robot.waitForIdle();
     }
 
-    /** Selects in a list what reads so, once it is there. */
+    /** Selects the item with this text in a list, once the list contains it. */
     void select(String list, String item) {
         ListModel<?> model = awaitShowing(list, JList.class).getModel();
         await(item + " in the list", () -> indexOf(model, item) >= 0);
@@ -227,7 +227,7 @@ public final class TestWindow implements AutoCloseable {
         });
     }
 
-    /** Picks a file in the file chooser that is to come up, and presses its button. */
+    /** Chooses a file in the file chooser once it is shown, and presses its button. */
     void chooseFile(Path file) {
         JFileChooserFixture chooser = new JFileChooserFixture(robot, awaitShowing("files", JFileChooser.class));
         chooser.fileNameTextBox().setText(file.toString());

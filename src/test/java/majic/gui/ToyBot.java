@@ -19,7 +19,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
-/** A robot of the window's tests: writes down what it is told. */
+/** A robot of the window's tests; records the commands it gets. */
 public final class ToyBot extends MajicBot {
     static final double CRUISE = 200;
     static final double CRUISE_TURN = 40;
@@ -58,7 +58,7 @@ public final class ToyBot extends MajicBot {
         throw new BotException("closed while connecting");
     }
 
-    /** The robot says where it is. */
+    /** Reports a pose. */
     public void at(Pose pose, boolean moving) {
         publish(new BotState(pose, moving ? CRUISE : 0, 0, moving, time().nanos()));
     }

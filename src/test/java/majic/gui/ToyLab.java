@@ -8,7 +8,7 @@ import majic.bot.Pose;
 import majic.lab.LabAccess;
 import majic.time.TimeSource;
 
-/** A lab with one toy in a square room, which can be put anywhere. */
+/** A lab with one toy in a square room, which can be placed anywhere. */
 public final class ToyLab implements LabAccess {
     public static final Pose FIRST_PLACE = new Pose(1000, 500, 90);
 

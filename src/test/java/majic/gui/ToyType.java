@@ -6,7 +6,7 @@ import majic.bot.BotEnvironment;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 
-/** The make of the robots in the window's tests. */
+/** The type of the robots in the window's tests. */
 public final class ToyType implements BotType {
     public final List<ToyBot> made = new CopyOnWriteArrayList<>();
     private final List<Reach> reaches;

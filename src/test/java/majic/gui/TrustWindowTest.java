@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Nothing of an act's code is loaded before the person has seen what it brings and has agreed. */
+/** Tests that nothing of an act's code is loaded before its contents are shown and the user has agreed. */
 @Tag("jdk")
 @Timeout(60)
 class TrustWindowTest {

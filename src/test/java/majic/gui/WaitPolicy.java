@@ -5,7 +5,7 @@ import org.assertj.swing.timing.Condition;
 import org.assertj.swing.timing.Pause;
 import org.assertj.swing.timing.Timeout;
 
-/** Waits for what a window shows. */
+/** Waits for the content of a window. */
 public final class WaitPolicy {
     private WaitPolicy() {}
 
@@ -13,7 +13,7 @@ public final class WaitPolicy {
      * Waits for something to become true, and fails if it does not.
      *
      * @param what names it in the failure
-     * @param condition asked again and again, on the calling thread
+     * @param condition evaluated repeatedly, on the calling thread
      * @param seconds how long to wait
      */
     public static void await(String what, BooleanSupplier condition, int seconds) {

@@ -11,7 +11,7 @@ import majic.bot.Value;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The parameter log is a table of comma-separated values. */
+/** Tests that the parameter log is a table of comma-separated values. */
 class ParameterLogTest {
     @TempDir
     Path folder;

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The session log holds every line with its time. */
+/** Tests that the session log holds every line with its time. */
 @Timeout(30)
 class SessionLogTest {
     private static final Clock NOON = Clock.fixed(Instant.parse("2007-09-01T12:00:00.250Z"), ZoneOffset.UTC);
@@ -79,7 +79,7 @@ class SessionLogTest {
         }
     }
 
-    /** A file on a disk that takes a part of what does not fit, as disks do. */
+    /** A file on a full disk, which accepts only a part of what is written. */
     private static final class SmallDisk implements SeekableByteChannel {
         private final SeekableByteChannel file;
         private volatile long room;

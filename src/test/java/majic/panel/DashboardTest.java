@@ -41,19 +41,19 @@ class DashboardTest {
         return new LightsPanel("something is on", lights);
     }
 
-    /** A view beside which stand a picture and controls. */
+    /** Creates a view with a picture and controls beside it. */
     private void camera() {
         arrange(new Dashboard(view, 0.38, List.of(Aside.shaped(picture), Aside.of(controls)), readings));
         List.of(view, picture, controls, readings).forEach(parent::add);
     }
 
-    /** A square view beside which stand lights and a map. */
+    /** Creates a square view with lights and a map beside it. */
     private void square() {
         arrange(new Dashboard(view, 1, List.of(Aside.of(lights), Aside.stretched(map)), readings).under(banner));
         List.of(view, lights, map, readings, banner).forEach(parent::add);
     }
 
-    /** A view of any shape beside which stand controls and lights. */
+    /** Creates a view of any shape with controls and lights beside it. */
     private void wide() {
         arrange(new Dashboard(view, 0, List.of(Aside.of(controls), Aside.of(lights)), readings));
         List.of(view, controls, lights, readings).forEach(parent::add);
@@ -143,7 +143,7 @@ class DashboardTest {
     }
 
     @Test
-    void theBannerTakesItsRoomOnlyWhileItSaysSomething() {
+    void theBannerTakesSpaceOnlyWhileItShowsAMessage() {
         square();
         layOut(900, 560);
         int quiet = view.getY();

@@ -12,12 +12,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What is drawn with the look's colours can be made out, in the light look and in the dark one. */
+/** Tests that drawings in the colours of the look and feel are readable, in the light look and in the dark one. */
 class InkTest {
-    /** WCAG 2.1, success criterion 1.4.3, for text. */
+    /** WCAG 2.1, success criterion 1.4.3: minimum contrast of text. */
     private static final double TEXT = 4.5;
 
-    /** WCAG 2.1, success criterion 1.4.11, for what is not text. */
+    /** WCAG 2.1, success criterion 1.4.11: minimum contrast of graphics. */
     private static final double SHAPES = 3;
 
     static Stream<FlatLaf> looks() {
@@ -54,7 +54,7 @@ class InkTest {
         return ink[0];
     }
 
-    /** WCAG 2.1, contrast ratio: 1 to 21. */
+    /** Returns the contrast ratio of WCAG 2.1: 1 to 21. */
     private static double contrast(Color one, Color other) {
         double a = luminance(one) + 0.05;
         double b = luminance(other) + 0.05;

@@ -39,7 +39,7 @@ class NewsPanelWindowTest {
     }
 
     @Test
-    void aPanelThatLeftTheWindowHearsNothing() throws Exception {
+    void aPanelOutsideAWindowDoesNotListen() throws Exception {
         SwingUtilities.invokeAndWait(() -> {
             frame = new JFrame();
             frame.add(panel);

@@ -24,7 +24,7 @@ class ReachSliderTest {
     }
 
     @Test
-    void aDragIsAWishForEachPlaceAndTheLastIsTold() {
+    void aDragChoosesEachPlaceAndMarksTheLast() {
         slider.slider().setValueIsAdjusting(true);
         slider.slider().setValue(-10);
         slider.slider().setValue(-30);

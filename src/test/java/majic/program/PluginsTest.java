@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Robots of other makes, dropped into the plug-ins folder as jars. */
+/** Tests robot types in jars in the plug-ins folder. */
 @Tag("jdk")
 @Timeout(30)
 class PluginsTest {

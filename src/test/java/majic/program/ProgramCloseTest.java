@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The end of the program, asked for from two sides at once: Ctrl-C while "quit" is being obeyed. */
+/** Tests the end of the program when it is requested twice at once: Ctrl-C while "quit" is being carried out. */
 @Tag("jdk")
 @Timeout(20)
 class ProgramCloseTest {

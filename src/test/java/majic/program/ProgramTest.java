@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The program as users start it: a process with arguments, input, output and an exit status. */
+/** Tests the program as users start it: a process with arguments, input, output and an exit status. */
 @Tag("jdk")
 @Timeout(120)
 class ProgramTest {
@@ -132,7 +132,7 @@ class ProgramTest {
     }
 
     @Test
-    void versionAndHelpAreTold() throws Exception {
+    void versionAndHelpArePrinted() throws Exception {
         assertThat(talk(start("--version"), "")).contains("MAJIC");
         assertThat(talk(start("--help"), "")).contains("--lab", "--console", "--listen", "run", "lab");
     }

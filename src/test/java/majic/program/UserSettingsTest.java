@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a user wants remembered outlives a file that is damaged or cannot be read. */
+/** Tests that the user's settings survive a file that is damaged or cannot be read. */
 class UserSettingsTest {
     private static final String GOOD = "aibo.10.0.0.5.forward=9.5\nact.trusted=abc\n";
 
@@ -47,7 +47,7 @@ class UserSettingsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"bad=\\u00zz\n", "bad=\u00FF\n"})
-    void aDamagedFileIsKeptAsideAndToldAndNeverWrittenOver(String damage) throws IOException {
+    void aDamagedFileIsKeptAsideAndReportedAndNeverOverwritten(String damage) throws IOException {
         byte[] damaged = (GOOD + damage).getBytes(StandardCharsets.ISO_8859_1);
         Files.write(file, damaged);
         UserSettings settings = settings();
@@ -92,7 +92,7 @@ class UserSettingsTest {
     }
 
     @Test
-    void whatIsWrongIsToldToTheFirstThatListens() throws IOException {
+    void errorsAreReportedToTheFirstListener() throws IOException {
         Files.writeString(file, "bad=\\u00zz\n");
         UserSettings settings = new UserSettings(file);
         settings.get("look");

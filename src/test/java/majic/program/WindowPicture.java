@@ -12,11 +12,14 @@ import javax.swing.JFrame;
 import javax.swing.RootPaneContainer;
 import javax.swing.SwingUtilities;
 
-/** A picture of a window and the dialogs before it, painted by the components themselves: the same on every display. */
+/**
+ * Saves a picture of a window and the dialogs before it, painted by the components themselves: the same on every
+ * display.
+ */
 public final class WindowPicture {
     private WindowPicture() {}
 
-    /** Paints and saves; called off the event dispatch thread. */
+    /** Paints and saves; must be called off the event dispatch thread. */
     public static void save(JFrame frame, Path file) throws Exception {
         BufferedImage image = new BufferedImage(frame.getWidth(), frame.getHeight(), BufferedImage.TYPE_INT_RGB);
         SwingUtilities.invokeAndWait(() -> paint(frame, image));

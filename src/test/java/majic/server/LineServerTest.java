@@ -70,7 +70,7 @@ class LineServerTest {
         team.close();
     }
 
-    /** A program at the other end. */
+    /** A client of the server. */
     private final class Client {
         private final Socket socket;
         private final BufferedReader answers;
@@ -129,7 +129,7 @@ class LineServerTest {
     }
 
     @Test
-    void aProgramSaysALineAndGetsItsAnswer() throws IOException {
+    void aProgramSendsALineAndGetsItsAnswer() throws IOException {
         assertThat(client().say("1 move 30").await("1 move 30")).startsWith("1 move 30: done (30 mm");
     }
 
@@ -141,7 +141,7 @@ class LineServerTest {
     }
 
     @Test
-    void whoEndsItsInputStillHearsTheLastAnswer() throws IOException {
+    void aClientThatEndsItsInputStillGetsTheLastAnswer() throws IOException {
         assertThat(client().say("1 move 30", "1 get x").all()).last().isEqualTo("1 x = 30 mm");
     }
 
@@ -215,7 +215,7 @@ class LineServerTest {
     }
 
     @Test
-    void whatConcernsAllIsToldToAll() throws IOException {
+    void linesThatConcernAllAreSentToAll() throws IOException {
         Client other = client().say("bots");
         other.next();
         client().say("stop");
@@ -248,7 +248,7 @@ class LineServerTest {
     }
 
     @Test
-    void oneClientTooManyIsToldAndTheNextOneTakesAFreePlace() throws IOException {
+    void oneClientTooManyIsRefusedAndTheNextOneTakesAFreePlace() throws IOException {
         for (int count = 0; count < LineServer.MOST_CLIENTS; count++) {
             client().say("bots").next();
         }
@@ -321,7 +321,7 @@ class LineServerTest {
     }
 
     @Test
-    void onlyThisMachineMayCommandTheRobots() {
+    void onlyThisComputerMayCommandTheRobots() {
         assertThatThrownBy(() -> LineServer.open(new InetSocketAddress("0.0.0.0", 0), session, null))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("127.0.0.1");

@@ -167,7 +167,7 @@ class LabClockTest {
     }
 
     @Test
-    void aClockThatStandsStillSaysWhatHoldsIt() {
+    void aClockThatDoesNotAdvanceReportsWhatDelaysIt() {
         CountDownLatch testIsOver = new CountDownLatch(1);
         clock.thread("stuck", () -> {
                     try {

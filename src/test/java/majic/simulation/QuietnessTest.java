@@ -8,7 +8,7 @@ import majic.link.Traffic;
 import majicsim.net.LineCount;
 import org.junit.jupiter.api.Test;
 
-/** When nothing is under way between the drivers and the robots. */
+/** Tests when no byte is in transit between the drivers and the robots. */
 class QuietnessTest {
     private static final String DOG = "127.0.0.1:54000";
     private static final String PIONEER = "127.0.0.1:8101";

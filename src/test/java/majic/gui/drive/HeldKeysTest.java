@@ -28,7 +28,7 @@ class HeldKeysTest {
     }
 
     @Test
-    void aKeyWhoseReleaseGotLostIsNotHeldForEver() {
+    void aKeyWithALostReleaseIsNotHeldForEver() {
         keys.press(AHEAD, 0);
         assertThat(keys.held(HeldKeys.SILENCE_MS - 1)).containsExactly(AHEAD);
         assertThat(keys.held(HeldKeys.SILENCE_MS)).isEmpty();

@@ -9,7 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
 
-/** Notes every change of a component by a thread that may not change it. */
+/** Records every change of a component by a thread that may not change it. */
 public final class EdtGuard extends RepaintManager {
     private final List<String> violations = new CopyOnWriteArrayList<>();
     private final RepaintManager before = RepaintManager.currentManager(null);
@@ -32,7 +32,7 @@ public final class EdtGuard extends RepaintManager {
         super.addDirtyRegion(component, x, y, width, height);
     }
 
-    /** Ends watching, and fails if something was found. */
+    /** Ends recording, and fails if anything was recorded. */
     public void checkAndRemove() {
         RepaintManager.setCurrentManager(before);
         assertThat(violations).isEmpty();
@@ -48,7 +48,10 @@ public final class EdtGuard extends RepaintManager {
         }
     }
 
-    /** Swing allows repaint() from everywhere, but not what itself calls repaint(). */
+    /**
+     * Returns whether Swing itself called repaint(): that is allowed on every thread, the changes that cause it are
+     * not.
+     */
     private static boolean isRepaintByOurselves(List<StackTraceElement> stack) {
         int caller = 0;
         for (int index = 0; index < stack.size(); index++) {

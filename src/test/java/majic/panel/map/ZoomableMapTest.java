@@ -29,7 +29,7 @@ class ZoomableMapTest {
     }
 
     @Test
-    void theRobotStaysInTheMiddleUntilSomebodyDragsTheFloor() {
+    void theRobotStaysInTheMiddleUntilTheFloorIsDragged() {
         floor.pose = new Pose(5000, 1000, 0);
         assertThat(map.view().xMm()).isEqualTo(5000);
 
@@ -81,7 +81,7 @@ class ZoomableMapTest {
     }
 
     @Test
-    void theButtonsShowWhoDecidesWhatIsSeen() {
+    void theButtonsShowTheModeOfTheView() {
         assertThat(button("map follow").isSelected()).isTrue();
         key("LEFT");
         assertThat(button("map follow").isSelected()).isFalse();
@@ -94,7 +94,7 @@ class ZoomableMapTest {
     }
 
     @Test
-    void everyButtonSaysWhatItDoes() {
+    void everyButtonHasATip() {
         assertThat(buttons()).hasSize(6).allSatisfy(button -> {
             assertThat(button.getToolTipText()).isNotBlank();
             assertThat(button.getAccessibleContext().getAccessibleName()).isNotBlank();
@@ -148,7 +148,7 @@ class ZoomableMapTest {
                 .toArray(AbstractButton[]::new);
     }
 
-    /** Twenty metres by fifteen, its middle 10 m ahead. */
+    /** A floor of twenty metres by fifteen, its middle 10 m ahead. */
     private static final class Floor implements RobotContent {
         private Pose pose = Pose.START;
         private boolean cleared;
