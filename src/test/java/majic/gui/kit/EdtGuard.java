@@ -49,8 +49,8 @@ public final class EdtGuard extends RepaintManager {
     }
 
     /**
-     * Returns whether Swing itself called repaint(): that is allowed on every thread, the changes that cause it are
-     * not.
+     * Returns whether MAJIC's own code called repaint(), which Swing allows on every thread; a call by Swing itself
+     * results from a change that it does not allow.
      */
     private static boolean isRepaintByOurselves(List<StackTraceElement> stack) {
         int caller = 0;
