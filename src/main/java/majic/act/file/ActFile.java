@@ -47,7 +47,7 @@ public final class ActFile {
      * Reads a file, to show its contents. None of its code is loaded.
      *
      * @param file the file
-     * @return what it says of itself
+     * @return the checked file
      * @throws ActException if it cannot be read, or is not an act that this MAJIC can load
      */
     public static ActFile read(Path file) {
@@ -65,7 +65,7 @@ public final class ActFile {
      *
      * @param label the file's name in errors
      * @param bytes the whole file
-     * @return what it says of itself
+     * @return the checked file
      * @throws ActException if it is not an act that this MAJIC can load
      */
     public static ActFile of(String label, byte[] bytes) {
