@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;

@@ -1,6 +1,6 @@
 /**
- * The clock that drivers, teams, scripts and acts wait and measure by: the clock of the system, or the one of a
- * simulated lab.
+ * The clock that drivers, teams, scripts and acts wait and measure by, of the system or of a simulated lab; which threads
+ * may wait; and events that are delivered in order.
  */
 @NullMarked
 package majic.time;

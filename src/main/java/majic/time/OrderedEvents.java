@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.time;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -37,17 +37,22 @@ public final class OrderedEvents {
         }
     }
 
-    synchronized boolean isEmpty() {
+    /**
+     * Tells whether everything that was put has been delivered or is being delivered.
+     *
+     * @return false while an event waits
+     */
+    public synchronized boolean isEmpty() {
         return undelivered.isEmpty();
     }
 
     /** Whether there is something to deliver that no thread delivers already. */
-    synchronized boolean areDue() {
+    public synchronized boolean areDue() {
         return delivering == null && !undelivered.isEmpty();
     }
 
     /** Whether an event was delivered, or is to be by this very thread as soon as the present one has been. */
-    synchronized boolean isDelivered(long number) {
+    public synchronized boolean isDelivered(long number) {
         return delivered >= number || delivering == Thread.currentThread();
     }
 
