@@ -15,8 +15,8 @@ import org.jspecify.annotations.Nullable;
  * @param moves whether it moves the robot or may do so, as a raw command may; it then needs the robot to be free
  * @param help one line for people
  * @param action what it does
- * @param raw whether it passes the person's own words to the robot, past what MAJIC knows of it; behaviours written in
- *     MAJIC Script may not
+ * @param raw whether it passes the user's text to the robot unchecked by MAJIC; not allowed in behaviours written in
+ *     MAJIC Script
  */
 public record BotCommand(
         String name,
@@ -31,7 +31,7 @@ public record BotCommand(
     @FunctionalInterface
     public interface Action {
         /**
-         * Runs the command, on the thread of whoever asked for it.
+         * Runs the command, on the calling thread.
          *
          * @param arguments the checked arguments, in order
          * @param motion through which everything that moves is to be sent
@@ -81,7 +81,7 @@ public record BotCommand(
     }
 
     /**
-     * This command, told to be raw.
+     * This command, marked as raw.
      *
      * @return the same otherwise
      */

@@ -3,8 +3,9 @@ package majic.bot;
 import java.util.List;
 
 /**
- * What anyone may do with a robot. Distances are millimetres, ahead positive; angles degrees, counterclockwise positive.
- * Thread-safe; all methods but {@link #drive} and {@link #stop} may wait for the robot, none of them without end.
+ * What anyone may do with a robot. Distances are millimetres, ahead positive; angles degrees, counterclockwise
+ * positive. Thread-safe; all methods but {@link #drive} and {@link #stop} may wait for the robot, none of them without
+ * end.
  *
  * <p>What is thrown is always a {@link BotException}: {@link MotionStopped} when a stop came between, {@link LinkLost}
  * when the connection is gone, {@link MotionFailed} when the robot gave up, {@link ParameterException} when a name or
@@ -19,7 +20,7 @@ public interface BotControl {
     String name();
 
     /**
-     * Drives straight and returns when the robot stands again.
+     * Drives straight and returns when the robot is stationary again.
      *
      * @param mm how far, ahead positive; at most the parameter {@code maxMove} either way
      * @param until ends the motion early
@@ -28,7 +29,7 @@ public interface BotControl {
     MotionReport move(double mm, Guard until);
 
     /**
-     * Turns on the spot and returns when the robot stands again.
+     * Turns on the spot and returns when the robot is stationary again.
      *
      * @param degrees how far, counterclockwise positive; more than a full turn goes all the way round
      * @param until ends the motion early
@@ -37,7 +38,7 @@ public interface BotControl {
     MotionReport turn(double degrees, Guard until);
 
     /**
-     * Drives a curve for a time and returns when the robot stands again.
+     * Drives a curve for a time and returns when the robot is stationary again.
      *
      * @param mmPerSec speed, ahead positive
      * @param degPerSec turn rate, counterclockwise positive
@@ -48,8 +49,8 @@ public interface BotControl {
     MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until);
 
     /**
-     * Drives a curve from now on and returns at once. Unless it is called again within 600 ms the robot is told to
-     * stand.
+     * Drives a curve from now on and returns at once. Unless it is called again within 600 ms, a stop is sent
+     * to the robot.
      *
      * @param mmPerSec speed, ahead positive
      * @param degPerSec turn rate, counterclockwise positive

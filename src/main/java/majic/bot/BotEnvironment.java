@@ -5,12 +5,12 @@ import majic.time.TimeSource;
 /**
  * What a robot class needs from around it. Immutable.
  *
- * @param time the clock it lives by
- * @param settings what the user wants remembered
+ * @param time the clock for all its waits and measurements
+ * @param settings the settings kept between program starts
  */
 public record BotEnvironment(TimeSource time, Settings settings) {
     /**
-     * For a program that just wants a robot: the system's clock, nothing remembered.
+     * For a program that uses a robot directly: the system's clock, no settings kept.
      *
      * @return a new environment
      */

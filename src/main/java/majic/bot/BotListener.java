@@ -1,15 +1,16 @@
 package majic.bot;
 
 /**
- * Is called with news of a robot: one event after the other, on the robot's listener thread or on a thread that commands
- * it. A listener that blocks holds up the robot's other listeners and perhaps the command that caused the event, but no
- * stop and nothing the robot reports. Asking the robot for what it does not report by itself may give {@code unknown}.
+ * Is called with news of a robot: one event after the other, on the robot's listener thread or on a thread that
+ * commands it. A listener that blocks holds up the robot's other listeners and perhaps the command that caused the
+ * event, but no stop and nothing the robot reports. Asking the robot for what it does not report by itself may give
+ * {@code unknown}.
  */
 public interface BotListener {
     /**
-     * New readings arrived. Of several that come faster than they are taken, the newest is told.
+     * New readings arrived. If several arrive before the listener is called, only the newest is delivered.
      *
-     * @param bot whose
+     * @param bot the robot
      * @param state what it shares with all robots; ask the robot for the rest
      */
     default void stateChanged(MajicBot bot, BotState state) {}
@@ -17,7 +18,7 @@ public interface BotListener {
     /**
      * The connection changed.
      *
-     * @param bot whose
+     * @param bot the robot
      * @param connection what it is now
      */
     default void connectionChanged(MajicBot bot, MajicBot.Connection connection) {}

@@ -8,10 +8,10 @@ package majic.bot;
  * @param turn the rates it can turn at, deg/s, both signs
  * @param slowestMmPerSec the least that {@code cruise} may be set to
  * @param slowestTurnDegPerSec the least that {@code cruiseTurn} may be set to
- * @param cruiseMmPerSec how fast {@code move} goes unless told otherwise: a careful choice
- * @param cruiseTurnDegPerSec how fast {@code turn} goes unless told otherwise
+ * @param cruiseMmPerSec how fast {@code move} goes unless set otherwise: a conservative value
+ * @param cruiseTurnDegPerSec how fast {@code turn} goes unless set otherwise
  * @param nearMm what counts as close for it
- * @param estimates whether its pose is only dead reckoning from what it was told, for want of odometry
+ * @param estimates whether its pose is only dead reckoning from the commands sent, because it has no odometry
  */
 public record BotProfile(
         double bodyMm,
@@ -31,8 +31,8 @@ public record BotProfile(
      * @param bodyMm radius of a circle it fits in
      * @param speed the speeds it can go, mm/s
      * @param turn the rates it can turn at, deg/s
-     * @param cruiseMmPerSec how fast {@code move} goes unless told otherwise
-     * @param cruiseTurnDegPerSec how fast {@code turn} goes unless told otherwise
+     * @param cruiseMmPerSec how fast {@code move} goes unless set otherwise
+     * @param cruiseTurnDegPerSec how fast {@code turn} goes unless set otherwise
      * @param nearMm what counts as close for it
      * @param estimates whether its pose is only dead reckoning
      */

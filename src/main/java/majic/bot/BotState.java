@@ -8,8 +8,8 @@ import majic.time.TimeSource;
  * @param pose where it is, from where it was added
  * @param speedMmPerSec ahead positive
  * @param turnRateDegPerSec counterclockwise positive
- * @param moving whether it moves or is told to
- * @param atNanos when the robot said so, on its {@link TimeSource}
+ * @param moving whether it moves or has been commanded to
+ * @param atNanos when the robot reported it, on its {@link TimeSource}
  */
 public record BotState(Pose pose, double speedMmPerSec, double turnRateDegPerSec, boolean moving, long atNanos) {
     /** Before the first word of a robot. */

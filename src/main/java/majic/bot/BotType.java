@@ -59,12 +59,12 @@ public interface BotType {
      *     {@code tcp://host:4001}
      * @param environment the clock and settings to use
      * @return the driver, not connected
-     * @throws BotException if the address is none; the message says what one looks like
+     * @throws BotException if the address is invalid; the message shows a valid one
      */
     MajicBot create(String address, BotEnvironment environment);
 
     /**
-     * What to try when nothing answers, for people who stand beside the robot.
+     * What to try when nothing answers, for users next to the robot.
      *
      * @return one or two sentences
      */

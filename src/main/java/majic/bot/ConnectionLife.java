@@ -6,7 +6,7 @@ import majic.bot.MajicBot.Connection;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How the connection of one robot comes and goes. Thread-safe.
+ * The connection state of one robot. Thread-safe.
  */
 final class ConnectionLife {
     private final Consumer<Connection> changed;
@@ -14,9 +14,10 @@ final class ConnectionLife {
     private volatile @Nullable LinkLost lostBecause;
 
     /**
-     * A robot's that nobody has connected yet.
+     * The connection of a robot that has not been connected yet.
      *
-     * @param changed takes note of each change, in their order; called with a lock held, so it must notify nothing itself
+     * @param changed takes note of each change, in their order; called with a lock held, so it must notify nothing
+     *     itself
      */
     ConnectionLife(Consumer<Connection> changed) {
         this.changed = changed;
@@ -58,7 +59,7 @@ final class ConnectionLife {
     }
 
     /**
-     * Takes note that the link broke.
+     * Records that the connection was lost.
      *
      * @param cause how
      * @param first done before anybody can connect again
@@ -75,7 +76,7 @@ final class ConnectionLife {
     }
 
     /**
-     * Ends it for good. Listeners are told of it by the caller, after the robot was stopped.
+     * Ends it for good. The caller notifies the listeners after the robot was stopped.
      *
      * @param first done before it counts as closed, unless it does already
      * @return what it was before

@@ -9,16 +9,16 @@ public interface Guard {
     Guard NEVER = () -> false;
 
     /**
-     * Looks whether the motion has gone far enough. Called by the driver on the thread of the motion, as often as
+     * Checks whether the motion is to end. Called by the driver on the thread of the motion, as often as
      * readings arrive.
      *
      * @return whether the motion is to end now
-     * @throws BotException if it cannot be told, for instance because a reading is missing; the motion then fails
+     * @throws BotException if it cannot be evaluated, for instance because a reading is missing; the motion then fails
      */
     boolean reached();
 
     /**
-     * The other robots whose readings count as well; each new reading of them makes the driver look again.
+     * The other robots whose readings count as well; each new reading of them makes the driver check the guard again.
      *
      * @return none unless overridden
      */

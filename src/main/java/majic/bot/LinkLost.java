@@ -1,6 +1,8 @@
 package majic.bot;
 
-/** The connection to a robot broke. What the robot does meanwhile, its page says; nothing resumes by itself. */
+/**
+ * The connection to a robot broke. The robot's page describes what the robot does meanwhile; nothing resumes by itself.
+ */
 public class LinkLost extends BotException {
     private static final long serialVersionUID = 1;
 

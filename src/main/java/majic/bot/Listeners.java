@@ -15,15 +15,18 @@ import majic.time.WaitPolicy;
 
 /**
  * The listeners of one robot; one that fails does not keep the others from being called. Events are delivered in their
- * order. A thread that must not wait, such as a reader or one that holds a command lock, hands its events over to a
- * thread of their own, so a listener that blocks holds up no byte to or from the robot. Notices given while there is no
+ * order. A thread that must not wait, such as a reader or one that holds a command lock, passes its events to a
+ * separate thread, so a listener that blocks delays no byte to or from the robot. Notices given while there is no
  * listener, as during connecting, are kept for the first. Thread-safe.
  */
 final class Listeners {
     private static final Logger LOG = System.getLogger(Listeners.class.getName());
     private static final int MOST_KEPT = 10;
 
-    /** How long a thread that may wait gives another one to deliver its notice, seconds; longer only if a listener blocks. */
+    /**
+     * How long a thread that may wait gives another one to deliver its notice, seconds; longer only if a listener
+     * blocks.
+     */
     private static final double NOTICE_S = 0.1;
 
     private final MajicBot bot;
@@ -80,7 +83,7 @@ final class Listeners {
         all.remove(listener);
     }
 
-    /** Passes on what the robot says to the person. */
+    /** Delivers a notice from the robot to the user. */
     void notice(String message) {
         synchronized (unheard) {
             if (all.isEmpty()) {
@@ -112,7 +115,7 @@ final class Listeners {
         deliver();
     }
 
-    /** Takes note of another state of the connection, to be told by {@link #deliver()}. */
+    /** Queues a change of the connection state for delivery by {@link #deliver()}. */
     void connectionChanged(MajicBot.Connection now) {
         put(listener -> listener.connectionChanged(bot, now));
     }
@@ -131,7 +134,7 @@ final class Listeners {
         changed.raise();
     }
 
-    /** Keeps the notice ahead of what this thread says next, such as the answer to a command. */
+    /** Waits for delivery, so that the notice precedes this thread's next output, such as the answer to a command. */
     private void awaitDelivery(long number) {
         if (!WaitPolicy.isAllowed()) {
             return;

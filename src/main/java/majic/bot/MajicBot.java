@@ -15,12 +15,12 @@ import org.jspecify.annotations.Nullable;
  * A robot under control. Can be used alone: make it, {@link #connect()}, command it, {@link #close()}.
  *
  * <p>Conventions, as in {@link BotControl}: mm, degrees counterclockwise positive, x ahead and y left of where it was
- * connected. Connecting neither moves the robot nor switches its motors on; the first motion does, and says so to the
- * listeners. All public methods are safe from any thread. Motions of several callers follow one another; {@link #stop()}
- * overtakes them.
+ * connected. Connecting neither moves the robot nor switches its motors on; the first motion does, and sends a notice
+ * to the listeners. All public methods are thread-safe. Motions of several callers run one after the other; {@link
+ * #stop()} overtakes them.
  *
- * <p>Subclasses fill in the protected hooks. Checks of arguments, the order of callers, the stop, the end of a
- * {@code drive} that is not renewed, listeners and the shared parameters are done here, once.
+ * <p>Subclasses implement the protected hooks. This class checks arguments, orders callers, stops, ends a {@code drive}
+ * that is not renewed, calls listeners and defines the shared parameters.
  */
 public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoCloseable {
     private final BotType type;
@@ -42,7 +42,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     private volatile @Nullable TeamPlace place;
     private volatile BotState state = BotState.UNKNOWN;
 
-    /** How a robot's connection stands. */
+    /** The state of a robot's connection. */
     public enum Connection {
         /** Not yet connected. */
         NEW,
@@ -57,7 +57,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Makes a driver; touches no robot and starts no thread.
+     * Creates a driver; contacts no robot and starts no thread.
      *
      * @param type what it is a driver for
      * @param profile its size and pace
@@ -86,8 +86,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * <p>Until it is closed, a robot that was connected is also stopped and closed when the Java program ends by
      * {@code System.exit}, Ctrl-C or a signal; see {@link ShutdownHook}.
      *
-     * @throws BotException if the robot is not there, refuses, or does not answer in the driver's time, or if the program
-     *     is ending; the message says what to try, and the robot is in state {@link Connection#LOST}
+     * @throws BotException if the robot is not found, refuses, or does not answer within the driver's timeout, or if
+     *     the program is ending; the message contains what to try, and the robot is in state {@link Connection#LOST}
      */
     public final void connect() {
         boolean first = life.begin(name);
@@ -161,18 +161,20 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         }
     }
 
-    /** Ends the leave of everybody who moves this robot now; quick, sends nothing. */
+    /** Revokes the permission to move of all current motions; does not block, sends nothing. */
     public final void revokeMotions() {
         gate.permits().revokeAll(() -> new MotionStopped("stopped"));
         changes.raise();
     }
 
     /**
-     * Tells the robot to stand and waits until it has confirmed it. Unlike {@link #stop()} it takes nobody's leave to
-     * move the robot: for whoever revoked the leave that matters himself.
+     * Sends the stop and waits until the robot has confirmed it. Unlike {@link #stop()} it revokes no permission to
+     * move: for callers that have already revoked the relevant permit.
      *
-     * @throws LinkLost if the connection was lost: nobody can tell it, so nobody may say it stands
-     * @throws BotException if it is being connected again, or could not be; nobody can tell it then either
+     * @throws LinkLost if the connection was lost: the stop cannot be sent, so the robot must not be reported as
+     *     stopped
+     * @throws BotException if the robot is being reconnected, or reconnecting failed; the stop cannot be sent then
+     *     either
      */
     public final void sendStop() {
         if (writeStop()) {
@@ -180,7 +182,9 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         }
     }
 
-    /** The part of {@link #sendStop()} that writes; false for a robot that needs no stop, not connected yet or closed. */
+    /**
+     * The part of {@link #sendStop()} that writes; false for a robot that needs no stop, not connected yet or closed.
+     */
     public final boolean writeStop() {
         changes.raise();
         refuseLost();
@@ -249,7 +253,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Checks values for a parameter without setting it, as a script does before anything drives off.
+     * Checks values for a parameter without setting it, as a script does before any robot moves.
      *
      * @param parameter its name
      * @param values as for {@link #set(String, List)}
@@ -298,23 +302,23 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         }
     }
 
-    /** Ends all motions and allows no other; quick, sends nothing. */
+    /** Ends all motions and permits no others; does not block, sends nothing. */
     final void revokeForGood(String reason) {
         gate.permits().close(() -> new BotException(reason));
         changes.raise();
     }
 
     /**
-     * Who answers there, as far as connecting told.
+     * Describes the connected robot, as far as connecting reported it.
      *
-     * @return article and make, {@code a MobileRobots Pioneer}; a driver whose robot tells more adds it
+     * @return article and make, {@code a MobileRobots Pioneer}; a driver whose robot reports more adds it
      */
     public String introduction() {
         return "a " + type.make();
     }
 
     /**
-     * What draws this robot in the window.
+     * The component that displays this robot in the window.
      *
      * @return its panel, made on the event dispatch thread; null for "no display available"
      */
@@ -323,7 +327,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Which make of robot this is.
+     * The type of this robot.
      *
      * @return its type
      */
@@ -337,7 +341,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The place in a team. Everything a display lets a person do with the robot goes through {@code Member.of(bot)}, so
+     * The place in a team. Every operation that a display offers goes through {@code Member.of(bot)}, so
      * that the owner of the robot and STOP are respected.
      *
      * @return empty for a robot that is used alone
@@ -347,10 +351,10 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Takes the place in a team. Called by the team once, before the robot is told anything else.
+     * Takes the place in a team. Called by the team once, before any other command.
      *
      * @param newPlace the place
-     * @param newName how messages call the robot from then on
+     * @param newName the robot's name in messages from then on
      */
     public final void join(TeamPlace newPlace, String newName) {
         place = newPlace;
@@ -367,7 +371,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * How its connection stands.
+     * The state of its connection.
      *
      * @return the state now
      */
@@ -385,16 +389,16 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * What it last said of itself.
+     * The last state the robot reported.
      *
-     * @return the newest state; {@link BotState#UNKNOWN} before the first word
+     * @return the newest state; {@link BotState#UNKNOWN} before the first report
      */
     public final BotState state() {
         return state;
     }
 
     /**
-     * Begins to tell somebody of this robot. The first hears what it has said before anybody listened.
+     * Adds a listener. The first one also receives the notices from before there was a listener.
      *
      * @param listener called on the robot's listener thread, or on a thread that commands the robot
      */
@@ -403,32 +407,32 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Ends telling somebody.
+     * Removes a listener.
      *
-     * @param listener who was added
+     * @param listener the listener that was added
      */
     public final void removeListener(BotListener listener) {
         listeners.remove(listener);
     }
 
     /**
-     * Opens the link and goes through the protocol's handshake. Called once for each {@link #connect()}, on its thread,
-     * in state {@link Connection#CONNECTING}. Must not move the robot nor switch motors on, must end within the
-     * driver's time-out, and must leave nothing open when it throws.
+     * Opens the connection and performs the protocol's handshake. Called once for each {@link #connect()}, on its
+     * thread, in state {@link Connection#CONNECTING}. Must not move the robot nor switch motors on, must end within the
+     * driver's timeout, and must close everything it opened when it throws.
      *
      * @throws BotException with what went wrong and what to try
      */
     protected abstract void open();
 
     /**
-     * Halts the robot if it may move, says good-bye as the protocol has it, and closes the link, whatever state it is
-     * in. Bounded by about a second; throws nothing.
+     * Stops the robot if it may be moving, ends the session as the protocol requires, and closes the connection, in any
+     * state. Takes at most about a second; throws nothing.
      */
     protected abstract void shut();
 
     /**
-     * Drives straight until done. Everything that moves is sent through the motion; when it throws, just let it pass.
-     * Motors are switched on here when they are off, with a {@link #notice}.
+     * Drives straight until done. Every command that moves the robot is sent through the motion; exceptions it throws
+     * must not be caught. Motors are switched on here when they are off, with a {@link #notice}.
      *
      * @param mm finite, within {@code maxMove}, ahead positive
      * @param motion for sending and waiting
@@ -446,8 +450,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     protected abstract Value turnBy(double degrees, Motion motion);
 
     /**
-     * Sends the command to drive a curve from now on, and does not wait for anything. Called again and again while
-     * somebody drives, with no stop between; after the last call {@link #halt()} follows.
+     * Sends the command to drive a curve from now on, and does not wait for anything. Called repeatedly during a
+     * drive, with no stop between; after the last call {@link #halt()} follows.
      *
      * @param mmPerSec within the profile's speeds, ahead positive
      * @param degPerSec within the profile's rates, counterclockwise positive
@@ -455,30 +459,30 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     protected abstract void driveAt(double mmPerSec, double degPerSec);
 
     /**
-     * What {@link #driveAt} made of what was wanted last. It stands in the answer to a drive that was given a time.
+     * How {@link #driveAt} adjusted the speeds requested last. Part of the answer to a drive for a given time.
      *
-     * @return in words; null where the robot drives just what is wanted, or says so otherwise
+     * @return a description; null if the robot drives exactly as requested, or reports the difference in another way
      */
     protected @Nullable Value driven() {
         return null;
     }
 
     /**
-     * Sends the command to stand, at once, and does not wait for an answer. Called on any thread, with no other command
+     * Sends the stop command at once and does not wait for an answer. Called on any thread, with no other command
      * being sent meanwhile.
      */
     protected abstract void halt();
 
     /**
-     * Sends the stop ahead of {@link #halt()}, over a line that no command ever uses. For robots whose stop has a
-     * connection of its own: {@code halt()} has to wait for the command that is being sent, up to the deadline of a stuck
-     * link. Called for every stop once all permits are revoked, on the thread that stops, perhaps on several at a time
-     * and while another thread is inside any other hook; must wait for none of them.
+     * Sends the stop ahead of {@link #halt()}, over a connection that no command uses. For robots whose stop has a
+     * connection of its own: {@code halt()} has to wait for the command that is being sent, up to the deadline of a
+     * stuck link. Called for every stop once all permits are revoked, on the thread that stops, perhaps on several at a
+     * time and while another thread is inside any other hook; must wait for none of them.
      *
-     * <p>It replaces nothing. A command whose permit was looked at before the stop may still go out behind this one;
-     * {@code halt()} follows as soon as that has been sent, and has to stop that too. So what {@code halt()} needs to
-     * know must not be forgotten here. Does nothing unless overridden; what it throws is logged and {@code halt()} follows
-     * all the same.
+     * <p>It replaces nothing. A command whose permit was checked before the stop may still go out behind this one;
+     * {@code halt()} follows as soon as that has been sent, and has to stop that too. So the state that
+     * {@code halt()} needs must not be cleared here. Does nothing unless overridden; what it throws is logged and
+     * {@code halt()} follows all the same.
      */
     protected void haltAhead() {}
 
@@ -486,12 +490,12 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * Waits until the robot has confirmed the stop that {@link #halt()} sent, sending it again where that helps. Called
      * without any lock, on the thread that stops and at the end of a drive for a time.
      *
-     * @throws BotException if it is not confirmed in the driver's time
+     * @throws BotException if it is not confirmed within the driver's timeout
      */
     public void confirmHalt() {}
 
     /**
-     * Where to describe the robot's own parameters.
+     * The table in which drivers describe the robot's own parameters.
      *
      * @return the table, with the shared ones in it
      */
@@ -500,7 +504,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Adds a command that only this type has, in place of one of the same name.
+     * Adds a command that only this type has; replaces one of the same name.
      *
      * @param command its description and what it does
      */
@@ -510,7 +514,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Takes a command away again, such as one for equipment that the robot turns out not to have.
+     * Removes a command, such as one for equipment that the robot turns out not to have.
      *
      * @param command its name; nothing happens if there is none
      */
@@ -519,9 +523,9 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Takes over a size and pace learned from the robot itself.
+     * Replaces the size and pace by those read from the robot itself.
      *
-     * @param better the new profile; cruise and near start from it, where nobody has set them
+     * @param better the new profile; default for cruise and near unless they have been set
      */
     protected final void profile(BotProfile better) {
         profile = better;
@@ -530,7 +534,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * How fast {@code move} is to go.
+     * The speed for {@code move}.
      *
      * @return mm/s, positive
      */
@@ -539,7 +543,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * How fast {@code turn} is to go.
+     * The rate for {@code turn}.
      *
      * @return deg/s, positive
      */
@@ -557,7 +561,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * What the user wants remembered.
+     * The settings kept from one program start to the next.
      *
      * @return the settings
      */
@@ -566,7 +570,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Where everybody waits who waits for this robot. Drivers raise it after anything that somebody may wait for.
+     * The signal that all threads waiting for this robot wait on. Drivers raise it after any change a thread may wait
+     * for.
      *
      * @return the signal
      */
@@ -575,7 +580,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Does something again and again, on the robot's own timer thread, from now until it is closed.
+     * Runs a task periodically on the robot's own timer thread, from now until the robot is closed.
      *
      * @param what names the duty; one of the same name is replaced
      * @param seconds the period
@@ -586,7 +591,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Publishes new readings and wakes whoever waits for some.
+     * Publishes new readings and wakes the threads that wait for readings.
      *
      * @param newState what was read
      */
@@ -597,7 +602,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Tells that a parameter may read differently though the state is the same; guards of this robot's motions look again.
+     * Reports that a parameter may have changed though the state is the same; guards of this robot's motions are
+     * rechecked.
      */
     protected final void news() {
         lookAgain();
@@ -610,7 +616,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Says something to the person.
+     * Sends a notice to the user.
      *
      * @param message one sentence or half of one
      */
@@ -619,7 +625,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Tells that the link broke; everybody who waits wakes with the cause. Only the first call after a connect counts.
+     * Reports that the connection was lost; all waiting threads wake with the cause. Only the first call after a
+     * connect counts.
      *
      * @param cause how it was lost
      */
@@ -632,9 +639,9 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Whether somebody drives this robot with {@link #drive(double, double)} just now.
+     * Whether a {@link #drive(double, double)} is in progress.
      *
-     * @return true from a drive until its lease ends
+     * @return true from a drive until it expires or is ended
      */
     protected final boolean isDriving() {
         return gate.isDriving();
@@ -643,7 +650,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     /**
      * Whether a motion or a drive is under way.
      *
-     * @return true while the driver may have told the robot to move
+     * @return true while the driver may have sent the robot a motion
      */
     public final boolean isBusy() {
         return gate.isBusy();

@@ -4,8 +4,8 @@ import java.util.function.BooleanSupplier;
 import majic.time.WaitPolicy;
 
 /**
- * One motion in progress, as its driver sees it. Everything that moves the robot is sent through it and every wait is
- * done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread.
+ * One motion in progress, as its driver handles it. Every command that moves the robot is sent through it and every
+ * wait is done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread.
  */
 public final class Motion {
     private final MovingRobot bot;
@@ -26,7 +26,7 @@ public final class Motion {
     }
 
     /**
-     * Sends something that moves the robot. No stop can come between the look at the permit and the sending.
+     * Sends something that moves the robot. No stop can come between the check of the permit and the sending.
      *
      * @param write does the sending; at most one message, bounded by the link's deadline
      * @throws MotionStopped if the motion was stopped; nothing was sent
@@ -45,14 +45,14 @@ public final class Motion {
     }
 
     /**
-     * Waits until something is so, or the guard comes true, or the time is over.
+     * Waits until a condition is true, the guard becomes true, or the time is over.
      *
      * @param done what to wait for; looked at whenever the driver raises {@link MajicBot#changes()}
      * @param seconds how long at most
-     * @return whether it came to be so; if not, {@link #guardReached()} tells why
+     * @return whether the condition became true; if not, {@link #guardReached()} gives the reason
      * @throws MotionStopped if the motion was stopped meanwhile
      * @throws LinkLost if the connection broke meanwhile
-     * @throws MotionFailed if the guard cannot be told
+     * @throws MotionFailed if the guard cannot be evaluated
      */
     public boolean await(BooleanSupplier done, double seconds) {
         long deadlineNanos = bot.time().nanos() + (long) Math.ceil(seconds * 1e9);
@@ -70,20 +70,20 @@ public final class Motion {
     }
 
     /**
-     * Lets time pass.
+     * Waits for a time.
      *
      * @param seconds how long
      * @return whether the time passed; false when the guard came true before
      * @throws MotionStopped if the motion was stopped meanwhile
      * @throws LinkLost if the connection broke meanwhile
-     * @throws MotionFailed if the guard cannot be told
+     * @throws MotionFailed if the guard cannot be evaluated
      */
     public boolean pause(double seconds) {
         await(() -> false, seconds);
         return !guardReached;
     }
 
-    /** Says something to the person, in the robot's name. */
+    /** Sends a notice to the user in the robot's name. */
     public void say(String message) {
         bot.notice(message);
     }
@@ -126,7 +126,10 @@ public final class Motion {
         bot.requireConnected();
     }
 
-    /** Looks at the guard, if there is something new to look at. The first look, when nothing moves yet, may take its time. */
+    /**
+     * Looks at the guard, if there is something new to look at. The first look, when nothing moves yet, may take its
+     * time.
+     */
     private boolean lookAtGuard() {
         long readings = bot.readings();
         if (!guardReached && readings != readingsSeen) {
@@ -137,7 +140,7 @@ public final class Motion {
             } catch (MotionStopped e) {
                 throw e;
             } catch (BotException e) {
-                // A guard may ask other robots: a link that is lost there is no trouble of this robot's own.
+                // A guard may ask other robots: a connection lost there does not concern this robot.
                 check();
                 throw new MotionFailed(e.getMessage());
             }

@@ -1,6 +1,6 @@
 package majic.bot;
 
-/** The robot ended a motion by itself: a stall, a bumper, motors switched off. It was told to stand. */
+/** The robot ended a motion by itself: a stall, a bumper, motors switched off. A stop was sent. */
 public class MotionFailed extends BotException {
     private static final long serialVersionUID = 1;
 

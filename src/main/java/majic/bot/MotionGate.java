@@ -10,9 +10,9 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who moves one robot, and when: motions one after the other, drives that lapse, and the stop that overtakes both. All
- * that moves the robot is sent under one lock, together with a look at the permit. A thread that holds it must not wait,
- * least of all for a listener. Thread-safe.
+ * Serialises everything that moves one robot: motions, drives that expire unless renewed, and stops, which overtake
+ * both. Each command that moves the robot is sent under one lock, together with a check of the permit. A thread that
+ * holds it must not wait, least of all for a listener. Thread-safe.
  */
 public final class MotionGate {
     private static final Logger LOG = System.getLogger(MotionGate.class.getName());
@@ -61,9 +61,9 @@ public final class MotionGate {
     }
 
     /**
-     * Does a whole motion; whatever ends it before its time, the robot is told to stand: here, unless the robot's own
-     * permit was revoked, for what revokes that writes a stop at once. A lease that is revoked alone brings none. Who
-     * hears that the link is lost may connect again at once, though the reader may not have seen the end of it yet.
+     * Performs a whole motion. If it ends early, this method sends the stop, unless the robot's own permit was revoked:
+     * revoking that one sends a stop at once, while revoking only a caller's additional permit sends none. A caller
+     * that receives {@link LinkLost} may connect again at once, though the reader may not have detected the end yet.
      */
     MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
         bot.requireConnected();
@@ -192,7 +192,9 @@ public final class MotionGate {
         }
     }
 
-    /** Lets the robot stand if somebody drives it, as for a motion, which may find that it has nothing to do. */
+    /**
+     * Stops the robot if a drive is in progress, for example before a motion, which may turn out to have nothing to do.
+     */
     private void endDrive() {
         locked(() -> {
             if (driving) {
@@ -218,8 +220,8 @@ public final class MotionGate {
     }
 
     /**
-     * Tells the robot to stand. The early stop waits for nothing; the ordinary one queues for the lock and so comes
-     * behind whatever was being sent under a permit that has been revoked meanwhile.
+     * Sends the stop to the robot. The early stop waits for nothing; the ordinary one waits for the lock and so follows
+     * any command that was being sent under a permit that has been revoked meanwhile.
      */
     void writeStop() {
         WaitPolicy.without(this::haltAhead);
@@ -230,8 +232,8 @@ public final class MotionGate {
     }
 
     /**
-     * Sends the stop for good, behind what is being sent: nothing follows any more when all permits are revoked. Does not
-     * wait until it is confirmed.
+     * Sends the stop for good, behind what is being sent: nothing follows any more when all permits are revoked. Does
+     * not wait until it is confirmed.
      *
      * @param connected whether there is a robot to tell
      */
@@ -263,7 +265,7 @@ public final class MotionGate {
         }
     }
 
-    /** The link is gone, and with it the leave of everybody who moves the robot. */
+    /** Handles the loss of the connection: revokes every permission to move the robot. */
     void lost(LinkLost cause) {
         driving = false;
         permits.revokeAll(() -> new LinkLost(cause.getMessage(), cause));

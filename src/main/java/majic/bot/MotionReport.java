@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * What became of a motion that ended well. Immutable; {@code toString()} is how answers show it.
  *
- * @param amount how far it went, mm or degrees, by odometry or as an estimate; null where nobody counts it
+ * @param amount how far it went, mm or degrees, by odometry or as an estimate; null if it is not measured
  * @param seconds how long it took
  */
 public record MotionReport(@Nullable Value amount, double seconds) {

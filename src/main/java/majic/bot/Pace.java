@@ -10,7 +10,7 @@ final class Pace {
     private final BotProfile profile;
     private volatile double maxMoveMm = MAX_MOVE_MM;
 
-    /** What somebody has set; null for what the profile says. */
+    /** The value that was set; null for the value of the profile. */
     private volatile @Nullable Double wantedCruise;
 
     private volatile @Nullable Double wantedCruiseTurn;

@@ -36,7 +36,7 @@ public record Parameter(
         List<Parameter> extras,
         String help) {
 
-    /** What converting seconds to milliseconds may leave behind the point. */
+    /** The largest fraction that converting seconds to milliseconds may produce by rounding. */
     private static final double CONVERSION_ERROR = 1e-6;
 
     /** What values a parameter takes. */
@@ -51,7 +51,9 @@ public record Parameter(
         CHOICE,
         /** Any text. */
         TEXT,
-        /** Several values that are read together; where they can be set, this is the first and the others are extras. */
+        /**
+         * Several values that are read together; where they can be set, this is the first and the others are extras.
+         */
         LIST
     }
 
@@ -181,8 +183,8 @@ public record Parameter(
      *
      * @param given a value as typed or as handed in by a program
      * @return the value, of this parameter's kind and in its unit
-     * @throws ParameterException if the value is of another kind or unit, outside of the range, or a fraction of what is
-     *     counted in wholes; the message says what would be right
+     * @throws ParameterException if the value is of another kind or unit, outside of the range, or a fraction of what
+     *     is counted in wholes; the message contains what would be right
      */
     public Value fit(Value given) {
         return switch (kind) {

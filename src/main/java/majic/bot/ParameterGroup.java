@@ -6,11 +6,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Parameters that differ in nothing but the number at the end of their names, one higher each, such as {@code sonar0} to {@code sonar15},
- * so that lists for people need one line for them. Immutable.
+ * Parameters that differ in nothing but the number at the end of their names, one higher each, such as {@code sonar0}
+ * to {@code sonar15}, so that lists for people need one line for them. Immutable.
  *
  * @param first the one with the first number
- * @param last the one with the last number; the first where it stands alone
+ * @param last the one with the last number; equal to the first for a single parameter
  */
 public record ParameterGroup(Parameter first, Parameter last) {
     private static final Pattern NUMBERED = Pattern.compile("(.*\\D)(\\d{1,9})");

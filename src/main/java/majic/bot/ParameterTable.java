@@ -21,7 +21,7 @@ public final class ParameterTable {
     /** Made by {@link MajicBot}, one for each robot. */
     ParameterTable() {}
 
-    /** A parameter and what stands behind it. */
+    /** A parameter with its reader and writer. */
     public static final class Entry {
         private volatile Parameter parameter;
         private final @Nullable Supplier<Value> reader;
@@ -33,7 +33,7 @@ public final class ParameterTable {
         }
 
         /**
-         * Makes the parameter settable. The writer runs on the thread of whoever sets it.
+         * Makes the parameter settable. The writer runs on the thread that sets it.
          *
          * @param newWriter takes the checked values, the parameter's own first, then the given extras in order
          * @return this entry
@@ -94,8 +94,8 @@ public final class ParameterTable {
 
     /**
      * Describes what depends on the robot that was found: what the call before described and this one does not is gone
-     * afterwards. Whoever looks meanwhile finds all of the old or all of the new. One of the same name as a parameter
-     * added otherwise stands in its place.
+     * afterwards. Concurrent readers see either all of the old or all of the new. One of the same name as a parameter
+     * added otherwise replaces it.
      *
      * @param description adds the parameters in their order to the table handed to it
      */

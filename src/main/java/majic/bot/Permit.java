@@ -5,9 +5,9 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Leave to move a robot. Every motion is begun under one and asks it again before each thing it sends, so a motion whose
- * permit was revoked cannot move the robot any more, however late its thread comes. A stop revokes all that were given
- * out before it. Thread-safe.
+ * Permission to move a robot. Every motion starts under one and checks it again before each command it sends, so a
+ * motion whose permit was revoked cannot move the robot any more, however late its thread runs. A stop revokes all that
+ * were given out before it. Thread-safe.
  */
 public final class Permit {
     private final List<Permit> parents;
@@ -23,7 +23,7 @@ public final class Permit {
     }
 
     /**
-     * Leave for those who have this permit and another one.
+     * Returns a permit that is valid only while this one and another one are valid.
      *
      * @param other the other one
      * @return a new permit that holds as long as both do and itself is not revoked
@@ -33,9 +33,9 @@ public final class Permit {
     }
 
     /**
-     * Takes the leave back, for good. Of several revocations the first counts.
+     * Revokes the permission permanently. Of several revocations the first counts.
      *
-     * @param reason makes what is thrown at those who still try to move
+     * @param reason creates the exception that later attempts to move throw
      */
     public synchronized void revoke(Supplier<? extends BotException> reason) {
         if (revocation == null) {
@@ -44,7 +44,7 @@ public final class Permit {
     }
 
     /**
-     * Whether the leave was taken back.
+     * Whether the permission was revoked.
      *
      * @return true from the first revocation on
      */

@@ -11,10 +11,11 @@ import java.util.function.Supplier;
  */
 public record PermittedControl(MajicBot bot, Supplier<Permit> permit) implements BotControl {
     /**
-     * A robot under its own permit and a lease.
+     * A robot controlled under its own permit and an additional one.
      *
      * @param bot the robot
-     * @param lease once it is revoked every further motion throws what the revocation said
+     * @param lease the additional permit; once it is revoked every further motion throws the exception of the
+     *     revocation
      * @return the robot, for use from any thread
      */
     public static BotControl of(MajicBot bot, Permit lease) {

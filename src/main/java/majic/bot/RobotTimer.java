@@ -12,8 +12,8 @@ import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 
 /**
- * The one thread of a robot that does things when their time has come: watchdog pulses, the end of a drive that was not
- * renewed. Each robot has its own, so that a stuck link delays nobody else's.
+ * The timer thread of one robot, for scheduled tasks: watchdog pulses, the end of a drive that was not renewed. Each
+ * robot has its own, so that a stuck connection does not delay the tasks of other robots.
  */
 final class RobotTimer {
     private static final Logger LOG = System.getLogger(RobotTimer.class.getName());

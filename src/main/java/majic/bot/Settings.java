@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** What a user wants remembered from one start to the next, such as a dog's calibration. Thread-safe. */
+/** The settings kept from one program start to the next, such as a dog's calibration. Thread-safe. */
 public interface Settings {
     /**
      * Looks a setting up.

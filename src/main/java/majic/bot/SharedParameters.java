@@ -3,7 +3,7 @@ package majic.bot;
 import java.util.function.Supplier;
 import majic.time.TimeSource;
 
-/** The parameters that every robot has, read from what every robot says of itself (MAJIC Script, "Parameters"). */
+/** The parameters that every robot has, read from the state that every robot reports (MAJIC Script, "Parameters"). */
 final class SharedParameters {
     private SharedParameters() {}
 

@@ -44,8 +44,8 @@ public final class ShutdownHook {
     record Closing(Supplier<String> name, TimeSource time, Consumer<String> revoke, Runnable close) {}
 
     /**
-     * Has something done once all robots are closed, or could not be closed in time. Nothing is done if the program is
-     * ending already.
+     * Registers a task to run once all robots are closed, or could not be closed in time. Nothing is done if the
+     * program is ending already.
      *
      * @param task runs on the hook's thread and delays the end of the program; what it throws is logged
      */
@@ -57,7 +57,7 @@ public final class ShutdownHook {
     }
 
     /**
-     * Takes in a robot that is about to be connected.
+     * Registers a robot that is about to be connected.
      *
      * @throws BotException if the program is ending; the robot must not be connected then
      */

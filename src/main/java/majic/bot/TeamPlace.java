@@ -10,7 +10,7 @@ public interface TeamPlace {
     int number();
 
     /**
-     * Ends what a script, an act or a person by hand does with the robot, after the connection was lost. Must not wait.
+     * Ends scripts, acts and manual control of the robot after the connection was lost. Must not wait.
      *
      * @param reason how the connection was lost, one sentence
      */

@@ -45,7 +45,7 @@ public enum Unit {
     }
 
     /**
-     * How finely an answer shows it: what lies behind says nothing about a robot.
+     * The number of decimals in an answer; further decimals are not significant for a robot.
      *
      * @return the most digits behind the point
      */

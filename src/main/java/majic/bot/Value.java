@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * What a parameter holds: a number with its unit, a yes or no, a word, "nothing in range", or the reason why it cannot
- * be told. Immutable; {@code toString()} is how answers show it.
+ * What a parameter holds: a number with its unit, a yes or no, a word, "nothing in range", or the reason why it is
+ * not available. Immutable; {@code toString()} is how answers show it.
  */
 public sealed interface Value {
 
@@ -64,7 +64,7 @@ public sealed interface Value {
     /**
      * A word or a text.
      *
-     * @param text as the robot says it
+     * @param text as the robot reports it
      */
     record Text(String text) implements Value {
         @Override
@@ -202,7 +202,7 @@ public sealed interface Value {
     }
 
     /**
-     * Whether this value says yes or on.
+     * Whether this value means yes or on.
      *
      * @return true only for a flag that is set
      */

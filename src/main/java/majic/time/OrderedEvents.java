@@ -22,7 +22,10 @@ public final class OrderedEvents {
         return ++put;
     }
 
-    /** Delivers on this thread all that is undelivered. Returns at once while another thread delivers: that goes on with it. */
+    /**
+     * Delivers on this thread all that is undelivered. Returns at once while another thread delivers: that goes on with
+     * it.
+     */
     public void deliver() {
         if (!begin()) {
             return;
@@ -38,7 +41,7 @@ public final class OrderedEvents {
     }
 
     /**
-     * Tells whether everything that was put has been delivered or is being delivered.
+     * Returns whether everything that was put has been delivered or is being delivered.
      *
      * @return false while an event waits
      */

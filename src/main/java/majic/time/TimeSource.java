@@ -2,8 +2,8 @@ package majic.time;
 
 /**
  * The clock that drivers, teams, scripts and acts wait and measure by. Against a simulated lab it is the lab's own
- * clock, which may run fast or step; otherwise it is the system's. Whoever waits any other way stands outside of that
- * time, and a stepped clock does not know of it.
+ * clock, which may run fast or step; otherwise it is the system's. A thread that waits in any other way does not
+ * follow that time, and a stepped clock does not take it into account.
  *
  * <p>Safe for use from several threads.
  */
@@ -33,8 +33,8 @@ public interface TimeSource {
     Signal signal();
 
     /**
-     * Makes a daemon thread that lives by this clock: a stepped clock stands still while it runs, and goes on when it
-     * waits. It is the caller's to start, and counts as running from then on.
+     * Creates a daemon thread that uses this clock: a stepped clock does not advance while it runs, and advances when
+     * it waits. The caller starts it; it counts as running from then on.
      *
      * @param name what a thread dump shows
      * @param body what it does

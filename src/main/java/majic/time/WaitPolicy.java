@@ -3,8 +3,8 @@ package majic.time;
 import java.util.function.BooleanSupplier;
 
 /**
- * Whether the thread at hand may wait for a robot's answer or for a listener. A thread that all news of a robot come
- * through must not, nor one that sends what moves a robot, nor one that looks at the guard of a robot that moves: what
+ * Whether the current thread may wait for a robot's answer or for a listener. A thread that receives all reports of a
+ * robot must not, nor one that sends motion commands, nor one that checks the guard of a moving robot: what
  * cannot be had at once is {@code unknown} to them, and listeners are called on a thread of their own. Drivers ask here
  * before they wait in the reader of a parameter.
  */

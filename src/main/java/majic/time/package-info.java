@@ -1,6 +1,6 @@
 /**
- * The clock that drivers, teams, scripts and acts wait and measure by, of the system or of a simulated lab; which threads
- * may wait; and events that are delivered in order.
+ * The clock that drivers, teams, scripts and acts wait and measure by, of the system or of a simulated lab; which
+ * threads may wait; and events that are delivered in order.
  */
 @NullMarked
 package majic.time;

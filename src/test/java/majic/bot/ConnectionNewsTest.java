@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Who hears that a connection changes may do what he likes, and hears of every change in its order. */
+/** A listener for connection changes may call any method, and receives every change in order. */
 @Timeout(20)
 class ConnectionNewsTest implements BotListener {
     private final FakeBot bot = FakeBot.on(TimeSource.system());

@@ -8,8 +8,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot that is made up for tests. It moves at its cruise speed on its own clock, reads every 100 ms, and keeps a list
- * of what was sent to it.
+ * A robot that is made up for tests. It moves at its cruise speed on its own clock, reads every 100 ms, and keeps a
+ * list of what was sent to it.
  */
 public final class FakeBot extends MajicBot {
     private static final double READING_S = 0.1;
@@ -134,7 +134,7 @@ public final class FakeBot extends MajicBot {
         lineIsSlow = line;
     }
 
-    /** Called at each stop that comes ahead of the ordinary one. */
+    /** Sets the action that runs at each stop sent ahead of the ordinary one. */
     public void whenStoppedAhead(Runnable told) {
         toldAhead = told;
     }

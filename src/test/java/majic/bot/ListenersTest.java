@@ -8,7 +8,7 @@ import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.Test;
 
-/** Who hears what a robot says, and when. */
+/** Tests which listeners receive the notices of a robot, and when. */
 class ListenersTest {
     private final Listeners listeners = new Listeners(FakeBot.on(TimeSource.system()), TimeSource.system());
     private final List<String> first = new ArrayList<>();

@@ -10,8 +10,8 @@ import majic.time.Signal;
 import majic.time.TimeSource;
 
 /**
- * A clock for tests that stands still while any of its threads runs, and jumps to the next moment somebody waits for as
- * soon as all of them wait. A test thread that has joined it decides by its own waits when time passes.
+ * A clock for tests that does not advance while any of its threads runs, and jumps to the next deadline as soon as all
+ * of them wait. A test thread that has joined it decides by its own waits when time passes.
  */
 public final class SteppedTime implements TimeSource {
     private final Object lock = new Object();
@@ -20,7 +20,7 @@ public final class SteppedTime implements TimeSource {
     private int running;
     private long now = 1_000_000_000L;
 
-    /** Somebody who waits; guarded by the lock. */
+    /** A waiting thread; guarded by the lock. */
     private static final class Waiter {
         private final Object place;
         private final long deadline;
@@ -92,7 +92,7 @@ public final class SteppedTime implements TimeSource {
         }
     }
 
-    /** Jumps to the next deadline if nobody runs; with the lock held. */
+    /** Jumps to the next deadline if no thread runs; with the lock held. */
     private void step() {
         long next = waiters.stream().mapToLong(waiter -> waiter.deadline).min().orElse(Long.MAX_VALUE);
         if (running > 0 || next == Long.MAX_VALUE) {
