@@ -3,20 +3,20 @@ package majic.team;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What became of a command, in words that stay the same everywhere (MAJIC Script, "Answers"). Immutable.
+ * The result of a command, worded the same everywhere (MAJIC Script, "Answers"). Immutable.
  *
  * @param robot the robot's number; 0 when the session as a whole answers
- * @param outcome how it ended
+ * @param outcome how the command ended
  * @param text the whole line, for instance {@code 1 move 500: done (498 mm, 2.1 s)}
- * @param asker what the order carried as its asker; null if the answer concerns all
+ * @param asker the asker of the order; null if the answer concerns all
  */
 public record Answer(
         int robot, Outcome outcome, String text, @Nullable Object asker) {
     /**
-     * An answer that concerns all.
+     * Creates an answer that concerns all.
      *
      * @param robot the robot's number; 0 when the session as a whole answers
-     * @param outcome how it ended
+     * @param outcome how the command ended
      * @param text the whole line
      */
     public Answer(int robot, Outcome outcome, String text) {
@@ -25,18 +25,18 @@ public record Answer(
 
     /** How a command can end. */
     public enum Outcome {
-        /** As it should. */
+        /** Completed normally. */
         DONE,
-        /** By a stop. */
+        /** Ended by a stop. */
         STOPPED,
-        /** With an error. */
+        /** Ended with an error. */
         FAILED,
-        /** It was not begun, because something before it failed or was stopped. */
+        /** Not begun, because an earlier command failed or was stopped. */
         NOT_RUN
     }
 
     /**
-     * Whether the command did what it was told.
+     * Returns whether the command completed normally.
      *
      * @return true only for {@link Outcome#DONE}
      */

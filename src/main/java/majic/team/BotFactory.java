@@ -18,7 +18,7 @@ import majic.text.Suggestion;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
-/** Makes robots from the addresses users type. Thread-safe. */
+/** Creates robot drivers from the addresses that users type. Thread-safe. */
 public final class BotFactory {
     private final List<BotType> types;
     private final Settings settings;
@@ -26,10 +26,10 @@ public final class BotFactory {
     private volatile @Nullable LabAccess lab;
 
     /**
-     * A factory for some types.
+     * Creates a factory for the given robot types.
      *
      * @param types all types there are, in the order the Add dialog shows them
-     * @param settings what the user wants remembered
+     * @param settings the stored user settings
      */
     public BotFactory(List<BotType> types, Settings settings) {
         this.types = List.copyOf(types);
@@ -37,7 +37,7 @@ public final class BotFactory {
     }
 
     /**
-     * All types of robots.
+     * Returns all robot types.
      *
      * @return in the order the Add dialog shows them
      */
@@ -46,16 +46,16 @@ public final class BotFactory {
     }
 
     /**
-     * The simulated lab, if one runs.
+     * Returns the simulated lab, if one runs.
      *
-     * @return what {@link #useLab} was given last
+     * @return the lab last passed to {@link #useLab}
      */
     public Optional<LabAccess> lab() {
         return Optional.ofNullable(lab);
     }
 
     /**
-     * Makes addresses with {@code sim:} mean the robots of a lab.
+     * Makes addresses with {@code sim:} refer to the robots of a lab.
      *
      * @param newLab a running lab
      */
@@ -64,7 +64,7 @@ public final class BotFactory {
     }
 
     /**
-     * Makes the driver for an address, without touching the robot.
+     * Creates the driver for an address, without contacting the robot.
      *
      * @param text as typed: {@code pioneer://10.0.0.5:8101}, {@code hemisson:COM3}, {@code sim:aibo}
      * @return the driver, not connected
@@ -92,10 +92,10 @@ public final class BotFactory {
     }
 
     /**
-     * Which of the lab's robots one is.
+     * Returns the name of a robot in the simulated lab.
      *
      * @param bot a robot
-     * @return its name in the lab it was made for; empty if it was made for none
+     * @return its name in the lab it was made for; empty if it was not made for a lab
      */
     public Optional<String> nameInLab(MajicBot bot) {
         return Optional.ofNullable(inLab.get(bot));
@@ -106,11 +106,11 @@ public final class BotFactory {
     }
 
     /**
-     * A type by its word.
+     * Returns the robot type with a given name.
      *
-     * @param name as in addresses, whatever the case
+     * @param name as in addresses; case is ignored
      * @return the type
-     * @throws BotException if there is none; the message lists those there are
+     * @throws BotException if there is none; the message lists the existing types
      */
     public BotType type(String name) {
         Collection<String> names =
@@ -123,10 +123,11 @@ public final class BotFactory {
     }
 
     /**
-     * Tries what answers at an address, and closes it again. Blocks for the driver's connection time-out at most.
+     * Connects to an address to find out what answers there, and closes the connection. Blocks for at most the driver's
+     * connection timeout.
      *
      * @param text as typed
-     * @return one or two sentences for the person: what answered, or what went wrong and what to try
+     * @return one or two sentences for the user: what answered, or what went wrong and what to try
      * @throws BotException if the address itself is wrong, or nothing answers; the message says what to try
      */
     public String probe(String text) {

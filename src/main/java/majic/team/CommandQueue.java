@@ -13,7 +13,7 @@ import majic.bot.PermittedControl;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
-/** Orders to one robot that are carried out one after the other, by a thread of their own. Thread-safe. */
+/** Runs the orders to one robot one after the other, on a thread of its own. Thread-safe. */
 final class CommandQueue {
     private final Team team;
     private final int robot;
@@ -26,12 +26,12 @@ final class CommandQueue {
     private boolean closed;
 
     /**
-     * An empty lane.
+     * Creates an empty queue.
      *
-     * @param team hears the answers
-     * @param robot its number in it
+     * @param team receives the answers
+     * @param robot the robot's number in the team
      * @param bot the robot
-     * @param mayWork whether an order may be begun now; asked again after {@link #wake()}
+     * @param mayWork whether an order may be begun now; evaluated again after {@link #wake()}
      */
     CommandQueue(Team team, int robot, MajicBot bot, BooleanSupplier mayWork) {
         this.team = team;
@@ -53,7 +53,7 @@ final class CommandQueue {
         return queue.isEmpty() && current == null;
     }
 
-    /** Whether no order is under way, or only the one that asks. */
+    /** Whether no order is running, or only the one that calls this. */
     synchronized boolean isAtRest() {
         return current == null || Thread.currentThread() == worker;
     }
@@ -66,24 +66,24 @@ final class CommandQueue {
         queue.add(pending);
     }
 
-    /** Lets the thread look again whether it may work; not to be called with a lock in hand. */
+    /** Makes the thread check again whether it may work; must not be called while holding a lock. */
     void wake() {
         work.raise();
     }
 
-    /** Takes out all orders that were not begun. */
+    /** Removes all orders that were not begun. */
     synchronized List<QueuedCommand> drop() {
         List<QueuedCommand> dropped = new ArrayList<>(queue);
         queue.clear();
         return dropped;
     }
 
-    /** Says of orders that were dropped that they are not carried out. */
+    /** Reports dropped orders as not carried out. */
     void tellDropped(List<QueuedCommand> dropped, String because) {
         dropped.forEach(pending -> tell(pending, Ending.of(Answer.Outcome.NOT_RUN, pending, "not run: " + because)));
     }
 
-    /** Begins no further order, and lets the thread go. */
+    /** Begins no further order, and ends the thread. */
     void close() {
         synchronized (this) {
             closed = true;
@@ -118,12 +118,12 @@ final class CommandQueue {
         return current;
     }
 
-    /** Carries out an order that does not stand in the queue, so nothing stands behind it. */
+    /** Runs an order outside the queue, so its failure drops no queued order. */
     void carryOut(QueuedCommand pending) {
         tell(pending, attempt(pending));
     }
 
-    /** What failed takes along what is queued behind it by then; what is ordered in answer to the failure runs. */
+    /** A failed order drops what is queued behind it by then; orders submitted in response to the failure run. */
     private void settle(QueuedCommand pending, Ending ending) {
         List<QueuedCommand> dropped = List.of();
         if (ending.outcome() == Answer.Outcome.FAILED) {
@@ -162,7 +162,7 @@ final class CommandQueue {
         team.changes().raise();
     }
 
-    /** How an order ended, and what is to be said of it. */
+    /** How an order ended, and the answers to report for it. */
     private record Ending(Answer.Outcome outcome, List<String> answers) {
         static Ending of(Answer.Outcome outcome, QueuedCommand pending, String how) {
             return new Ending(outcome, List.of(pending.order().text() + ": " + how));

@@ -9,8 +9,8 @@ import majic.bot.Permit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot in the hands of somebody its owner gave it to for a while: by which leave, and the orders he gives. Guarded by
- * the lock of the robot's {@link Member}.
+ * A temporary assignment of a robot to a borrower by its owner: the permission to move, and the queue of the borrower's
+ * orders. Guarded by the lock of the robot's {@link Member}.
  */
 final class Loan {
     private final Owner to;
@@ -36,7 +36,7 @@ final class Loan {
         lane.start("robot " + robot + " " + to.name());
     }
 
-    /** Lets the lane go; nothing is said of what was still in it. */
+    /** Closes the queue; orders still in it are not reported. */
     void close() {
         lane.close();
         lane.drop().forEach(pending -> pending.end(Answer.Outcome.NOT_RUN));
@@ -46,19 +46,19 @@ final class Loan {
         return to == somebody;
     }
 
-    /** What his orders are carried out by. */
+    /** The permission under which the borrower's orders are carried out. */
     Permit leave(MajicBot bot) {
         return bot.permit().and(lease).and(round);
     }
 
-    /** Ends what he has ordered so far, because he says so himself; he may order anew. */
+    /** Ends the borrower's orders so far, at the borrower's own request; new orders are accepted. */
     List<QueuedCommand> stop() {
         round.revoke(() -> new MotionStopped("stopped"));
         round = new Permit();
         return lane.drop();
     }
 
-    /** Takes the lease back, and with it the leave to move any robot that was lent by the same. */
+    /** Revokes the permission, and with it the permission to move any robot lent under the same one. */
     void end(Supplier<? extends BotException> reason) {
         lease.revoke(reason);
     }

@@ -13,9 +13,10 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A person's hand on one robot: it drives, or sets what moves it. {@link #drive} is called again and again while a key is
- * held, {@link #set} while a slider is dragged, from the event thread: neither blocks, and of what comes faster than the
- * robot follows the newest counts. When the drives end, for whatever reason, the robot stands 600 ms later. Thread-safe.
+ * Manual control of one robot: drives it, or sets parameters that move it. {@link #drive} is called repeatedly while a
+ * key is held, {@link #set} while a slider is dragged, from the event thread. Neither blocks; when calls come faster
+ * than the robot follows, the newest value counts. When the drives end, for any reason, the robot is stationary 600 ms
+ * later. Thread-safe.
  */
 public final class ManualControl implements AutoCloseable {
     private static final String DRIVE = "";
@@ -31,10 +32,10 @@ public final class ManualControl implements AutoCloseable {
     private volatile boolean off;
 
     /**
-     * Takes a robot into the hand.
+     * Takes manual control of a robot.
      *
      * @param member which robot
-     * @throws BotException if a script or act has it, it has orders in its queue, or STOP is latched
+     * @throws BotException if a script or act owns it, it has orders in its queue, or STOP is latched
      */
     public ManualControl(Member member) {
         this.member = member;
@@ -53,9 +54,9 @@ public final class ManualControl implements AutoCloseable {
     }
 
     /**
-     * Drives on, for the next 600 ms.
+     * Sets the speed for the next 600 ms.
      *
-     * @param mmPerSec ahead positive
+     * @param mmPerSec forward positive
      * @param degPerSec counterclockwise positive
      */
     public void drive(double mmPerSec, double degPerSec) {
@@ -66,12 +67,12 @@ public final class ManualControl implements AutoCloseable {
     }
 
     /**
-     * Sets a parameter as soon as what was set before has ended; a value that was not yet sent is replaced. What goes
-     * wrong is said to the person, and the robot is let go.
+     * Sets a parameter as soon as the previous setting has ended; a value that was not yet sent is replaced. An error
+     * is reported to the user and releases the robot.
      *
      * @param parameter its name
      * @param number the value in its own unit
-     * @return false if the hand is off the robot already, or about to be; nothing will be set then
+     * @return false if the robot was released already, or is about to be; nothing will be set then
      */
     public boolean set(String parameter, double number) {
         return wish(parameter, robot -> {
@@ -92,7 +93,7 @@ public final class ManualControl implements AutoCloseable {
         return true;
     }
 
-    /** Lets the robot go as soon as all that was set has been done. Returns at once. */
+    /** Releases the robot as soon as all settings have been sent and have ended. Returns at once. */
     public void finish() {
         synchronized (this) {
             finishing = true;
@@ -101,15 +102,15 @@ public final class ManualControl implements AutoCloseable {
     }
 
     /**
-     * Whether the robot was let go.
+     * Returns whether the robot was released.
      *
-     * @return true once somebody else may have it
+     * @return true once the robot may have another owner
      */
     public boolean isOff() {
         return off;
     }
 
-    /** Stands, and lets the robot go. Returns at once. */
+    /** Stops the robot and releases it. Returns at once. */
     @Override
     public void close() {
         release();
@@ -121,7 +122,7 @@ public final class ManualControl implements AutoCloseable {
         wanted.raise();
     }
 
-    /** Ends in a stand however it ends; the lease is gone before, so that nothing more is driven after a stop. */
+    /** Always ends by stopping the robot; the permission is revoked before, so that no drive follows a stop. */
     private void run() {
         BotControl robot = PermittedControl.of(member.bot(), lease);
         @Nullable BotException problem = null;
@@ -161,7 +162,7 @@ public final class ManualControl implements AutoCloseable {
         return released || finishing || !wishes.isEmpty();
     }
 
-    /** The oldest wish; when there is none and none is to come, the hand goes off. */
+    /** Returns the oldest pending setting; if there is none and none can follow, ends manual control. */
     private synchronized @Nullable Consumer<BotControl> take() {
         Iterator<Consumer<BotControl>> oldest = wishes.values().iterator();
         if (!oldest.hasNext()) {

@@ -8,14 +8,15 @@ import majic.bot.MotionGate;
 import majic.time.TimeSource;
 
 /**
- * Collects what a {@link ManualControl} sends to its robot, as commands that do it again: equal drives that follow one another are
- * one command with a time. No time is rounded up, and a drive that expired counts until then. Used by one thread.
+ * Records what a {@link ManualControl} sends to its robot, as commands that repeat it: consecutive equal drives become
+ * one command with a time. Times are never rounded up, and a drive that expired counts until its expiry. Used by one
+ * thread.
  */
 final class ManualLog {
     /** The longest time that a timed drive accepts, seconds. */
     private static final double LONGEST_DRIVE_S = 60;
 
-    /** A drive that was shorter moved nothing, seconds. */
+    /** Shorter drives moved nothing, seconds. */
     private static final double SHORTEST_DRIVE_S = 0.01;
 
     private final TimeSource time;
@@ -83,7 +84,7 @@ final class ManualLog {
         }
     }
 
-    /** Towards zero, so that nothing becomes faster or longer. */
+    /** Rounds towards zero, so that nothing becomes faster or longer. */
     private static String decimal(double number) {
         BigDecimal cut = BigDecimal.valueOf(number).setScale(3, RoundingMode.DOWN);
         return cut.signum() == 0 ? "0" : cut.stripTrailingZeros().toPlainString();

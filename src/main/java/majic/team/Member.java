@@ -13,14 +13,14 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot in a team: its number, its queue with the one worker that empties it, its owner, and the act it is lent to.
+ * A robot in a team: its number, its queue with the single worker thread, its owner, and the act it is lent to.
  * Thread-safe.
  */
 public final class Member implements TeamPlace {
     /** How many orders may wait for one robot. */
     public static final int QUEUE_DEPTH = 100;
 
-    /** How many orders may be carried out beside the queue of one robot, each on a thread of its own. */
+    /** How many orders may run outside the queue of one robot, each on a thread of its own. */
     private static final int MOST_BESIDE = 16;
 
     private final Team team;
@@ -42,10 +42,10 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * The member that a robot is.
+     * Returns the member for a robot.
      *
      * @param bot a robot
-     * @return empty for a robot that is used alone
+     * @return empty for a robot that is used without a team
      */
     public static Optional<Member> of(MajicBot bot) {
         return bot.place().map(Member.class::cast);
@@ -57,7 +57,7 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * The robot.
+     * Returns the robot.
      *
      * @return its driver
      */
@@ -66,7 +66,7 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * The clock the robot lives by.
+     * Returns the clock of the robot.
      *
      * @return the lab's for a simulated robot, otherwise the system's
      */
@@ -75,28 +75,28 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Who has it to himself.
+     * Returns the current holder of the robot.
      *
-     * @return who it is lent to, otherwise its owner; null if nobody
+     * @return the borrower if it is lent, otherwise its owner; null if there is neither
      */
     public synchronized @Nullable Owner owner() {
         return tenure.holder();
     }
 
     /**
-     * Whether it has nothing to do and nothing to wait for.
+     * Returns whether the robot has no work and no pending stop.
      *
-     * @return true when the queue is empty, no order or stop is under way, and it is not lent to anybody
+     * @return true when the queue is empty, no order or stop is running, and the robot is not lent
      */
     public synchronized boolean isIdle() {
         return tenure.loan() == null && lane.isIdle() && !stops.areUnderWay();
     }
 
     /**
-     * Whether it has done all that somebody told it.
+     * Returns whether the robot has completed all orders of one source.
      *
-     * @param by who; only for the one it is lent to it makes a difference to {@link #isIdle()}
-     * @return true when no order of his, and no stop, is under way
+     * @param by the source of the orders; differs from {@link #isIdle()} only for the borrower
+     * @return true when no order from this source, and no stop, is running
      */
     public synchronized boolean isIdle(@Nullable Owner by) {
         Loan his = tenure.loanTo(by);
@@ -104,16 +104,16 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Whether a stop is on its way to it.
+     * Returns whether a stop of the robot is pending.
      *
-     * @return true until the robot was told and has confirmed it
+     * @return true until the stop was sent to the robot and confirmed by it
      */
     public synchronized boolean isStopping() {
         return stops.areUnderWay();
     }
 
     /**
-     * Whether an owner that was ended by a stop has not given the robot back yet.
+     * Returns whether an owner that was ended by a stop has not given the robot back yet.
      *
      * @return true from the stop until the robot is given back
      */
@@ -123,7 +123,7 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Whether another order would be accepted.
+     * Returns whether another order would be accepted.
      *
      * @return false while the queue is full
      */
@@ -132,10 +132,10 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Whether another order of somebody would be accepted.
+     * Returns whether another order from one source would be accepted.
      *
-     * @param by who; only for the one it is lent to it makes a difference to {@link #hasRoom()}
-     * @return false while his queue is full
+     * @param by the source of the orders; differs from {@link #hasRoom()} only for the borrower
+     * @return false while the queue of this source is full
      */
     public synchronized boolean hasRoom(@Nullable Owner by) {
         return laneOf(by).hasRoom();
@@ -147,9 +147,9 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * The leave that orders are given by now, for whoever begins something later that belongs to this moment.
+     * Returns the current permission to move, for work that is requested now and started later.
      *
-     * @return revoked by the next stop, or when the link is lost
+     * @return revoked by the next stop, or when the connection is lost
      */
     public Permit leave() {
         return bot.permit().and(new Permit());
@@ -161,10 +161,10 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Checks what {@link #submit} checks, and orders nothing.
+     * Makes the checks of {@link #submit} without submitting an order.
      *
      * @param moves whether the order would move the robot
-     * @param by who would give it; null for a person at the command line
+     * @param by the source of the order; null for a person at the command line
      * @throws BotException what {@link #submit} would throw now
      */
     public synchronized void check(boolean moves, @Nullable Owner by) {
@@ -185,11 +185,11 @@ public final class Member implements TeamPlace {
      * Puts an order at the end of the queue.
      *
      * @param order what to do
-     * @param by who gives it; null for a person at the command line
-     * @return the order under way
+     * @param by the source of the order; null for a person at the command line
+     * @return the queued order
      * @throws BotException if the queue is full, or the order moves and the robot has another owner or STOP is latched;
      *     nothing was queued then
-     * @throws MotionStopped if the order moves and who gives it was ended, or has the robot no more; nothing was queued
+     * @throws MotionStopped if the order moves and its source was ended, or no longer has the robot; nothing was queued
      */
     public QueuedCommand submit(Order order, @Nullable Owner by) {
         QueuedCommand pending;
@@ -205,10 +205,10 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Carries an order out at once, beside the queue, on a thread of its own: a {@code get} at the prompt.
+     * Runs an order at once, outside the queue, on a thread of its own: a {@code get} at the prompt.
      *
      * @param order what to do; must not move the robot
-     * @return the order under way
+     * @return the running order
      * @throws BotException if {@value #MOST_BESIDE} such orders have not ended yet
      */
     public QueuedCommand runNow(Order order) {
@@ -240,9 +240,9 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Takes the robot to oneself.
+     * Makes a caller the owner of the robot.
      *
-     * @param newOwner who; allowed again for the same
+     * @param newOwner the new owner; may already be the owner
      * @throws BotException if it has another owner already
      */
     public void claim(Owner newOwner) {
@@ -255,7 +255,7 @@ public final class Member implements TeamPlace {
     /**
      * Gives the robot back.
      *
-     * @param oldOwner who had it; nothing happens if it is somebody else's by now
+     * @param oldOwner the previous owner; has no effect if the robot has another owner by now
      */
     public void free(Owner oldOwner) {
         synchronized (this) {
@@ -268,7 +268,7 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Who gets it back when a loan ends.
+     * Returns the owner that gets the robot back when a loan ends.
      *
      * @return the owner of a robot that is lent; null if it is not lent, or has no owner
      */
@@ -277,13 +277,13 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Lends the robot: until {@link #takeBack} only his orders are carried out, and those of its owner wait.
+     * Lends the robot: until {@link #takeBack} only the borrower's orders run, and those of the owner wait.
      *
-     * @param to who gets it
-     * @param lease the leave that his orders are carried out by, for as long as it holds; a stop revokes it
-     * @param by the owner, who stays that; null if it has none
-     * @throws BotException if it is somebody else's, or lent already, or a stop is on its way to it, or it still carries
-     *     out an order, other than the one that lends it
+     * @param to the borrower
+     * @param lease the permission under which the borrower's orders run; a stop revokes it
+     * @param by the owner, which remains the owner; null if there is none
+     * @throws BotException if it has another owner, or is lent already, or a stop is pending, or it still runs an order
+     *     other than the one that lends it
      */
     public void lend(Owner to, Permit lease, @Nullable Owner by) {
         Loan begun = new Loan(to, lease, new CommandQueue(team, number, bot, () -> mayWork(to)));
@@ -298,10 +298,10 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Ends a loan. What was still ordered under it is not carried out, and nothing is said of it. What is being carried
-     * out ends with the lease: revoke that, and halt the robot, before.
+     * Ends a loan. Orders still queued under it are not run and not reported. The running order ends with the
+     * permission: revoke the permission, and halt the robot, before this call.
      *
-     * @param from who has it; nothing happens if he has not
+     * @param from the borrower; has no effect if the robot is not lent to it
      */
     public void takeBack(Owner from) {
         Loan ended;
@@ -318,9 +318,9 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Tells what the one who has the robot says of his doings.
+     * Publishes a status message of the holder of the robot.
      *
-     * @param from who
+     * @param from the holder
      * @param words half a sentence or a whole one
      */
     public void tell(Owner from, String words) {
@@ -329,27 +329,27 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Says to the person what went wrong beside the queue, as this robot's own words.
+     * Reports an error outside the queue to the user, as a message of this robot.
      *
-     * @param problem its message is said
+     * @param problem its message is shown
      */
     public void complain(BotException problem) {
         team.tell(listener -> listener.noticed(number, number + ": " + problem.getMessage()));
     }
 
-    /** The clock of the team, which may be another than the robot's. */
+    /** The clock of the team, which may differ from the robot's. */
     TimeSource teamTime() {
         return team.time();
     }
 
-    /** Tells what was done by hand, once the robot was let go. */
+    /** Reports the manual commands, once the robot was released. */
     void tellByHand(List<ManualCommand> commands) {
         if (!commands.isEmpty()) {
             team.tell(listener -> listener.drivenByHand(this, commands));
         }
     }
 
-    /** After a lost link nothing resumes by itself, not even when the robot is connected again. */
+    /** After a lost connection nothing resumes by itself, not even when the robot is connected again. */
     @Override
     public void linkLost(String reason) {
         Loan ended;
@@ -367,14 +367,14 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Revokes, empties the queue and forbids the worker to go on until {@link #stopEnded} was called twice: when the
-     * robot was stopped, and when everything was notified. Notifies nothing itself.
+     * Revokes the permission, empties the queue and blocks the worker until {@link #stopEnded} was called twice: when
+     * the robot was stopped, and when all listeners were notified. Notifies nothing itself.
      */
     synchronized Stops.Aftermath stopBegins(@Nullable Owner by) {
         return stops.begin(by);
     }
 
-    /** Allows motion again, unless STOP came anew meanwhile. */
+    /** Allows motion again, unless another STOP came meanwhile. */
     synchronized void release() {
         if (!team.isLatched()) {
             bot.unlatch();
@@ -397,7 +397,7 @@ public final class Member implements TeamPlace {
         return !stops.areUnderWay() && (tenure.loan() == null || tenure.loanTo(by) != null);
     }
 
-    /** Closes the robot, then tells what of its queue is not run. */
+    /** Closes the robot, then reports the queued orders that are not run. */
     void close() {
         List<QueuedCommand> left;
         synchronized (this) {

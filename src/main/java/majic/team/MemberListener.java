@@ -3,7 +3,7 @@ package majic.team;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
 
-/** Hands on to the team's listeners what one of its robots says and what becomes of its link. */
+/** Forwards the messages and connection changes of one robot to the team's listeners. */
 final class MemberListener implements BotListener {
     private final Team team;
     private final Member member;

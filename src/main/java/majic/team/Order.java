@@ -11,13 +11,13 @@ import org.jspecify.annotations.Nullable;
  * @param text the command without the robot, as answers repeat it: {@code move 500}
  * @param moves whether it may move the robot, and so needs the robot to be free and no STOP latched
  * @param job what it does
- * @param asker gets back with the answers, so that they can be led to where the command came from; null for nowhere
- *     in particular
+ * @param asker returned with the answers, so that they can be routed to the source of the command; null for no
+ *     particular source
  */
 public record Order(
         String text, boolean moves, Job job, @Nullable Object asker) {
     /**
-     * An order from nowhere in particular.
+     * Creates an order without an asker.
      *
      * @param text the command without the robot, as answers repeat it
      * @param moves whether it may move the robot
@@ -28,7 +28,7 @@ public record Order(
     }
 
     /**
-     * The same order with an asker.
+     * Returns the same order with an asker.
      *
      * @param by what its answers carry; null for nothing
      * @return the order
@@ -37,13 +37,13 @@ public record Order(
         return new Order(text, moves, job, by);
     }
 
-    /** What an order does when its turn comes. */
+    /** The work of an order, run when its turn comes. */
     @FunctionalInterface
     public interface Job {
         /**
-         * Does it, waiting until it is done.
+         * Does the work, and blocks until it is done.
          *
-         * @param robot the robot, under the leave the order was given with
+         * @param robot the robot, under the permission the order was given with
          * @return the answers, each without the robot's number: {@code move 500: done (498 mm, 2.1 s)}
          * @throws BotException if it could not be done; the order has failed then
          */

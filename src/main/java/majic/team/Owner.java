@@ -3,7 +3,7 @@ package majic.team;
 import majic.bot.BotException;
 
 /**
- * Somebody who has a robot to himself: a script, an act, a hand on the keys. Compared by identity.
+ * An exclusive owner of a robot: a script, an act, or manual control. Compared by identity.
  */
 public final class Owner {
     /** What kinds of owners there are. */
@@ -12,7 +12,7 @@ public final class Owner {
         SCRIPT,
         /** A running act. */
         ACT,
-        /** A person driving by hand. */
+        /** A person in manual control. */
         HAND
     }
 
@@ -25,9 +25,9 @@ public final class Owner {
     /**
      * Describes an owner.
      *
-     * @param kind what it is
-     * @param name what messages call it
-     * @param end ends it; called on a thread of its own when somebody else stops a robot of its
+     * @param kind the kind of owner
+     * @param name the name in messages
+     * @param end ends the owner; called on a thread of its own when another source stops one of its robots
      */
     public Owner(Kind kind, String name, Runnable end) {
         this.kind = kind;
@@ -36,7 +36,7 @@ public final class Owner {
     }
 
     /**
-     * What it is.
+     * Returns the kind of this owner.
      *
      * @return its kind
      */
@@ -45,7 +45,7 @@ public final class Owner {
     }
 
     /**
-     * What messages call it.
+     * Returns the name in messages.
      *
      * @return for instance {@code WanderDog}
      */
@@ -54,9 +54,9 @@ public final class Owner {
     }
 
     /**
-     * What it said last of its doings.
+     * Returns the latest status message of this owner.
      *
-     * @return its words; empty until it says something
+     * @return the message; empty until there is one
      */
     public String said() {
         return said;
@@ -67,13 +67,13 @@ public final class Owner {
     }
 
     /**
-     * Ends it, without stopping any robot: that is for it to do, or was done.
+     * Ends this owner, without stopping any robot: the owner does that, or it was done.
      */
     public void end() {
         end.run();
     }
 
-    /** As {@link #end}; what it throws is logged. */
+    /** As {@link #end}; exceptions are logged. */
     void endWhateverHappens() {
         try {
             end();
@@ -82,13 +82,13 @@ public final class Owner {
         }
     }
 
-    /** Takes no further order of his that moves a robot, however late he hears of his end. */
+    /** Rejects all further orders of this owner that move a robot, even those sent before it ends. */
     void dismiss() {
         dismissed = true;
     }
 
     /**
-     * Whether a stop took from it the permission to move its robots.
+     * Returns whether a stop revoked this owner's permission to move its robots.
      *
      * @return true from the moment of the stop, before its {@code end} is called
      */

@@ -3,7 +3,7 @@ package majic.team;
 import majic.bot.Permit;
 import org.jspecify.annotations.Nullable;
 
-/** An order that was accepted. Thread-safe; who waits for it, waits at {@link Team#changes()}. */
+/** An order that was accepted. Thread-safe; wait for its end at {@link Team#changes()}. */
 public final class QueuedCommand {
     private final Order order;
     private final Permit permit;
@@ -16,7 +16,7 @@ public final class QueuedCommand {
     }
 
     /**
-     * What was ordered.
+     * Returns the order.
      *
      * @return the order
      */
@@ -25,18 +25,18 @@ public final class QueuedCommand {
     }
 
     /**
-     * How it ended, from before anybody is told.
+     * Returns how the order ended; set before any listener is called.
      *
-     * @return null while it has not
+     * @return null while it has not ended
      */
     public Answer.@Nullable Outcome outcome() {
         return outcome;
     }
 
     /**
-     * Whether it has ended, well or not, and its answer was given.
+     * Returns whether the order has ended, with any outcome, and its answer was given.
      *
-     * @return true from then on; {@link #outcome()} tells how
+     * @return true from then on; {@link #outcome()} returns how
      */
     public boolean hasEnded() {
         return ended;

@@ -10,7 +10,7 @@ import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import majic.bot.BotException;
 
-/** The robots of a team by number, and which number the next one gets. Thread-safe. */
+/** The robots of a team by number, and the number of the next one. Thread-safe. */
 final class Roster {
     private final int maxBots;
     private final SortedMap<Integer, Member> members = new TreeMap<>();
@@ -21,10 +21,10 @@ final class Roster {
     }
 
     /**
-     * Takes in a robot.
+     * Adds a robot.
      *
      * @param wanted its number; empty for the lowest that was never used
-     * @param making makes the member of that number; nobody sees the robots meanwhile
+     * @param making creates the member with that number; the roster is locked meanwhile
      * @throws BotException if the number is taken or out of range, or there is no room
      */
     synchronized Member add(OptionalInt wanted, IntFunction<Member> making) {
@@ -36,7 +36,7 @@ final class Roster {
     }
 
     /**
-     * The number that a robot would get.
+     * Returns the number that a new robot would get.
      *
      * @throws BotException as {@link #add}
      */
@@ -67,7 +67,7 @@ final class Roster {
                         : "the team is full (" + maxBots + " robots); remove one first");
     }
 
-    /** Lets a robot go; false if it has gone already. */
+    /** Removes a robot; false if it was removed already. */
     synchronized boolean remove(Member member) {
         return members.remove(member.number(), member);
     }
@@ -77,7 +77,7 @@ final class Roster {
     }
 
     /**
-     * A robot by its number.
+     * Returns a robot by its number.
      *
      * @throws BotException if there is none; the message lists those there are
      */
@@ -94,7 +94,7 @@ final class Roster {
         return List.copyOf(members.values());
     }
 
-    /** Who some robots are, for instance {@code robots: 1 Aibo, 2 Pioneer}. */
+    /** Lists robots by number and name, for instance {@code robots: 1 Aibo, 2 Pioneer}. */
     static String words(List<Member> robots) {
         return robots.isEmpty()
                 ? "no robots yet; add one"

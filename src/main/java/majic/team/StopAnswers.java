@@ -7,7 +7,7 @@ import majic.time.Signal;
 import majic.time.TimeSource;
 
 /**
- * Answers stops. {@code done} means that the robot has confirmed the stop and is free: the owner that the stop dismissed
+ * Answers stops. {@code done} means that the robot has confirmed the stop and is free: the owner that the stop ended
  * has given it back, so that the next motion is accepted. Thread-safe.
  */
 final class StopAnswers {

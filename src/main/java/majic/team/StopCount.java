@@ -9,7 +9,9 @@ import java.util.Map;
  * counts a stop on the thread that orders it, before it revokes anything. Thread-safe.
  */
 public final class StopCount {
-    /** Whose stop the current thread carries out; the counts of each source of lines leave its own stops out. */
+    /**
+     * The source of the stop that the current thread runs; the counts of each source of lines exclude its own stops.
+     */
     private static final ThreadLocal<StopCount> BY = new ThreadLocal<>();
 
     private final Map<Integer, Long> single = new HashMap<>();
@@ -29,7 +31,7 @@ public final class StopCount {
         }
     }
 
-    /** Counts a stop, and counts it for the source of the line that this thread carries out. */
+    /** Counts a stop, and counts it for the source of the line that this thread runs. */
     synchronized void stopped(Collection<Member> members) {
         add(members);
         StopCount source = BY.get();
@@ -42,7 +44,7 @@ public final class StopCount {
         members.forEach(member -> single.merge(member.number(), 1L, Long::sum));
     }
 
-    /** Counts a STOP, and counts it for the source of the line that this thread carries out. */
+    /** Counts a STOP, and counts it for the source of the line that this thread runs. */
     synchronized void stoppedAll() {
         addAll();
         StopCount source = BY.get();
@@ -56,7 +58,7 @@ public final class StopCount {
     }
 
     /**
-     * How often any of some robots was stopped, but for the stops that a source carried out.
+     * Returns how often any of some robots was stopped, except by the stops of one source.
      *
      * @param robots their numbers
      * @param source the counts of that source
@@ -67,7 +69,7 @@ public final class StopCount {
     }
 
     /**
-     * How often all robots were stopped by STOP.
+     * Returns how often all robots were stopped by STOP.
      *
      * @return a count that only grows
      */
@@ -76,7 +78,7 @@ public final class StopCount {
     }
 
     /**
-     * How often any of some robots was stopped, alone or with all.
+     * Returns how often any of some robots was stopped, alone or with all.
      *
      * @param robots their numbers
      * @return a count that only grows

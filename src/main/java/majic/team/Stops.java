@@ -7,8 +7,8 @@ import majic.bot.MajicBot;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The stops that are on their way to one robot, and what each takes from those who have it. Guarded by the lock of the
- * robot's {@link Member}, but for what is to be told afterwards.
+ * The pending stops of one robot, and what each revokes from its owner and borrower. Guarded by the lock of the robot's
+ * {@link Member}, except for the notifications afterwards.
  */
 final class Stops {
     private final Team team;
@@ -18,10 +18,10 @@ final class Stops {
     private int underWay;
 
     /**
-     * None as yet.
+     * Creates the state without a pending stop.
      *
-     * @param lane the robot's own
-     * @param tenure who has it
+     * @param lane the robot's own queue
+     * @param tenure the owner and borrower of the robot
      */
     Stops(Team team, MajicBot bot, CommandQueue lane, Tenure tenure) {
         this.team = team;
@@ -31,10 +31,10 @@ final class Stops {
     }
 
     /**
-     * What follows from a stop, once it has been written to every link and no lock is held.
+     * The consequences of a stop, applied once it has been written to every connection and no lock is held.
      *
-     * @param dropped what is to be told as not run
-     * @param ended the owners that are to end
+     * @param dropped the orders to report as not run
+     * @param ended the owners to end
      */
     record Aftermath(Map<CommandQueue, List<QueuedCommand>> dropped, List<Owner> ended) {
         void tell() {
@@ -52,8 +52,8 @@ final class Stops {
     }
 
     /**
-     * Revokes and empties the queues; notifies nothing. Two holds begin, one for the robot's stop and one for the
-     * notifications. A borrower who says so himself ends only what he has begun.
+     * Revokes permissions and empties the queues; notifies nothing. Two holds begin, one for the robot's stop and one
+     * for the notifications. A stop by the borrower itself ends only the borrower's own orders.
      */
     Aftermath begin(@Nullable Owner by) {
         underWay += 2;

@@ -19,8 +19,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robots by number, and the STOP that reaches them all. Whoever commands robots, a window, a console, a test, does
- * it through here. Thread-safe.
+ * The robots by number, and the STOP for all of them. All commands to robots, from a window, a console or a test, pass
+ * through this class. Thread-safe.
  */
 public final class Team implements AutoCloseable {
     /** How many robots there may be unless set otherwise. */
@@ -44,7 +44,7 @@ public final class Team implements AutoCloseable {
     private volatile boolean latched;
 
     /**
-     * An empty team of at most {@link #MAX_BOTS} robots.
+     * Creates an empty team of at most {@link #MAX_BOTS} robots.
      *
      * @param time the clock of scripts and of waits for robots: the lab's, if there is one
      */
@@ -53,7 +53,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * An empty team.
+     * Creates an empty team.
      *
      * @param time the clock of scripts and of waits for robots
      * @param maxBots how many robots there may be, at least 1
@@ -66,12 +66,12 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Takes in a robot.
+     * Adds a robot.
      *
-     * @param bot a connected one
+     * @param bot a connected robot
      * @param wanted its number; empty for the lowest that was never used
      * @return the new member
-     * @throws BotException if the number is taken or out of range, or the team is full; the robot was not taken in
+     * @throws BotException if the number is taken or out of range, or the team is full; the robot was not added
      */
     public Member add(MajicBot bot, OptionalInt wanted) {
         Member member = roster.add(wanted, number -> place(number, bot));
@@ -81,7 +81,7 @@ public final class Team implements AutoCloseable {
         return member;
     }
 
-    /** Either STOP sees the new robot among the others, or this sees that STOP is latched. */
+    /** Either STOP includes the new robot, or this method finds STOP latched. */
     private Member place(int number, MajicBot bot) {
         Member member = new Member(this, number, bot);
         bot.join(member, "robot " + number + " (" + bot.type().label() + ")");
@@ -92,7 +92,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Checks whether a robot could be taken in, before the trouble of connecting to it.
+     * Checks whether a robot could be added, before connecting to it.
      *
      * @param wanted its number; empty for the lowest that was never used
      * @throws BotException what {@link #add} would throw now
@@ -102,7 +102,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Stops a robot, ends whatever runs on it, closes it and lets it go. Blocks for about a second at most.
+     * Stops a robot, ends whatever runs on it, closes it and removes it. Blocks for about a second at most.
      *
      * @param number its number
      * @throws BotException if there is no such robot
@@ -122,7 +122,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * A robot by its number.
+     * Returns a robot by its number.
      *
      * @param number its number
      * @return the member
@@ -133,7 +133,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * All robots.
+     * Returns all robots.
      *
      * @return a snapshot, by number
      */
@@ -142,7 +142,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Who is here, in words.
+     * Lists the robots as text.
      *
      * @return for instance {@code robots: 1 Aibo, 2 Pioneer}
      */
@@ -151,7 +151,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Who some robots are, in words.
+     * Lists some robots as text.
      *
      * @param all the robots
      * @return as {@link #roll()} for the whole team
@@ -162,13 +162,13 @@ public final class Team implements AutoCloseable {
 
     /**
      * Stops some robots: ends their motions, empties their queues, ends the acts and scripts that own them. Owners and
-     * listeners are called on other threads, once the stops are being written to all links. Returns when they have
-     * returned, after {@value #CALLBACK_BOUND_MS} ms at most. Later orders wait until the robot has stopped and the
-     * listeners have returned. Each robot is answered: {@code done} when it has confirmed its stop and the owner that was
-     * ended has given it back.
+     * listeners are called on other threads, once the stops are being written to all connections. Returns when they
+     * have returned, after {@value #CALLBACK_BOUND_MS} ms at most. Later orders wait until the robot has stopped and
+     * the listeners have returned. Each robot is answered: {@code done} when it has confirmed its stop and the owner
+     * that was ended has given it back.
      *
      * @param chosen which robots
-     * @param by the script that says so, which is not ended by it; null for a person
+     * @param by the script that orders the stop, which is not ended by it; null for a person
      */
     public void stop(Collection<Member> chosen, @Nullable Owner by) {
         List<Member> stopped = List.copyOf(chosen);
@@ -187,7 +187,7 @@ public final class Team implements AutoCloseable {
         stop(members(), null, latchEvents::deliver);
     }
 
-    /** Revokes, writes to every link, then notifies. */
+    /** Revokes, writes to every connection, then notifies. */
     private void stop(List<Member> members, @Nullable Owner by, Runnable news) {
         List<Stops.Aftermath> aftermaths =
                 members.stream().map(member -> member.stopBegins(by)).toList();
@@ -199,7 +199,9 @@ public final class Team implements AutoCloseable {
         });
     }
 
-    /** Calls owners and listeners on other threads, and waits a moment for them: what is done next comes behind it. */
+    /**
+     * Calls owners and listeners on other threads, and waits briefly for them, so that later work follows the calls.
+     */
     private void callBack(List<Stops.Aftermath> aftermaths, Runnable afterwards) {
         List<Runnable> callbacks = new ArrayList<>();
         aftermaths.forEach(aftermath -> aftermath.ended().forEach(owner -> callbacks.add(owner::endWhateverHappens)));
@@ -231,7 +233,7 @@ public final class Team implements AutoCloseable {
         latchEvents.deliver();
     }
 
-    /** Each change gets its event with it, so they are told in their order. */
+    /** Queues the event together with each change, so that listeners receive events in the order of the changes. */
     private void latch(boolean on) {
         synchronized (latchEvents) {
             latched = on;
@@ -240,16 +242,16 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * How often robots were stopped by a person.
+     * Returns how often robots were stopped by a person.
      *
-     * @return the counts, with each stop in them from before it reaches a robot
+     * @return the counts; each stop is counted before it reaches a robot
      */
     public StopCount stops() {
         return stops;
     }
 
     /**
-     * Whether every stop that a robot has confirmed was answered.
+     * Returns whether every stop that a robot has confirmed was answered.
      *
      * @return false while an owner that a stop ended has not given its robot back, for 2.5 s at most
      */
@@ -258,7 +260,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Whether STOP is latched.
+     * Returns whether STOP is latched.
      *
      * @return true from {@link #stopAll()} to {@link #release()}
      */
@@ -273,7 +275,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Where everybody waits who waits for orders to end, robots to become idle or owners to leave.
+     * Returns the signal to wait at for orders to end, robots to become idle or owners to give them back.
      *
      * @return the signal, on this team's clock
      */
@@ -282,16 +284,16 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * The clock of scripts.
+     * Returns the clock of scripts.
      *
-     * @return the clock given at the beginning
+     * @return the clock passed to the constructor
      */
     public TimeSource time() {
         return time;
     }
 
     /**
-     * Begins to tell somebody of this team.
+     * Adds a listener.
      *
      * @param listener called on worker threads
      */
@@ -300,15 +302,15 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Ends telling somebody.
+     * Removes a listener.
      *
-     * @param listener who was added
+     * @param listener the listener to remove
      */
     public void removeListener(TeamListener listener) {
         listeners.remove(listener);
     }
 
-    /** Stops and closes all robots side by side; takes at most 3 s, whatever the links do. */
+    /** Stops and closes all robots in parallel; takes at most 3 s, whatever the state of the connections. */
     @Override
     public void close() {
         latched = true;
@@ -350,8 +352,8 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * On a thread of its own for each link, so that a stuck one holds up no other. Where the system has no thread left,
-     * this one writes to all those links before it waits for a confirmation.
+     * Writes on a thread of its own for each connection, so that a blocked one does not delay the others. If no thread
+     * can be created, the calling thread writes to all those connections before it waits for a confirmation.
      */
     private void sendStops(List<Member> members) {
         List<Member> left = members.stream()
@@ -363,7 +365,7 @@ public final class Team implements AutoCloseable {
         left.stream().map(this::writeStop).toList().forEach(Runnable::run);
     }
 
-    /** Writes a stop; what this returns waits for its confirmation and tells it. */
+    /** Writes a stop; the returned task waits for its confirmation and reports it. */
     private Runnable writeStop(Member member) {
         try {
             boolean written = member.bot().writeStop();

@@ -4,8 +4,8 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * Is called with news of a team, on worker threads: be quick, and cross over to another thread for anything slow. A
- * listener that blocks holds up later orders and other listeners, but no stop.
+ * Receives events of a team, on worker threads: return quickly, and use another thread for anything slow. A listener
+ * that blocks delays later orders and other listeners, but no stop.
  */
 public interface TeamListener {
     /**
@@ -16,7 +16,7 @@ public interface TeamListener {
     default void answered(Answer answer) {}
 
     /**
-     * A robot, or the program about a robot, has something to say.
+     * A robot, or the program on behalf of a robot, issued a message.
      *
      * @param robot its number
      * @param message the whole line, with the number
@@ -26,7 +26,7 @@ public interface TeamListener {
     /**
      * A robot's connection was lost.
      *
-     * @param member who
+     * @param member the robot
      * @param reason how, as half a sentence
      */
     default void lost(Member member, String reason) {}
@@ -34,49 +34,49 @@ public interface TeamListener {
     /**
      * A robot whose connection was lost is connected again.
      *
-     * @param member who
+     * @param member the robot
      */
     default void regained(Member member) {}
 
     /**
-     * A robot joined.
+     * A robot was added.
      *
-     * @param member who
+     * @param member the robot
      */
     default void added(Member member) {}
 
     /**
-     * A robot left and is closed.
+     * A robot was removed and is closed.
      *
-     * @param member who it was
+     * @param member the removed robot
      */
     default void removed(Member member) {}
 
     /**
      * A robot has another owner, or none.
      *
-     * @param member which robot; ask it who
+     * @param member the robot; query it for the owner
      */
     default void ownerChanged(Member member) {}
 
     /**
-     * A person has driven a robot by hand, or set by hand what moves it, and let it go.
+     * A person has driven a robot manually, or set parameters that move it, and released it.
      *
-     * @param member which robot
+     * @param member the robot
      * @param commands what was done, oldest first; at least one
      */
     default void drivenByHand(Member member, List<ManualCommand> commands) {}
 
     /**
-     * A person has stopped some robots, but not all by STOP; told when the stops are being written to the robots.
+     * A person has stopped some robots, but not all by STOP; called when the stops are being written to the robots.
      *
-     * @param members which
+     * @param members the stopped robots
      */
     default void stopped(Collection<Member> members) {}
 
     /**
-     * STOP was pressed or released; told in that order, when the stops are being written to the robots. By the time of
-     * the call {@link Team#isLatched()} may differ already.
+     * STOP was pressed or released; called in that order, when the stops are being written to the robots. By the time
+     * of the call {@link Team#isLatched()} may differ already.
      *
      * @param latched whether motion was refused from then on
      */

@@ -7,22 +7,22 @@ import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import org.jspecify.annotations.Nullable;
 
-/** Who has one robot: its owner, and the one it is lent to. Guarded by the lock of the robot's {@link Member}. */
+/** The owner and the borrower of one robot. Guarded by the lock of the robot's {@link Member}. */
 final class Tenure {
     private final int robot;
     private @Nullable Owner owner;
     private @Nullable Loan loan;
 
     /**
-     * Nobody's.
+     * Creates the state without an owner.
      *
-     * @param robot its number
+     * @param robot the robot's number
      */
     Tenure(int robot) {
         this.robot = robot;
     }
 
-    /** Who it is lent to, otherwise its owner; null if nobody has it. */
+    /** The borrower, otherwise the owner; null if there is neither. */
     @Nullable
     Owner holder() {
         return loan != null ? loan.to() : owner;
@@ -39,21 +39,21 @@ final class Tenure {
         return loan;
     }
 
-    /** The loan, if it is to him; null otherwise. */
+    /** The loan, if it is to this borrower; null otherwise. */
     @Nullable
     Loan loanTo(@Nullable Owner somebody) {
         return loan != null && loan.isTo(somebody) ? loan : null;
     }
 
-    /** In which orders may wait: the robot's own lane, and while it is lent the borrower's. */
+    /** The queues in which orders may wait: the robot's own, and while it is lent the borrower's. */
     List<CommandQueue> lanes(CommandQueue own) {
         return loan == null ? List.of(own) : List.of(own, loan.lane());
     }
 
     /**
-     * Takes the leave to order anything from owner and borrower, but for the one who says so.
+     * Revokes the permission of owner and borrower to order anything, except for the one that orders the stop.
      *
-     * @return those who have to be told so
+     * @return the owners to notify of it
      */
     List<Owner> dismiss(@Nullable Owner by) {
         if (loan != null && !loan.isTo(by)) {
@@ -68,11 +68,11 @@ final class Tenure {
     }
 
     /**
-     * Goes on only for who may order it to move now. The owner's own orders wait for their turn while the robot is lent;
-     * everybody else's are refused.
+     * Returns normally only if this source may order the robot to move now. The owner's own orders wait for their turn
+     * while the robot is lent; those of all others are refused.
      *
-     * @throws BotException if another one is in the way
-     * @throws MotionStopped if he was ended or has given it back, and may not have heard of it yet
+     * @throws BotException if the robot has another owner
+     * @throws MotionStopped if the source was ended or has given the robot back, and may not have been notified yet
      */
     void check(@Nullable Owner by) {
         refuseOthers(by);
@@ -93,16 +93,16 @@ final class Tenure {
     }
 
     /**
-     * Becomes somebody's.
+     * Sets the owner.
      *
-     * @throws BotException if it is somebody else's
+     * @throws BotException if the robot has another owner
      */
     void claim(Owner newOwner) {
         refuseOthers(newOwner);
         owner = newOwner;
     }
 
-    /** Is given back; false if it is not his. */
+    /** Removes the owner; false if the robot is not owned by it. */
     boolean free(Owner oldOwner) {
         boolean his = owner == oldOwner;
         if (his) {
@@ -112,9 +112,9 @@ final class Tenure {
     }
 
     /**
-     * Is lent.
+     * Begins a loan.
      *
-     * @throws BotException if it is somebody else's, or lent already
+     * @throws BotException if the robot has another owner, or is lent already
      */
     void lend(Loan begun, @Nullable Owner by) {
         Owner holder = holder();
@@ -124,7 +124,7 @@ final class Tenure {
         loan = begun;
     }
 
-    /** Ends a loan; null if he has it not. */
+    /** Ends a loan; null if the robot is not lent to this borrower. */
     @Nullable
     Loan takeBack(Owner from) {
         Loan ended = loanTo(from);

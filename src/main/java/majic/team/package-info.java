@@ -1,5 +1,5 @@
 /**
- * Robots by number: their queues, their owners, manual control, and the STOP that reaches them all.
+ * Robots by number: their queues, their owners, manual control, and the STOP for all of them.
  */
 @NullMarked
 package majic.team;

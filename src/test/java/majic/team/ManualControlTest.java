@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A hand that sets what moves; how it drives is in {@link TeamTest}. */
+/** Tests manual settings of parameters that move a robot; manual driving is tested in {@link TeamTest}. */
 @Timeout(20)
 class ManualControlTest {
     private final TestClock clock = new TestClock();

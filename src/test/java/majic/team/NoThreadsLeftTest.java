@@ -15,7 +15,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** When the system has no thread left, because an act has used them all up for instance, a robot can still be stopped. */
+/**
+ * Tests that a robot can still be stopped when the system has no thread left, for instance because an act uses them
+ * all.
+ */
 @Timeout(20)
 class NoThreadsLeftTest {
     private final Exhaustible time = new Exhaustible();
@@ -27,7 +30,7 @@ class NoThreadsLeftTest {
         team.close();
     }
 
-    /** The system's clock, in a system that may have no threads to give. */
+    /** The system's clock, in a system that may be unable to create threads. */
     private static final class Exhaustible implements TimeSource {
         private volatile boolean exhausted;
 
@@ -52,7 +55,7 @@ class NoThreadsLeftTest {
         }
     }
 
-    /** What becomes of a thread then. */
+    /** The behaviour of thread creation in that case. */
     private static final class Refused extends Thread {
         @Override
         public synchronized void start() {

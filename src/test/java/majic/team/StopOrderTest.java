@@ -24,7 +24,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A stop revokes, writes to every link, and only then notifies: a callback that never returns holds up no byte. */
+/**
+ * Tests that a stop revokes, writes to every connection, and only then notifies: a callback that never returns delays
+ * no byte.
+ */
 @Timeout(20)
 class StopOrderTest {
     private final Team team = new Team(TimeSource.system());
@@ -54,7 +57,7 @@ class StopOrderTest {
         }
     }
 
-    /** Each callback that a stop leads to blocks. */
+    /** Blocks in each callback that a stop leads to. */
     private final class BlockedTeamListener implements TeamListener {
         @Override
         public void answered(Answer answer) {
@@ -87,7 +90,7 @@ class StopOrderTest {
         }
     }
 
-    /** Each callback of a robot blocks. */
+    /** Blocks in each callback of a robot. */
     private final class BlockedBotListener implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {
@@ -118,7 +121,7 @@ class StopOrderTest {
         }
     }
 
-    /** On a thread of its own, for it may block. */
+    /** Runs on a thread of its own, because it may block. */
     private static void aside(Runnable work) {
         CompletableFuture.runAsync(work, task -> new Thread(task).start());
     }
