@@ -104,7 +104,7 @@ public final class LabRig implements AutoCloseable {
 
     /** Runs lines of MAJIC Script as a pipe would, and waits until all is done. */
     public List<String> run(String... lines) throws InterruptedException {
-        said.clear();
+        forget();
         for (String line : lines) {
             parser.parseText(line);
         }
@@ -114,12 +114,18 @@ public final class LabRig implements AutoCloseable {
 
     /** Starts a line of MAJIC Script, without waiting for its end. */
     public void say(String line) {
-        said.clear();
+        forget();
         parser.parseText(line);
     }
 
-    /** Returns the output since the last {@link #run} or {@link #say}. */
+    private void forget() {
+        session.flush();
+        said.clear();
+    }
+
+    /** Returns the output since the last {@link #run} or {@link #say}, once the listener has received all of it. */
     public List<String> said() {
+        session.flush();
         synchronized (said) {
             return List.copyOf(said);
         }
