@@ -27,6 +27,11 @@ public final class Majic {
     }
 
     static int run(UserFolder folder, String... args) {
+        return commandLine(folder).execute(args);
+    }
+
+    /** Returns the command line of a program with this folder, with all commands and options. */
+    static CommandLine commandLine(UserFolder folder) {
         return new CommandLine(new MajicCommand(folder))
                 .addSubcommand(new LabCommand())
                 .addSubcommand(new RunCommand(folder))
@@ -34,7 +39,6 @@ public final class Majic {
                 .addSubcommand(new ClassDataCommand())
                 .setExecutionExceptionHandler((problem, command, parsed) -> Failures.explain(command, problem))
                 .setParameterExceptionHandler((problem, parsed) -> Failures.usage(problem))
-                .setCaseInsensitiveEnumValuesAllowed(true)
-                .execute(args);
+                .setCaseInsensitiveEnumValuesAllowed(true);
     }
 }

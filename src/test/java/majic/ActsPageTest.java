@@ -13,7 +13,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.act.NoActs;
 import majic.cli.ActCommand;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,29 +23,15 @@ import picocli.CommandLine;
 @Tag("jdk")
 @Timeout(120)
 class ActsPageTest {
-    private static final Pattern BLOCK = Pattern.compile("```(\\w*)\\R(.*?)```", Pattern.DOTALL);
     private static final Pattern HASH = Pattern.compile("trust \\S+ (\"[0-9a-f]{8}\")$");
 
     @TempDir
     private Path folder;
 
-    private String page;
+    private final Page page = Page.of("docs/acts.md");
 
-    @BeforeEach
-    void read() throws IOException {
-        page = Files.readString(Path.of("docs/acts.md"));
-    }
-
-    /** Returns the lines of the code block of a language that contains a text. */
-    private List<String> block(String kind, String part) {
-        return BLOCK.matcher(page)
-                .results()
-                .filter(block -> block.group(1).equals(kind) && block.group(2).contains(part))
-                .findFirst()
-                .orElseThrow()
-                .group(2)
-                .lines()
-                .toList();
+    private List<String> block(String language, String part) {
+        return page.block(language, part).lines();
     }
 
     private Path write(String name, List<String> lines) throws IOException {
@@ -64,13 +49,13 @@ class ActsPageTest {
     @Test
     void itListsEveryBehaviourThatThereIs() {
         assertThat(NoActs.here().names())
-                .allSatisfy(name -> assertThat(page).containsPattern("(?m)^\\| `" + name + "` \\|"));
+                .allSatisfy(name -> assertThat(page.text()).containsPattern("(?m)^\\| `" + name + "` \\|"));
     }
 
     @Test
     void theLinesToTryAreDone() throws InterruptedException {
         try (LabRig rig = LabRig.exact().withAllRobots()) {
-            for (String line : block("", "1 act AiboSquare")) {
+            for (String line : block("majic", "1 act AiboSquare")) {
                 rig.say(line);
                 rig.lab().time().sleep(2);
                 assertThat(rig.said()).as(line).noneMatch(said -> said.contains("failed") || said.contains("no "));
@@ -85,7 +70,7 @@ class ActsPageTest {
         write("patrol.majic", block("majic", "me turn 180"));
         try (LabRig rig = LabRig.exact().withAllRobots()) {
             double before = rig.truePose("pioneer").xMm();
-            String line = here(block("", "patrol.majic").get(0));
+            String line = here(block("majic", "patrol.majic").get(0));
             assertThat(rig.run(line)).anyMatch(said -> said.startsWith(line + ": done"));
             assertThat(rig.truePose("pioneer").xMm() - before).isBetween(400.0, 600.0);
         }
@@ -96,7 +81,7 @@ class ActsPageTest {
         write("There.java", block("java", "class There"));
         block("sh", "act make").forEach(this::runInAShell);
         try (LabRig rig = LabRig.exact().withAllRobots()) {
-            List<String> lines = block("", "trust There.act");
+            List<String> lines = block("majic", "trust There.act");
             String hash = rig.run(here(lines.get(0))).stream()
                     .map(HASH::matcher)
                     .filter(Matcher::find)
@@ -106,7 +91,7 @@ class ActsPageTest {
             assertThat(rig.run(here(lines.get(1)).replace("HASH", hash))).anyMatch(said -> said.endsWith(": done"));
             assertThat(rig.run(here(lines.get(2)))).contains("2: There: there").anyMatch(said -> said.contains("done"));
             assertThat(rig.run(here("trust off There.act"))).anyMatch(said -> said.endsWith(": done"));
-            assertThat(page).contains("`trust off There.act`");
+            assertThat(page.text()).contains("`trust off There.act`");
         }
     }
 

@@ -2,13 +2,10 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import majic.Page;
 import majic.bot.FakeBot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -16,19 +13,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every example on the page of the language does what it says, or at least nothing wrong. */
+/** Tests the examples on the page of the language: all of them run, and the behaviour avoids obstacles. */
 @Timeout(60)
 class DocExamplesTest {
-    private static final Path PAGE = Path.of("docs/majic-script.md");
-    private static final Pattern EXAMPLE = Pattern.compile("```majic\\R(.*?)```", Pattern.DOTALL);
-
-    static Stream<String> examples() throws IOException {
-        Matcher found = EXAMPLE.matcher(Files.readString(PAGE));
-        return found.results().map(result -> result.group(1));
+    private static Stream<String> examples() {
+        return Page.of("docs/majic-script.md").blocks("majic").map(Page.Code::text);
     }
 
-    static List<String> withoutMe() throws IOException {
-        return examples().filter(example -> !hasMe(example)).toList();
+    static Stream<String> withoutMe() {
+        return examples().filter(example -> !hasMe(example));
     }
 
     private static boolean hasMe(String example) {
@@ -50,7 +43,7 @@ class DocExamplesTest {
     }
 
     @Test
-    void theWandererTurnsBeforeWhatIsNearUntilItIsStopped(@TempDir Path folder) throws Exception {
+    void theWandererTurnsAwayFromObstaclesUntilItIsStopped(@TempDir Path folder) throws Exception {
         String wanderer = examples().filter(DocExamplesTest::hasMe).findFirst().orElseThrow();
         try (Desk desk = Desk.withTwo()) {
             FakeBot robot = desk.bot(2);
