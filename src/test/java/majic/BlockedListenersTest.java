@@ -18,7 +18,7 @@ import majic.program.Plugins;
 import majic.simulation.SimulatedLab;
 import majic.team.Answer;
 import majic.team.BotFactory;
-import majic.team.Order;
+import majic.team.QueuedCommand;
 import majic.team.Team;
 import majic.team.TeamListener;
 import majicsim.LabOptions;
@@ -78,7 +78,7 @@ class BlockedListenersTest {
             Map<String, Pose> start = lab.truePoses();
             team.members()
                     .forEach(member -> member.submit(
-                            new Order(
+                            new QueuedCommand(
                                     "drive 50 0 for 20s", true, bot -> List.of(bot.drive(50, 0, 20, Guard.NEVER) + "")),
                             null));
             while (!allMoved(start, lab.truePoses())) {

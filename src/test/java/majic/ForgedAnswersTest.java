@@ -24,8 +24,8 @@ import majic.console.Console;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.team.Member;
-import majic.team.Order;
 import majic.team.Owner;
+import majic.team.QueuedCommand;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -104,7 +104,7 @@ class ForgedAnswersTest {
     @Test
     void anExceptionsMessageStaysInItsAnswer() throws Exception {
         robot.submit(
-                new Order("get x", false, its -> {
+                new QueuedCommand("get x", false, its -> {
                     throw new BotException(FORGED);
                 }),
                 null);

@@ -29,7 +29,7 @@ import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.team.Member;
-import majic.team.Order;
+import majic.team.QueuedCommand;
 import majic.time.Signal;
 
 /** Runs behaviours on the robots of a session: finds them, assigns robots to roles, ends them. Thread-safe. */
@@ -80,10 +80,10 @@ final class SessionActs implements ActRunner {
     }
 
     @Override
-    public Order order(Command.Act act, Member me, Execution execution, Actions actions) {
+    public QueuedCommand command(Command.Act act, Member me, Execution execution, Actions actions) {
         List<Member> others = execution.selection().members(act.others());
         Permit leave = leave(me, others);
-        return new Order(act.text(), true, robot -> {
+        return new QueuedCommand(act.text(), true, robot -> {
             Found found = find(act.name());
             Map<String, List<Member>> robots = assign(act, found, me, others);
             sayIfOwn(act.name().unquoted(), me);
@@ -139,7 +139,7 @@ final class SessionActs implements ActRunner {
     }
 
     @Override
-    public Order callOff(Member member) {
+    public QueuedCommand callOff(Member member) {
         Permit before = ordered.remove(member);
         if (before != null) {
             before.revoke(() -> new MotionStopped("called off"));
@@ -147,7 +147,7 @@ final class SessionActs implements ActRunner {
         List<ActRun> its =
                 running.stream().filter(run -> run.owner() == member.owner()).toList();
         its.forEach(ActRun::callOff);
-        return new Order("act off", false, robot -> {
+        return new QueuedCommand("act off", false, robot -> {
             awaitEnd(its);
             return List.of("act off: " + (its.isEmpty() ? "no behaviour runs on it" : "done"));
         });

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * @param robot the robot's number; 0 when the session as a whole answers
  * @param outcome how the command ended
  * @param text the whole line, for instance {@code 1 move 500: done (498 mm, 2.1 s)}
- * @param asker the asker of the order; null if the answer concerns all
+ * @param asker the asker of the command; null if the answer concerns all
  */
 public record Answer(
         int robot, Outcome outcome, String text, @Nullable Object asker) {

@@ -5,15 +5,13 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
-import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
-import majic.bot.PermittedControl;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
-/** Runs the orders to one robot one after the other, on a thread of its own. Thread-safe. */
+/** Runs the commands to one robot one after the other, on a thread of its own. Thread-safe. */
 final class CommandQueue {
     private final Team team;
     private final int robot;
@@ -31,7 +29,7 @@ final class CommandQueue {
      * @param team receives the answers
      * @param robot the robot's number in the team
      * @param bot the robot
-     * @param mayWork whether an order may be begun now; evaluated again after {@link #wake()}
+     * @param mayWork whether a command may be begun now; evaluated again after {@link #wake()}
      */
     CommandQueue(Team team, int robot, MajicBot bot, BooleanSupplier mayWork) {
         this.team = team;
@@ -53,7 +51,7 @@ final class CommandQueue {
         return queue.isEmpty() && current == null;
     }
 
-    /** Whether no order is running, or only the one that calls this. */
+    /** Whether no command is running, or only the one that calls this. */
     synchronized boolean isAtRest() {
         return current == null || Thread.currentThread() == worker;
     }
@@ -62,8 +60,8 @@ final class CommandQueue {
         return queue.size() < Member.QUEUE_DEPTH;
     }
 
-    synchronized void add(QueuedCommand pending) {
-        queue.add(pending);
+    synchronized void add(QueuedCommand command) {
+        queue.add(command);
     }
 
     /** Makes the thread check again whether it may work; must not be called while holding a lock. */
@@ -71,19 +69,19 @@ final class CommandQueue {
         work.raise();
     }
 
-    /** Removes all orders that were not begun. */
+    /** Removes all commands that were not begun. */
     synchronized List<QueuedCommand> drop() {
         List<QueuedCommand> dropped = new ArrayList<>(queue);
         queue.clear();
         return dropped;
     }
 
-    /** Reports dropped orders as not carried out. */
+    /** Reports dropped commands as not carried out. */
     void tellDropped(List<QueuedCommand> dropped, String because) {
-        dropped.forEach(pending -> tell(pending, Ending.of(Answer.Outcome.NOT_RUN, pending, "not run: " + because)));
+        dropped.forEach(command -> tell(command, Ending.of(Answer.Outcome.NOT_RUN, command, "not run: " + because)));
     }
 
-    /** Begins no further order, and ends the thread. */
+    /** Begins no further command, and ends the thread. */
     void close() {
         synchronized (this) {
             closed = true;
@@ -94,7 +92,7 @@ final class CommandQueue {
     private void work() {
         try {
             while (!isClosed()) {
-                work.await(() -> isClosed() || (mayWork.getAsBoolean() && hasOrders()), Signal.FOR_EVER);
+                work.await(() -> isClosed() || (mayWork.getAsBoolean() && hasCommands()), Signal.FOR_EVER);
                 QueuedCommand next = next();
                 if (next != null) {
                     settle(next, attempt(next));
@@ -109,7 +107,7 @@ final class CommandQueue {
         return closed;
     }
 
-    private synchronized boolean hasOrders() {
+    private synchronized boolean hasCommands() {
         return !queue.isEmpty();
     }
 
@@ -118,54 +116,52 @@ final class CommandQueue {
         return current;
     }
 
-    /** Runs an order outside the queue, so its failure drops no queued order. */
-    void carryOut(QueuedCommand pending) {
-        tell(pending, attempt(pending));
+    /** Runs a command outside the queue, so its failure drops no queued command. */
+    void runBeside(QueuedCommand command) {
+        tell(command, attempt(command));
     }
 
-    /** A failed order drops what is queued behind it by then; orders submitted in response to the failure run. */
-    private void settle(QueuedCommand pending, Ending ending) {
+    /** A failed command drops what is queued behind it by then; commands submitted in response to the failure run. */
+    private void settle(QueuedCommand command, Ending ending) {
         List<QueuedCommand> dropped = List.of();
         if (ending.outcome() == Answer.Outcome.FAILED) {
             synchronized (this) {
                 dropped = drop();
-                pending.settle(ending.outcome());
+                command.settle(ending.outcome());
             }
         }
-        tell(pending, ending);
-        tellDropped(dropped, robot + " " + pending.order().text() + " failed");
+        tell(command, ending);
+        tellDropped(dropped, robot + " " + command.text() + " failed");
         synchronized (this) {
             current = null;
         }
         team.changes().raise();
     }
 
-    private Ending attempt(QueuedCommand pending) {
+    private Ending attempt(QueuedCommand command) {
         try {
-            BotControl control = new PermittedControl(bot, pending::permit);
-            List<String> answers = pending.order().job().carryOut(control);
-            return new Ending(Answer.Outcome.DONE, answers);
+            return new Ending(Answer.Outcome.DONE, command.run(bot));
         } catch (MotionStopped e) {
-            return Ending.of(Answer.Outcome.STOPPED, pending, "stopped");
+            return Ending.of(Answer.Outcome.STOPPED, command, "stopped");
         } catch (BotException e) {
-            return Ending.of(Answer.Outcome.FAILED, pending, "failed: " + e.getMessage());
+            return Ending.of(Answer.Outcome.FAILED, command, "failed: " + e.getMessage());
         } catch (RuntimeException | Error e) {
-            Team.LOG.log(System.Logger.Level.ERROR, "an order to robot " + robot + " failed", e);
-            return Ending.of(Answer.Outcome.FAILED, pending, "failed: an error in MAJIC, see its log");
+            Team.LOG.log(System.Logger.Level.ERROR, "a command to robot " + robot + " failed", e);
+            return Ending.of(Answer.Outcome.FAILED, command, "failed: an error in MAJIC, see its log");
         }
     }
 
-    private void tell(QueuedCommand pending, Ending ending) {
-        Object asker = pending.order().asker();
+    private void tell(QueuedCommand command, Ending ending) {
+        Object asker = command.asker();
         ending.answers().forEach(line -> team.answer(new Answer(robot, ending.outcome(), robot + " " + line, asker)));
-        pending.end(ending.outcome());
+        command.end(ending.outcome());
         team.changes().raise();
     }
 
-    /** How an order ended, and the answers to report for it. */
+    /** How a command ended, and the answers to report for it. */
     private record Ending(Answer.Outcome outcome, List<String> answers) {
-        static Ending of(Answer.Outcome outcome, QueuedCommand pending, String how) {
-            return new Ending(outcome, List.of(pending.order().text() + ": " + how));
+        static Ending of(Answer.Outcome outcome, QueuedCommand command, String how) {
+            return new Ending(outcome, List.of(command.text() + ": " + how));
         }
     }
 }

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A temporary assignment of a robot to a borrower by its owner: the permission to move, and the queue of the borrower's
- * orders. Guarded by the lock of the robot's {@link Member}.
+ * commands. Guarded by the lock of the robot's {@link Member}.
  */
 final class Loan {
     private final Owner to;
@@ -36,22 +36,22 @@ final class Loan {
         lane.start("robot " + robot + " " + to.name());
     }
 
-    /** Closes the queue; orders still in it are not reported. */
+    /** Closes the queue; commands still in it are not reported. */
     void close() {
         lane.close();
-        lane.drop().forEach(pending -> pending.end(Answer.Outcome.NOT_RUN));
+        lane.drop().forEach(command -> command.end(Answer.Outcome.NOT_RUN));
     }
 
     boolean isTo(@Nullable Owner somebody) {
         return to == somebody;
     }
 
-    /** The permission under which the borrower's orders are carried out. */
+    /** The permission under which the borrower's commands are carried out. */
     Permit leave(MajicBot bot) {
         return bot.permit().and(lease).and(round);
     }
 
-    /** Ends the borrower's orders so far, at the borrower's own request; new orders are accepted. */
+    /** Ends the borrower's commands so far, at the borrower's own request; new commands are accepted. */
     List<QueuedCommand> stop() {
         round.revoke(() -> new MotionStopped("stopped"));
         round = new Permit();

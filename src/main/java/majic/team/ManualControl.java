@@ -35,7 +35,7 @@ public final class ManualControl implements AutoCloseable {
      * Takes manual control of a robot.
      *
      * @param member which robot
-     * @throws BotException if a script or act owns it, it has orders in its queue, or STOP is latched
+     * @throws BotException if a script or act owns it, it has commands in its queue, or STOP is latched
      */
     public ManualControl(Member member) {
         this.member = member;

@@ -17,10 +17,10 @@ import org.jspecify.annotations.Nullable;
  * Thread-safe.
  */
 public final class Member implements TeamPlace {
-    /** How many orders may wait for one robot. */
+    /** How many commands may wait for one robot. */
     public static final int QUEUE_DEPTH = 100;
 
-    /** How many orders may run outside the queue of one robot, each on a thread of its own. */
+    /** How many commands may run outside the queue of one robot, each on a thread of its own. */
     private static final int MOST_BESIDE = 16;
 
     private final Team team;
@@ -86,17 +86,17 @@ public final class Member implements TeamPlace {
     /**
      * Returns whether the robot has no work and no pending stop.
      *
-     * @return true when the queue is empty, no order or stop is running, and the robot is not lent
+     * @return true when the queue is empty, no command or stop is running, and the robot is not lent
      */
     public synchronized boolean isIdle() {
         return tenure.loan() == null && lane.isIdle() && !stops.areUnderWay();
     }
 
     /**
-     * Returns whether the robot has completed all orders of one source.
+     * Returns whether the robot has completed all commands of one source.
      *
-     * @param by the source of the orders; differs from {@link #isIdle()} only for the borrower
-     * @return true when no order from this source, and no stop, is running
+     * @param by the source of the commands; differs from {@link #isIdle()} only for the borrower
+     * @return true when no command from this source, and no stop, is running
      */
     public synchronized boolean isIdle(@Nullable Owner by) {
         Loan his = tenure.loanTo(by);
@@ -123,7 +123,7 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Returns whether another order would be accepted.
+     * Returns whether another command would be accepted.
      *
      * @return false while the queue is full
      */
@@ -132,9 +132,9 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Returns whether another order from one source would be accepted.
+     * Returns whether another command from one source would be accepted.
      *
-     * @param by the source of the orders; differs from {@link #hasRoom()} only for the borrower
+     * @param by the source of the commands; differs from {@link #hasRoom()} only for the borrower
      * @return false while the queue of this source is full
      */
     public synchronized boolean hasRoom(@Nullable Owner by) {
@@ -161,10 +161,10 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Makes the checks of {@link #submit} without submitting an order.
+     * Makes the checks of {@link #submit} without submitting a command.
      *
-     * @param moves whether the order would move the robot
-     * @param by the source of the order; null for a person at the command line
+     * @param moves whether the command would move the robot
+     * @param by the source of the command; null for a person at the command line
      * @throws BotException what {@link #submit} would throw now
      */
     public synchronized void check(boolean moves, @Nullable Owner by) {
@@ -182,61 +182,54 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Puts an order at the end of the queue.
+     * Puts a command at the end of the queue.
      *
-     * @param order what to do
-     * @param by the source of the order; null for a person at the command line
-     * @return the queued order
-     * @throws BotException if the queue is full, or the order moves and the robot has another owner or STOP is latched;
+     * @param command what to do
+     * @param by the source of the command; null for a person at the command line
+     * @throws BotException if the queue is full, or the command moves and the robot has another owner or STOP is latched;
      *     nothing was queued then
-     * @throws MotionStopped if the order moves and its source was ended, or no longer has the robot; nothing was queued
+     * @throws MotionStopped if the command moves and its source was ended, or no longer has the robot; nothing was queued
      */
-    public QueuedCommand submit(Order order, @Nullable Owner by) {
-        QueuedCommand pending;
+    public void submit(QueuedCommand command, @Nullable Owner by) {
         CommandQueue used;
         synchronized (this) {
-            check(order.moves(), by);
-            pending = new QueuedCommand(order, leaveOf(by));
+            check(command.moves(), by);
+            command.accept(leaveOf(by));
             used = laneOf(by);
-            used.add(pending);
+            used.add(command);
         }
         used.wake();
-        return pending;
     }
 
     /**
-     * Runs an order at once, outside the queue, on a thread of its own: a {@code get} at the prompt.
+     * Runs a command at once, outside the queue, on a thread of its own: a {@code get} at the prompt.
      *
-     * @param order what to do; must not move the robot
-     * @return the running order
-     * @throws BotException if {@value #MOST_BESIDE} such orders have not ended yet
+     * @param command what to do; must not move the robot
+     * @throws BotException if {@value #MOST_BESIDE} such commands have not ended yet
      */
-    public QueuedCommand runNow(Order order) {
+    public void runNow(QueuedCommand command) {
         if (beside.incrementAndGet() > MOST_BESIDE) {
             beside.decrementAndGet();
             throw new BotException(number + ": " + MOST_BESIDE + " commands beside its queue have no answer yet; wait");
         }
-        QueuedCommand pending = new QueuedCommand(order, bot.permit());
-        startBeside(pending);
-        return pending;
-    }
-
-    private void startBeside(QueuedCommand pending) {
-        Runnable body = () -> {
-            try {
-                lane.carryOut(pending);
-            } finally {
-                beside.decrementAndGet();
-            }
-        };
         try {
-            bot.time()
-                    .thread("robot " + number + " " + pending.order().text(), body)
-                    .start();
+            command.accept(bot.permit());
+            startBeside(command);
         } catch (RuntimeException | Error e) {
             beside.decrementAndGet();
             throw e;
         }
+    }
+
+    private void startBeside(QueuedCommand command) {
+        Runnable body = () -> {
+            try {
+                lane.runBeside(command);
+            } finally {
+                beside.decrementAndGet();
+            }
+        };
+        bot.time().thread("robot " + number + " " + command.text(), body).start();
     }
 
     /**
@@ -277,12 +270,12 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Lends the robot: until {@link #takeBack} only the borrower's orders run, and those of the owner wait.
+     * Lends the robot: until {@link #takeBack} only the borrower's commands run, and those of the owner wait.
      *
      * @param to the borrower
-     * @param lease the permission under which the borrower's orders run; a stop revokes it
+     * @param lease the permission under which the borrower's commands run; a stop revokes it
      * @param by the owner, which remains the owner; null if there is none
-     * @throws BotException if it has another owner, or is lent already, or a stop is pending, or it still runs an order
+     * @throws BotException if it has another owner, or is lent already, or a stop is pending, or it still runs a command
      *     other than the one that lends it
      */
     public void lend(Owner to, Permit lease, @Nullable Owner by) {
@@ -298,7 +291,7 @@ public final class Member implements TeamPlace {
     }
 
     /**
-     * Ends a loan. Orders still queued under it are not run and not reported. The running order ends with the
+     * Ends a loan. Orders still queued under it are not run and not reported. The running command ends with the
      * permission: revoke the permission, and halt the robot, before this call.
      *
      * @param from the borrower; has no effect if the robot is not lent to it
@@ -397,7 +390,7 @@ public final class Member implements TeamPlace {
         return !stops.areUnderWay() && (tenure.loan() == null || tenure.loanTo(by) != null);
     }
 
-    /** Closes the robot, then reports the queued orders that are not run. */
+    /** Closes the robot, then reports the queued commands that are not run. */
     void close() {
         List<QueuedCommand> left;
         synchronized (this) {

@@ -82,7 +82,7 @@ public final class Owner {
         }
     }
 
-    /** Rejects all further orders of this owner that move a robot, even those sent before it ends. */
+    /** Rejects all further commands of this owner that move a robot, even those sent before it ends. */
     void dismiss() {
         dismissed = true;
     }

@@ -1,31 +1,109 @@
 package majic.team;
 
+import java.util.List;
+import java.util.Objects;
+import majic.bot.BotControl;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
 import majic.bot.Permit;
+import majic.bot.PermittedControl;
 import org.jspecify.annotations.Nullable;
 
-/** An order that was accepted. Thread-safe; wait for its end at {@link Team#changes()}. */
+/**
+ * A command to one robot, from its creation until it has ended: its text, what it does and, once it was accepted by
+ * {@link Member#submit} or {@link Member#runNow}, how it ended. Is submitted once. Thread-safe; wait for its end at
+ * {@link Team#changes()}.
+ */
 public final class QueuedCommand {
-    private final Order order;
-    private final Permit permit;
+    private final String text;
+    private final boolean moves;
+    private final Work work;
+    private final @Nullable Object asker;
+    private volatile @Nullable Permit permit;
     private volatile Answer.@Nullable Outcome outcome;
     private volatile boolean ended;
 
-    QueuedCommand(Order order, Permit permit) {
-        this.order = order;
-        this.permit = permit;
+    /** What a command does when its turn comes. */
+    @FunctionalInterface
+    public interface Work {
+        /**
+         * Does the work, and blocks until it is done.
+         *
+         * @param robot the robot, under the permit with which the command was submitted
+         * @return the answers, each without the robot's number: {@code move 500: done (498 mm, 2.1 s)}
+         * @throws BotException if it could not be done; the command has failed then
+         */
+        List<String> run(BotControl robot);
     }
 
     /**
-     * Returns the order.
+     * Creates a command that was not submitted yet, without an asker.
      *
-     * @return the order
+     * @param text the command without the robot, as answers repeat it: {@code move 500}
+     * @param moves whether it may move the robot, and so needs the robot to be free and no STOP latched
+     * @param work what it does
      */
-    public Order order() {
-        return order;
+    public QueuedCommand(String text, boolean moves, Work work) {
+        this(text, moves, work, null);
+    }
+
+    private QueuedCommand(String text, boolean moves, Work work, @Nullable Object asker) {
+        this.text = text;
+        this.moves = moves;
+        this.work = work;
+        this.asker = asker;
     }
 
     /**
-     * Returns how the order ended; set before any listener is called.
+     * Returns the same command, not submitted, with an asker.
+     *
+     * @param by returned with the answers, so that they can be routed to the source of the command; null for no
+     *     particular source
+     * @return a new command
+     */
+    public QueuedCommand askedBy(@Nullable Object by) {
+        return new QueuedCommand(text, moves, work, by);
+    }
+
+    /**
+     * Returns the same command, not submitted, with a check that is made when its turn comes.
+     *
+     * @param check throws a {@link BotException} if the command must not begin; the command ends with that
+     * @return a new command
+     */
+    public QueuedCommand checkedBy(Runnable check) {
+        Work checked = robot -> {
+            check.run();
+            return work.run(robot);
+        };
+        return new QueuedCommand(text, moves, checked, asker);
+    }
+
+    /**
+     * Returns the text of the command.
+     *
+     * @return the text without the robot, as answers repeat it
+     */
+    public String text() {
+        return text;
+    }
+
+    /**
+     * Returns whether the command may move the robot.
+     *
+     * @return true if it needs the robot to be free and no STOP latched
+     */
+    public boolean moves() {
+        return moves;
+    }
+
+    @Nullable
+    Object asker() {
+        return asker;
+    }
+
+    /**
+     * Returns how the command ended; set before any listener is called.
      *
      * @return null while it has not ended
      */
@@ -34,7 +112,7 @@ public final class QueuedCommand {
     }
 
     /**
-     * Returns whether the order has ended, with any outcome, and its answer was given.
+     * Returns whether the command has ended, with any outcome, and its answer was given.
      *
      * @return true from then on; {@link #outcome()} returns how
      */
@@ -42,8 +120,25 @@ public final class QueuedCommand {
         return ended;
     }
 
-    Permit permit() {
-        return permit;
+    /**
+     * Accepts the command: it will run under a permit.
+     *
+     * @throws IllegalStateException if it was accepted before
+     */
+    synchronized void accept(Permit given) {
+        if (permit != null) {
+            throw new IllegalStateException(text + " was submitted before");
+        }
+        permit = given;
+    }
+
+    /** Runs the accepted command and returns its answers; blocks until it is done. */
+    List<String> run(MajicBot bot) {
+        return work.run(new PermittedControl(bot, this::permit));
+    }
+
+    private Permit permit() {
+        return Objects.requireNonNull(permit, "not submitted");
     }
 
     void settle(Answer.Outcome how) {

@@ -33,12 +33,12 @@ final class Stops {
     /**
      * The consequences of a stop, applied once it has been written to every connection and no lock is held.
      *
-     * @param dropped the orders to report as not run
+     * @param dropped the commands to report as not run
      * @param ended the owners to end
      */
     record Aftermath(Map<CommandQueue, List<QueuedCommand>> dropped, List<Owner> ended) {
         void tell() {
-            dropped.forEach((from, orders) -> from.tellDropped(orders, "stopped"));
+            dropped.forEach((from, commands) -> from.tellDropped(commands, "stopped"));
         }
     }
 
@@ -53,7 +53,7 @@ final class Stops {
 
     /**
      * Revokes permissions and empties the queues; notifies nothing. Two holds begin, one for the robot's stop and one
-     * for the notifications. A stop by the borrower itself ends only the borrower's own orders.
+     * for the notifications. A stop by the borrower itself ends only the borrower's own commands.
      */
     Aftermath begin(@Nullable Owner by) {
         underWay += 2;

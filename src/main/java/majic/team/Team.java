@@ -163,12 +163,12 @@ public final class Team implements AutoCloseable {
     /**
      * Stops some robots: ends their motions, empties their queues, ends the acts and scripts that own them. Owners and
      * listeners are called on other threads, once the stops are being written to all connections. Returns when they
-     * have returned, after {@value #CALLBACK_BOUND_MS} ms at most. Later orders wait until the robot has stopped and
+     * have returned, after {@value #CALLBACK_BOUND_MS} ms at most. Later commands wait until the robot has stopped and
      * the listeners have returned. Each robot is answered: {@code done} when it has confirmed its stop and the owner
      * that was ended has given it back.
      *
      * @param chosen which robots
-     * @param by the script that orders the stop, which is not ended by it; null for a person
+     * @param by the source of the stop, which is not ended by it; null for a person
      */
     public void stop(Collection<Member> chosen, @Nullable Owner by) {
         List<Member> stopped = List.copyOf(chosen);
@@ -275,7 +275,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Returns the signal to wait at for orders to end, robots to become idle or owners to give them back.
+     * Returns the signal to wait at for commands to end, robots to become idle or owners to give them back.
      *
      * @return the signal, on this team's clock
      */

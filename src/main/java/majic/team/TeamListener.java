@@ -5,7 +5,7 @@ import java.util.List;
 
 /**
  * Receives events of a team, on worker threads: return quickly, and use another thread for anything slow. A listener
- * that blocks delays later orders and other listeners, but no stop.
+ * that blocks delays later commands and other listeners, but no stop.
  */
 public interface TeamListener {
     /**

@@ -45,13 +45,13 @@ final class Tenure {
         return loan != null && loan.isTo(somebody) ? loan : null;
     }
 
-    /** The queues in which orders may wait: the robot's own, and while it is lent the borrower's. */
+    /** The queues in which commands may wait: the robot's own, and while it is lent the borrower's. */
     List<CommandQueue> lanes(CommandQueue own) {
         return loan == null ? List.of(own) : List.of(own, loan.lane());
     }
 
     /**
-     * Revokes the permission of owner and borrower to order anything, except for the one that orders the stop.
+     * Revokes the permission of owner and borrower to use the robot, except for the source of the stop.
      *
      * @return the owners to notify of it
      */
@@ -68,7 +68,7 @@ final class Tenure {
     }
 
     /**
-     * Returns normally only if this source may order the robot to move now. The owner's own orders wait for their turn
+     * Returns normally only if this source may move the robot now. The owner's own commands wait for their turn
      * while the robot is lent; those of all others are refused.
      *
      * @throws BotException if the robot has another owner

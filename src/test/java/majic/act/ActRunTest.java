@@ -14,8 +14,8 @@ import majic.bot.FakeBot;
 import majic.bot.SteppedTime;
 import majic.team.Answer;
 import majic.team.Member;
-import majic.team.Order;
 import majic.team.Owner;
+import majic.team.QueuedCommand;
 import majic.team.Team;
 import majic.team.TeamListener;
 import majic.time.Signal;
@@ -87,9 +87,9 @@ class ActRunTest implements TeamListener {
         }
     }
 
-    private void order(ActRun run) {
+    private void submit(ActRun run) {
         first.submit(
-                new Order("act", true, robot -> {
+                new QueuedCommand("act", true, robot -> {
                     run.run(null);
                     return List.of("act: done");
                 }),
@@ -130,7 +130,7 @@ class ActRunTest implements TeamListener {
         Map<String, List<Member>> cast = new LinkedHashMap<>();
         cast.put(Role.ME, List.of(first));
         cast.put("follower", List.of(second, third));
-        order(new ActRun(new Scatter(), "Scatter", cast, first.leave()));
+        submit(new ActRun(new Scatter(), "Scatter", cast, first.leave()));
         awaitIdle();
         assertThat(List.of(follower, last))
                 .allSatisfy(robot -> assertThat(robot.sent()).startsWith("move 300"));
@@ -148,9 +148,9 @@ class ActRunTest implements TeamListener {
 
     @Test
     void nobodyElseMovesItsRobotsMeanwhile() throws InterruptedException {
-        order(pair());
+        submit(pair());
         time.sleep(1);
-        Order move = new Order("move 1", true, robot -> List.of());
+        QueuedCommand move = new QueuedCommand("move 1", true, robot -> List.of());
         assertThatThrownBy(() -> second.submit(move, null))
                 .hasMessageContaining("2 is running Pair; \"2 stop\" ends it");
         assertThat(said).contains("1: Pair: off we go");
@@ -158,7 +158,7 @@ class ActRunTest implements TeamListener {
 
     @Test
     void aStopOfOneOfItsRobotsEndsItForAll() throws InterruptedException {
-        order(pair());
+        submit(pair());
         time.sleep(5);
         team.stop(List.of(second), null);
         awaitIdle();
@@ -171,7 +171,7 @@ class ActRunTest implements TeamListener {
     @Test
     void calledOffItIsNotAComplaint() throws InterruptedException {
         ActRun run = pair();
-        order(run);
+        submit(run);
         time.sleep(5);
         run.callOff();
         awaitIdle();
@@ -181,16 +181,18 @@ class ActRunTest implements TeamListener {
     @Test
     void aRobotThatIsBusyIsNotTakenAway() throws InterruptedException {
         second.submit(
-                new Order("move 1000", true, robot -> List.of(robot.move(1000).toString())), null);
+                new QueuedCommand(
+                        "move 1000", true, robot -> List.of(robot.move(1000).toString())),
+                null);
         time.sleep(0.1);
-        order(pair());
+        submit(pair());
         time.sleep(1);
         assertThat(said).contains("1 act: failed: 2 is still busy; \"2 wait\" lets it finish first");
     }
 
     @Test
     void aMistakeOfItsAuthorIsToldWithItsPlace() throws InterruptedException {
-        order(alone(new MajicAct() {
+        submit(alone(new MajicAct() {
             private static final long serialVersionUID = 1;
 
             @Override
@@ -242,7 +244,7 @@ class ActRunTest implements TeamListener {
         "'', 'its ended\\(\\) failed: IllegalArgumentException: second .*'"
     })
     void allThatFailedIsToldWithTheFirstReasonFirst(String first, String why) throws InterruptedException {
-        order(alone(new Failing(first)));
+        submit(alone(new Failing(first)));
         awaitIdle();
         assertThat(said).anyMatch(line -> line.matches("1 act: failed: " + why));
         assertThat(leader.sent()).endsWith("halt");
@@ -281,7 +283,7 @@ class ActRunTest implements TeamListener {
         Member third = team.add(robot, OptionalInt.empty());
         ActRun run = new ActRun(new Scatter(), "Alone", Map.of(Role.ME, List.of(third)), third.leave());
         third.submit(
-                new Order("act", true, control -> {
+                new QueuedCommand("act", true, control -> {
                     run.run(null);
                     return List.of("act: done");
                 }),
@@ -294,7 +296,7 @@ class ActRunTest implements TeamListener {
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void anErrorInItsCodeLeavesItsRobotStoppedAndFree(boolean inItsEnding) throws InterruptedException {
-        order(alone(new MajicAct() {
+        submit(alone(new MajicAct() {
             private static final long serialVersionUID = 1;
 
             @Override
@@ -351,7 +353,7 @@ class ActRunTest implements TeamListener {
             Member member = others.add(robot, OptionalInt.empty());
             Deaf deaf = new Deaf();
             member.submit(
-                    new Order("act", true, control -> {
+                    new QueuedCommand("act", true, control -> {
                         new ActRun(deaf, "Deaf", Map.of(Role.ME, List.of(member)), member.leave()).run(null);
                         return List.of();
                     }),
@@ -366,7 +368,7 @@ class ActRunTest implements TeamListener {
 
     @Test
     void aRobotLostUnderWayIsWhyItFails() throws InterruptedException {
-        order(pair());
+        submit(pair());
         time.sleep(0.1);
         follower.cut();
         awaitIdle();
@@ -397,7 +399,7 @@ class ActRunTest implements TeamListener {
 
     @Test
     void afterALostLinkItResumesNothing() throws InterruptedException {
-        order(both(new Stubborn()));
+        submit(both(new Stubborn()));
         time.sleep(0.1);
         follower.cut();
         follower.connect();
@@ -412,7 +414,7 @@ class ActRunTest implements TeamListener {
     void whatWasStoppedBeforeItBeganDoesNotBegin() throws InterruptedException {
         ActRun run = pair();
         first.submit(
-                new Order("act", true, robot -> {
+                new QueuedCommand("act", true, robot -> {
                     team.stop(List.of(second), null);
                     run.run(null);
                     return List.of("act: done");
@@ -426,7 +428,7 @@ class ActRunTest implements TeamListener {
     @Test
     void aDriverThatBreaksDownHoldsUpNoEnd() throws InterruptedException {
         follower.breakDownWhenHalted();
-        order(pair());
+        submit(pair());
         time.sleep(5);
         team.stop(List.of(first), null);
         awaitIdle();
@@ -434,7 +436,7 @@ class ActRunTest implements TeamListener {
     }
 
     @Test
-    void itsOwnStopEndsNothingThatSomebodyElseOrdered() throws InterruptedException {
+    void itsOwnStopEndsNoCommandOfAnotherSource() throws InterruptedException {
         Owner script = new Owner(Owner.Kind.SCRIPT, "script", () -> {});
         ActRun run = alone(new MajicAct() {
             private static final long serialVersionUID = 1;
@@ -448,12 +450,12 @@ class ActRunTest implements TeamListener {
         });
         first.claim(script);
         first.submit(
-                new Order("act", true, robot -> {
+                new QueuedCommand("act", true, robot -> {
                     run.run(script);
                     return List.of("act: done");
                 }),
                 script);
-        first.submit(new Order("turn 90", true, robot -> List.of("turn 90: " + robot.turn(90))), script);
+        first.submit(new QueuedCommand("turn 90", true, robot -> List.of("turn 90: " + robot.turn(90))), script);
         awaitIdle();
         assertThat(said).anyMatch(line -> line.startsWith("1 turn 90: 90 deg"));
         assertThat(leader.sent()).containsSubsequence("drive 100 0", "halt", "move 50", "turn 90");
@@ -463,7 +465,7 @@ class ActRunTest implements TeamListener {
     void itsRobotsStandBeforeAnybodyElseHasThem() throws InterruptedException {
         leader.standAfter(1);
         follower.standAfter(1);
-        order(both(new Pair() {
+        submit(both(new Pair() {
             private static final long serialVersionUID = 1;
 
             @Override
@@ -481,7 +483,7 @@ class ActRunTest implements TeamListener {
     void aRobotThatIsJustBeingStoppedIsNotTaken() throws InterruptedException {
         follower.standAfter(1);
         team.stop(List.of(second), null);
-        order(pair());
+        submit(pair());
         time.sleep(0.5);
         assertThat(said).contains("1 act: failed: 2 is still busy; \"2 wait\" lets it finish first");
     }

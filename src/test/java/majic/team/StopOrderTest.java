@@ -126,18 +126,21 @@ class StopOrderTest {
         CompletableFuture.runAsync(work, task -> new Thread(task).start());
     }
 
-    private void moveBothWithAnOrderWaiting() {
+    private static QueuedCommand move() {
+        return new QueuedCommand("move 3000", true, robot -> List.of(robot.move(3000) + ""));
+    }
+
+    private void moveBothWithACommandWaiting() {
         for (Member member : team.members()) {
-            Order move = new Order("move 3000", true, robot -> List.of(robot.move(3000) + ""));
-            member.submit(move, null);
-            member.submit(move, null);
+            member.submit(move(), null);
+            member.submit(move(), null);
         }
         awaitSent("move 3000", first, second);
     }
 
     @Test
     void aListenerThatBlocksHoldsUpNoByteOfStopAllNorItsCaller() {
-        moveBothWithAnOrderWaiting();
+        moveBothWithACommandWaiting();
         team.addListener(new BlockedTeamListener());
 
         team.stopAll();
@@ -147,7 +150,7 @@ class StopOrderTest {
 
     @Test
     void aListenerThatBlocksHoldsUpNoByteOfAStopNorItsCaller() {
-        moveBothWithAnOrderWaiting();
+        moveBothWithACommandWaiting();
         team.addListener(new BlockedTeamListener());
 
         team.stop(team.members(), null);
@@ -157,7 +160,7 @@ class StopOrderTest {
 
     @Test
     void aListenerThatBlocksHoldsUpNoByteOfTheTeamsEnd() {
-        moveBothWithAnOrderWaiting();
+        moveBothWithACommandWaiting();
         team.addListener(new BlockedTeamListener());
 
         aside(team::close);
@@ -167,7 +170,7 @@ class StopOrderTest {
 
     @Test
     void aListenerThatBlocksHoldsUpNoByteToARobotThatIsRemoved() {
-        moveBothWithAnOrderWaiting();
+        moveBothWithACommandWaiting();
         team.addListener(new BlockedTeamListener());
 
         aside(() -> team.remove(1));

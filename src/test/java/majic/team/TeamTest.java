@@ -49,9 +49,9 @@ class TeamTest {
         });
     }
 
-    private static Order move(double mm) {
+    private static QueuedCommand move(double mm) {
         String text = "move " + Value.plain(mm);
-        return new Order(text, true, robot -> List.of(text + ": done (" + robot.move(mm) + ")"));
+        return new QueuedCommand(text, true, robot -> List.of(text + ": done (" + robot.move(mm) + ")"));
     }
 
     private boolean awaitIdle(int robot) throws InterruptedException {
@@ -96,7 +96,7 @@ class TeamTest {
     }
 
     @Test
-    void ordersToOneRobotRunInOrder() throws InterruptedException {
+    void commandsToOneRobotRunInTheirOrder() throws InterruptedException {
         join();
         listen();
         team.member(1).submit(move(300), null);
@@ -119,14 +119,14 @@ class TeamTest {
     }
 
     @Test
-    void whatIsOrderedInAnswerToAFailureRuns() throws InterruptedException {
+    void commandsSubmittedInAnswerToAFailureRun() throws InterruptedException {
         join().stallAfter(120);
         listen();
         team.addListener(new TeamListener() {
             @Override
             public void answered(Answer answer) {
                 if (answer.outcome() == Answer.Outcome.FAILED) {
-                    team.member(1).submit(new Order("get x", false, robot -> List.of("get x: 0")), null);
+                    team.member(1).submit(new QueuedCommand("get x", false, robot -> List.of("get x: 0")), null);
                 }
             }
         });
@@ -153,7 +153,7 @@ class TeamTest {
     }
 
     @Test
-    void anOrderGivenAfterAStopRunsAfterIt() throws InterruptedException {
+    void aCommandSubmittedAfterAStopRunsAfterIt() throws InterruptedException {
         FakeBot bot = join();
         team.member(1).submit(move(3000), null);
         clock.time().sleep(1);
@@ -166,13 +166,27 @@ class TeamTest {
     }
 
     @Test
-    void stopLatchesUntilReleased() {
-        join();
+    void aCommandIsSubmittedOnce() throws InterruptedException {
+        FakeBot bot = join();
+        QueuedCommand move = move(100);
+        team.member(1).submit(move, null);
+
+        assertThatThrownBy(() -> team.member(1).submit(move, null)).isInstanceOf(IllegalStateException.class);
+        awaitIdle(1);
+        assertThat(bot.sent()).containsExactly("move 100");
+    }
+
+    @Test
+    void stopLatchesUntilReleased() throws InterruptedException {
+        FakeBot bot = join();
         team.stopAll();
 
         assertThatThrownBy(() -> team.member(1).submit(move(100), null)).hasMessageContaining("STOP is latched");
         team.release();
-        assertThat(team.member(1).submit(move(100), null)).isNotNull();
+        team.member(1).submit(move(100), null);
+        awaitIdle(1);
+
+        assertThat(bot.sent()).containsExactly("halt", "move 100");
     }
 
     @Test
@@ -249,7 +263,7 @@ class TeamTest {
         join();
         int oneUnderWayAndOneTooMany = Member.QUEUE_DEPTH + 2;
         assertThatThrownBy(() -> {
-                    for (int order = 0; order < oneUnderWayAndOneTooMany; order++) {
+                    for (int count = 0; count < oneUnderWayAndOneTooMany; count++) {
                         team.member(1).submit(move(5000), null);
                     }
                 })
@@ -305,10 +319,10 @@ class TeamTest {
     }
 
     @Test
-    void anOrderThatEndsInAnErrorLeavesTheRobotUsable() throws InterruptedException {
+    void aCommandThatEndsInAnErrorLeavesTheRobotUsable() throws InterruptedException {
         join();
         listen();
-        Order broken = new Order("wag", true, robot -> {
+        QueuedCommand broken = new QueuedCommand("wag", true, robot -> {
             throw new AssertionError("a mistake");
         });
 
@@ -343,7 +357,7 @@ class TeamTest {
     }
 
     @Test
-    void whoWasEndedByAStopOrdersNothingMore() {
+    void anOwnerThatAStopEndedCanMoveNothingMore() {
         join();
         Owner script = new Owner(Owner.Kind.SCRIPT, "square", () -> {});
         team.member(1).claim(script);
@@ -353,7 +367,7 @@ class TeamTest {
     }
 
     @Test
-    void whoHasGivenARobotBackOrdersNothingMore() {
+    void anOwnerThatGaveARobotBackCanMoveItNoMore() {
         join();
         Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
         team.member(1).lend(act, new Permit(), null);
@@ -363,7 +377,7 @@ class TeamTest {
     }
 
     @Test
-    void aRemovedRobotTakesNoOrders() {
+    void aRemovedRobotTakesNoCommands() {
         join();
         Member member = team.member(1);
         team.remove(1);

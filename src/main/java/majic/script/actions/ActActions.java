@@ -46,7 +46,7 @@ final class ActActions {
         @Override
         public void run(Execution execution, List<Member> robots) {
             execution.claim(execution.selection().members(act.others()));
-            execution.submit(robots, member -> acts.order(act, member, execution, actions));
+            execution.submit(robots, member -> acts.command(act, member, execution, actions));
         }
 
         @Override

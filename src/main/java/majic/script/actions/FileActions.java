@@ -91,7 +91,7 @@ final class FileActions {
         @Override
         public void run(Execution execution) {
             if (!execution.isTyped()) {
-                execution.awaitOrders(ParameterActions.LogAction::isLogging);
+                execution.awaitCommands(ParameterActions.LogAction::isLogging);
             }
             if (log.isEmpty()) {
                 throw new BotException("save log: there are no readings yet; \"1 log x every 100ms\" takes some");

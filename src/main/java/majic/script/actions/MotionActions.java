@@ -16,7 +16,7 @@ import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Literal;
 import majic.team.Member;
-import majic.team.Order;
+import majic.team.QueuedCommand;
 import org.jspecify.annotations.Nullable;
 
 /** The commands that move a robot, and the one that stops it. */
@@ -37,12 +37,12 @@ final class MotionActions {
 
         @Override
         public final void run(Execution execution, List<Member> robots) {
-            execution.submit(robots, member -> order(member, execution));
+            execution.submit(robots, member -> command(member, execution));
         }
 
-        private Order order(Member member, Execution execution) {
+        private QueuedCommand command(Member member, Execution execution) {
             Guard guard = UntilGuard.of(until, execution.selection(), member);
-            return new Order(text(), true, robot -> List.of(text() + ": done (" + move(robot, guard) + ")"));
+            return new QueuedCommand(text(), true, robot -> List.of(text() + ": done (" + move(robot, guard) + ")"));
         }
 
         final void checkUntil(RobotCheck check) {

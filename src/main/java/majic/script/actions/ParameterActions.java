@@ -22,7 +22,7 @@ import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
 import majic.team.Member;
-import majic.team.Order;
+import majic.team.QueuedCommand;
 
 /** The commands for a robot's parameters, for their log, and those that only some types of robot have. */
 final class ParameterActions {
@@ -46,15 +46,15 @@ final class ParameterActions {
         @Override
         public void run(Execution execution, List<Member> robots) {
             if (get.now()) {
-                execution.runNow(robots, this::order);
+                execution.runNow(robots, this::command);
             } else {
-                execution.readBeside(robots, this::order);
+                execution.readBeside(robots, this::command);
             }
         }
 
-        private Order order(Member member) {
+        private QueuedCommand command(Member member) {
             List<String> names = names(get.parameters(), member.bot());
-            return new Order(
+            return new QueuedCommand(
                     text(),
                     false,
                     robot -> names.stream()
@@ -95,12 +95,12 @@ final class ParameterActions {
 
         @Override
         public void run(Execution execution, List<Member> robots) {
-            execution.submit(robots, this::order);
+            execution.submit(robots, this::command);
         }
 
-        private Order order(Member member) {
+        private QueuedCommand command(Member member) {
             Parameter known = member.bot().parameter(parameter.text());
-            return new Order(text(), known.moves(), robot -> {
+            return new QueuedCommand(text(), known.moves(), robot -> {
                 robot.set(known.name(), values(literals));
                 return List.of(text() + ": done");
             });
@@ -134,21 +134,21 @@ final class ParameterActions {
 
         @Override
         public void run(Execution execution, List<Member> robots) {
-            execution.readBeside(robots, this::order);
+            execution.readBeside(robots, this::command);
         }
 
-        private Order order(Member member) {
+        private QueuedCommand command(Member member) {
             List<String> names = names(log.parameters(), member.bot());
             double seconds = log.period().value().number();
-            return new Order(text(), false, robot -> {
+            return new QueuedCommand(text(), false, robot -> {
                 sampling.start(member, names, seconds);
                 return List.of(text() + ": done");
             });
         }
 
-        /** Whether an order begins or ends logging. */
-        static boolean isLogging(Order order) {
-            return order.text().startsWith("log ");
+        /** Whether a command begins or ends logging. */
+        static boolean isLogging(QueuedCommand command) {
+            return command.text().startsWith("log ");
         }
     }
 
@@ -165,11 +165,11 @@ final class ParameterActions {
 
         @Override
         public void run(Execution execution, List<Member> robots) {
-            Function<Member, Order> order = member -> new Order(text(), false, robot -> {
+            Function<Member, QueuedCommand> command = member -> new QueuedCommand(text(), false, robot -> {
                 sampling.stop(member);
                 return List.of(text() + ": done");
             });
-            execution.readBeside(robots, order);
+            execution.readBeside(robots, command);
         }
     }
 
@@ -195,14 +195,14 @@ final class ParameterActions {
 
         @Override
         public void run(Execution execution, List<Member> robots) {
-            execution.submit(robots, this::order);
+            execution.submit(robots, this::command);
         }
 
-        private Order order(Member member) {
+        private QueuedCommand command(Member member) {
             boolean moves = member.bot().commands().stream()
                     .filter(command -> command.name().equalsIgnoreCase(word.text()))
                     .anyMatch(BotCommand::moves);
-            return new Order(text(), moves, robot -> answers(robot.run(word.text(), values(arguments))));
+            return new QueuedCommand(text(), moves, robot -> answers(robot.run(word.text(), values(arguments))));
         }
 
         private List<String> answers(String said) {

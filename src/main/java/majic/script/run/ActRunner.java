@@ -4,7 +4,7 @@ import java.util.List;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.team.Member;
-import majic.team.Order;
+import majic.team.QueuedCommand;
 
 /** Finds behaviours, runs them on robots and keeps the consent to their code. */
 public interface ActRunner {
@@ -16,15 +16,15 @@ public interface ActRunner {
      */
     void check(Command.Act act, RobotCheck check, Actions actions);
 
-    /** An order that runs a behaviour in the robot's turn and lasts as long as it does. */
-    Order order(Command.Act act, Member me, Execution execution, Actions actions);
+    /** A command that runs a behaviour in the robot's turn and lasts as long as it does. */
+    QueuedCommand command(Command.Act act, Member me, Execution execution, Actions actions);
 
     /**
      * Ends the behaviour that a robot runs or has a role in; one that is queued ends when its turn comes.
      *
-     * @return an order that answers once the robot is free
+     * @return a command that answers once the robot is free
      */
-    Order callOff(Member member);
+    QueuedCommand callOff(Member member);
 
     /** The name with which a saved session repeats a behaviour: a file by its absolute path. */
     String replayName(Literal name);

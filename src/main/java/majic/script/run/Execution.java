@@ -1,6 +1,5 @@
 package majic.script.run;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -12,7 +11,6 @@ import majic.script.conditions.Selection;
 import majic.script.syntax.ScriptException;
 import majic.team.Answer;
 import majic.team.Member;
-import majic.team.Order;
 import majic.team.Owner;
 import majic.team.QueuedCommand;
 import majic.team.Team;
@@ -206,16 +204,16 @@ public final class Execution {
         holdings.claim(members);
     }
 
-    /** Gives an order to each of some robots, or to none. */
-    public void submit(List<Member> members, Function<Member, Order> orders) {
+    /** Submits a command to each of some robots, or to none. */
+    public void submit(List<Member> members, Function<Member, QueuedCommand> commands) {
         checkAlive();
         claim(members);
-        read(members, orders);
+        read(members, commands);
     }
 
-    /** As {@link #submit}, for orders that only read: a script needs no robot to itself for them. */
-    void read(List<Member> members, Function<Member, Order> orders) {
-        List<Order> ready = ready(members, orders);
+    /** As {@link #submit}, for commands that only read: a script needs no robot to itself for them. */
+    void read(List<Member> members, Function<Member, QueuedCommand> commands) {
+        List<QueuedCommand> ready = ready(members, commands);
         if (manner == Manner.IN_TURN) {
             await(() -> members.stream().allMatch(member -> member.hasRoom(owner)), Double.POSITIVE_INFINITY);
         }
@@ -223,65 +221,63 @@ public final class Execution {
             members.get(index).check(ready.get(index).moves(), owner);
         }
         for (int index = 0; index < ready.size(); index++) {
-            Order order = ready.get(index);
-            motions += order.moves() ? 1 : 0;
-            track(members.get(index), members.get(index).submit(whileAlive(order), owner));
+            QueuedCommand command = whileAlive(ready.get(index));
+            motions += command.moves() ? 1 : 0;
+            members.get(index).submit(command, owner);
+            track(members.get(index), command);
         }
     }
 
-    /** Gives an order that moves nothing: beside the queue if it is typed, otherwise in its turn. */
-    public void readBeside(List<Member> members, Function<Member, Order> orders) {
+    /** Runs a command that moves nothing: beside the queue if it is typed, otherwise in its turn. */
+    public void readBeside(List<Member> members, Function<Member, QueuedCommand> commands) {
         if (isTyped()) {
-            runNow(members, orders);
+            runNow(members, commands);
         } else {
-            read(members, orders);
+            read(members, commands);
         }
     }
 
-    private List<Order> ready(List<Member> members, Function<Member, Order> orders) {
+    private List<QueuedCommand> ready(List<Member> members, Function<Member, QueuedCommand> commands) {
         return members.stream()
-                .map(member -> orders.apply(member).askedBy(asker))
+                .map(member -> commands.apply(member).askedBy(asker))
                 .toList();
     }
 
-    /** Carries an order out beside the queue. */
-    public List<QueuedCommand> runNow(List<Member> members, Function<Member, Order> orders) {
-        List<Order> ready = ready(members, orders);
-        List<QueuedCommand> begun = new ArrayList<>();
+    /** Runs a command beside the queue. */
+    public List<QueuedCommand> runNow(List<Member> members, Function<Member, QueuedCommand> commands) {
+        List<QueuedCommand> ready = ready(members, commands);
         for (int index = 0; index < ready.size(); index++) {
-            begun.add(members.get(index).runNow(ready.get(index)));
-            track(members.get(index), begun.get(index));
+            members.get(index).runNow(ready.get(index));
+            track(members.get(index), ready.get(index));
         }
-        return begun;
+        return ready;
     }
 
     /** As {@link #runNow}; in a pipe or script what follows waits for the answers. */
-    public void runToEnd(List<Member> members, Function<Member, Order> orders) {
-        List<QueuedCommand> begun = runNow(members, orders);
+    public void runToEnd(List<Member> members, Function<Member, QueuedCommand> commands) {
+        List<QueuedCommand> begun = runNow(members, commands);
         if (manner == Manner.IN_TURN) {
             await(() -> begun.stream().allMatch(QueuedCommand::hasEnded), Double.POSITIVE_INFINITY);
         }
     }
 
-    private void track(Member member, QueuedCommand pending) {
-        lines.add(member, pending);
+    private void track(Member member, QueuedCommand command) {
+        lines.add(member, command);
         if (owner != null) {
-            own.add(member, pending);
+            own.add(member, command);
         }
     }
 
     /** When a script was ended or something of it failed, what was queued elsewhere must not begin before the stop gets there. */
-    private Order whileAlive(Order order) {
+    private QueuedCommand whileAlive(QueuedCommand command) {
         if (owner == null) {
-            return order;
+            return command;
         }
-        Order.Job job = robot -> {
+        return command.checkedBy(() -> {
             if (ended || owner.isDismissed() || own.trouble().isPresent()) {
                 throw new MotionStopped("stopped");
             }
-            return order.job().carryOut(robot);
-        };
-        return new Order(order.text(), order.moves(), job, order.asker());
+        });
     }
 
     public void stop(List<Member> members) {
@@ -298,8 +294,8 @@ public final class Execution {
         return member.isStopping() || member.hasDismissedOwner();
     }
 
-    /** Waits until the orders of some kind that were given before have had their turn. */
-    public void awaitOrders(Predicate<Order> kind) {
+    /** Waits until the commands of some kind that were submitted before have had their turn. */
+    public void awaitCommands(Predicate<QueuedCommand> kind) {
         await(() -> !lines.hasOpen(kind), Double.POSITIVE_INFINITY);
     }
 

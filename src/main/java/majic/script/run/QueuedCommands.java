@@ -10,37 +10,36 @@ import java.util.Set;
 import java.util.function.Predicate;
 import majic.team.Answer;
 import majic.team.Member;
-import majic.team.Order;
 import majic.team.QueuedCommand;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps count of orders: which are still under way, and whether one did not come to a good end. Thread-safe. */
+/** Counts submitted commands: which are still under way, and whether one did not come to a good end. Thread-safe. */
 public final class QueuedCommands {
     private final Map<QueuedCommand, Member> open = new LinkedHashMap<>();
     private final Set<QueuedCommand> forgiven = new HashSet<>();
     private Optional<Trouble> trouble = Optional.empty();
 
     /**
-     * The first order that did not end well.
+     * The first command that did not end well.
      *
      * @param outcome how it ended
-     * @param text the order with its robot
+     * @param text the command with its robot
      * @param robot the robot it was for; null for a whole line
      */
     record Trouble(
             Answer.Outcome outcome, String text, @Nullable Member robot) {}
 
-    synchronized void add(Member member, QueuedCommand pending) {
+    synchronized void add(Member member, QueuedCommand command) {
         look();
-        open.put(pending, member);
+        open.put(command, member);
     }
 
-    /** Ignores how the orders of some robots end, because their source stops them itself. */
+    /** Ignores how the commands of some robots end, because their source stops them itself. */
     synchronized void forget(Collection<Member> members) {
         look();
-        open.forEach((pending, member) -> {
+        open.forEach((command, member) -> {
             if (members.contains(member)) {
-                forgiven.add(pending);
+                forgiven.add(command);
             }
         });
     }
@@ -61,10 +60,10 @@ public final class QueuedCommands {
         return open.isEmpty();
     }
 
-    /** Whether an order of some kind is still under way. */
-    synchronized boolean hasOpen(Predicate<Order> kind) {
+    /** Whether a command of some kind is still under way. */
+    synchronized boolean hasOpen(Predicate<QueuedCommand> kind) {
         look();
-        return open.keySet().stream().map(QueuedCommand::order).anyMatch(kind);
+        return open.keySet().stream().anyMatch(kind);
     }
 
     private void look() {
@@ -82,10 +81,9 @@ public final class QueuedCommands {
         }
     }
 
-    private void note(QueuedCommand pending, Answer.Outcome outcome, Member robot) {
-        if (outcome != Answer.Outcome.DONE && !forgiven.contains(pending) && trouble.isEmpty()) {
-            trouble = Optional.of(
-                    new Trouble(outcome, robot.number() + " " + pending.order().text(), robot));
+    private void note(QueuedCommand command, Answer.Outcome outcome, Member robot) {
+        if (outcome != Answer.Outcome.DONE && !forgiven.contains(command) && trouble.isEmpty()) {
+            trouble = Optional.of(new Trouble(outcome, robot.number() + " " + command.text(), robot));
         }
     }
 }
