@@ -10,7 +10,7 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import majic.bot.MajicBot;
-import majic.gui.WaitPolicy;
+import majic.gui.WindowWait;
 import majic.program.WindowPicture;
 
 /** Makes a picture of one robot's panel for the documents, light or dark, of any size. */
@@ -49,7 +49,7 @@ final class PanelPicture {
     /** Waits until the panel shows the newest readings, paints and saves it, and closes its window. */
     static void save(JFrame frame, boolean dark, String name) throws Exception {
         long start = System.nanoTime();
-        WaitPolicy.await("a refresh", () -> System.nanoTime() - start > 500_000_000L, PATIENCE_S);
+        WindowWait.await("a refresh", () -> System.nanoTime() - start > 500_000_000L, PATIENCE_S);
         SwingUtilities.invokeAndWait(() -> {
             look(dark);
             SwingUtilities.updateComponentTreeUI(frame);

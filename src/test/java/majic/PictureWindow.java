@@ -11,9 +11,9 @@ import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import majic.gui.MajicFrame;
-import majic.gui.WaitPolicy;
-import majic.gui.kit.Surroundings;
-import majic.gui.kit.Surroundings.SerialPortChoice;
+import majic.gui.WindowWait;
+import majic.gui.kit.ProgramServices;
+import majic.gui.kit.ProgramServices.SerialPortChoice;
 import majic.program.Program;
 import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
@@ -30,12 +30,12 @@ final class PictureWindow {
         MajicFrame[] frame = new MajicFrame[1];
         SwingUtilities.invokeAndWait(() -> {
             MajicFrame.installLook(program.settings());
-            Surroundings surroundings = new Surroundings(
+            ProgramServices services = new ProgramServices(
                     () -> List.of(new SerialPortChoice("/dev/ttyUSB0", "USB serial port")),
                     null,
                     program::quit,
                     program.settings());
-            frame[0] = new MajicFrame(program.session(), parser, surroundings);
+            frame[0] = new MajicFrame(program.session(), parser, services);
             frame[0].setVisible(true);
         });
         return frame[0];
@@ -60,7 +60,7 @@ final class PictureWindow {
     }
 
     static void awaitWindow(BooleanSupplier condition) {
-        WaitPolicy.await("the next picture", condition, PATIENCE_S);
+        WindowWait.await("the next picture", condition, PATIENCE_S);
     }
 
     static void click(Container parent, String button) throws Exception {

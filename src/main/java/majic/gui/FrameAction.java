@@ -6,7 +6,7 @@ import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
 import javax.swing.KeyStroke;
-import majic.gui.kit.Pictures;
+import majic.gui.kit.Icons;
 
 /** An action of the window; its button and its menu entry are both made from it. */
 final class FrameAction extends AbstractAction {
@@ -25,7 +25,7 @@ final class FrameAction extends AbstractAction {
         super(name);
         this.action = action;
         putValue(SHORT_DESCRIPTION, tip);
-        putValue(LARGE_ICON_KEY, Pictures.later(icon, LARGE_ICON));
+        putValue(LARGE_ICON_KEY, Icons.later(icon, LARGE_ICON));
     }
 
     /** Sets the action's key, which is pressed together with Ctrl (Cmd on a Mac). */
@@ -37,7 +37,7 @@ final class FrameAction extends AbstractAction {
 
     /** Reads the icon from its file; may block. */
     void readPicture() {
-        Pictures.read((Icon) getValue(LARGE_ICON_KEY));
+        Icons.read((Icon) getValue(LARGE_ICON_KEY));
     }
 
     @Override

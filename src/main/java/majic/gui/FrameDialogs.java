@@ -13,9 +13,9 @@ import majic.gui.add.AddBotDialog;
 import majic.gui.bots.BotTabs;
 import majic.gui.bots.KillBotDialog;
 import majic.gui.kit.ChooseFile;
+import majic.gui.kit.CommandChannel;
 import majic.gui.kit.MajicDialog;
-import majic.gui.kit.Surroundings;
-import majic.gui.kit.Voice;
+import majic.gui.kit.ProgramServices;
 import majic.script.Session;
 import majic.team.Member;
 
@@ -23,24 +23,24 @@ import majic.team.Member;
 final class FrameDialogs {
     private final MajicFrame frame;
     private final Session session;
-    private final Surroundings surroundings;
+    private final ProgramServices services;
     private final BotTabs tabs;
     private final ActLoader loader;
 
-    FrameDialogs(MajicFrame frame, Session session, Surroundings surroundings, BotTabs tabs, Voice voice) {
+    FrameDialogs(MajicFrame frame, Session session, ProgramServices services, BotTabs tabs, CommandChannel channel) {
         this.frame = frame;
         this.session = session;
-        this.surroundings = surroundings;
+        this.services = services;
         this.tabs = tabs;
-        this.loader = new ActLoader(frame, session, voice);
+        this.loader = new ActLoader(frame, session, channel);
     }
 
     void addBot() {
-        open("Add Bot", () -> new AddBotDialog(frame, session, surroundings, tabs::select, AddBotDialog.GIVE_UP_MS));
+        open("Add Bot", () -> new AddBotDialog(frame, session, services, tabs::select, AddBotDialog.GIVE_UP_MS));
     }
 
     void removeBot() {
-        Consumer<Member> kill = member -> frame.say("remove " + member.number());
+        Consumer<Member> kill = member -> frame.submit("remove " + member.number());
         withRobots(members -> open("Kill Bot", () -> new KillBotDialog(frame, members, tabs.selected(), kill)));
     }
 
@@ -57,28 +57,28 @@ final class FrameDialogs {
     }
 
     void saveSession() {
-        ChooseFile.toSave(frame, "Save Session", "session.majic", file -> say("save session ", file));
+        ChooseFile.toSave(frame, "Save Session", "session.majic", file -> submit("save session ", file));
     }
 
     void saveLog() {
-        ChooseFile.toSave(frame, "Save Log", "log.csv", file -> say("save log ", file));
+        ChooseFile.toSave(frame, "Save Log", "log.csv", file -> submit("save log ", file));
     }
 
     /**
      * Submits a command with a file name, unless the name has a quotation mark, which the script language cannot write.
      */
-    private void say(String command, Path file) {
+    private void submit(String command, Path file) {
         if (file.toString().contains("\"")) {
-            frame.complain(file + ": a file whose name has a quotation mark in it cannot be used here");
+            frame.showError(file + ": a file whose name has a quotation mark in it cannot be used here");
         } else {
-            frame.say(command + '"' + file + '"');
+            frame.submit(command + '"' + file + '"');
         }
     }
 
     private void withRobots(Consumer<List<Member>> action) {
         List<Member> members = session.team().members();
         if (members.isEmpty()) {
-            frame.complain("There are no robots yet; Add Bot connects one.");
+            frame.showError("There are no robots yet; Add Bot connects one.");
         } else {
             action.accept(members);
         }

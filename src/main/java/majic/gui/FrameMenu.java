@@ -43,7 +43,7 @@ final class FrameMenu extends JMenuBar {
         JMenuItem start = new JMenuItem("Start the simulated lab");
         start.addActionListener(event -> frame.startLab());
         JMenuItem poses = new JMenuItem("Say where the robots really are");
-        poses.addActionListener(event -> frame.say("lab"));
+        poses.addActionListener(event -> frame.submit("lab"));
         lab.add(start);
         lab.add(poses);
         lab.addChangeListener(change -> {

@@ -18,12 +18,11 @@ import majic.bot.MajicBot;
 import majic.bot.Settings;
 import majic.gui.bots.BotTabs;
 import majic.gui.command.CommandPane;
+import majic.gui.kit.CommandChannel;
 import majic.gui.kit.Edt;
 import majic.gui.kit.EdtTeamListener;
-import majic.gui.kit.Looks;
-import majic.gui.kit.Pictures;
-import majic.gui.kit.Surroundings;
-import majic.gui.kit.Voice;
+import majic.gui.kit.Icons;
+import majic.gui.kit.ProgramServices;
 import majic.gui.map.MapFeed;
 import majic.gui.map.TeamMap;
 import majic.lab.LabAccess;
@@ -42,11 +41,11 @@ public final class MajicFrame extends JFrame {
 
     private final transient Session session;
     private final transient MajicParser parser;
-    private final transient Surroundings surroundings;
+    private final transient ProgramServices services;
     private final transient StopKeys stopKeys;
     private final transient MapFeed mapFeed;
     private final transient FrameDialogs dialogs;
-    private final transient Voice voice = new Spoken();
+    private final transient CommandChannel channel = new Channel();
     private final TeamMap map = new TeamMap();
     private final BotTabs tabs;
     private final CommandPane commands;
@@ -57,16 +56,16 @@ public final class MajicFrame extends JFrame {
      *
      * @param session the session that it shows
      * @param parser parses the lines typed here; interactive
-     * @param surroundings what the program provides
+     * @param services what the program provides
      */
-    public MajicFrame(Session session, MajicParser parser, Surroundings surroundings) {
+    public MajicFrame(Session session, MajicParser parser, ProgramServices services) {
         super("MAJIC");
         this.session = session;
         this.parser = parser;
-        this.surroundings = surroundings;
+        this.services = services;
         commands = new CommandPane(parser);
-        tabs = new BotTabs(session.team(), voice);
-        dialogs = new FrameDialogs(this, session, surroundings, tabs, voice);
+        tabs = new BotTabs(session.team(), channel);
+        dialogs = new FrameDialogs(this, session, services, tabs, channel);
         mapFeed = new MapFeed(session.team(), session.factory(), map::show);
         stopKeys = new StopKeys(session.team()::stopAll);
         place();
@@ -79,7 +78,7 @@ public final class MajicFrame extends JFrame {
      * @param settings the stored settings
      */
     public static void installLook(Settings settings) {
-        Looks.install(settings);
+        LookAndFeels.install(settings);
     }
 
     private void place() {
@@ -107,7 +106,7 @@ public final class MajicFrame extends JFrame {
 
     private void readPictures(FrameActions actions) {
         actions.buttons().forEach(FrameAction::readPicture);
-        Image icon = Pictures.now("app", ICON_SIZE);
+        Image icon = Icons.now("app", ICON_SIZE);
         Edt.later(() -> {
             setIconImage(icon);
             repaint();
@@ -168,7 +167,7 @@ public final class MajicFrame extends JFrame {
         if (!quitting) {
             quitting = true;
             setTitle("MAJIC: stopping and closing all robots …");
-            Edt.background("quit", surroundings.quit());
+            Edt.background("quit", services.quit());
         }
     }
 
@@ -181,14 +180,14 @@ public final class MajicFrame extends JFrame {
     }
 
     void startLab() {
-        Runnable start = surroundings.startLab();
+        Runnable start = services.startLab();
         if (start != null) {
             Edt.background("starting the lab", () -> startLab(start));
         }
     }
 
     boolean canStartLab() {
-        return surroundings.startLab() != null && !hasLab();
+        return services.startLab() != null && !hasLab();
     }
 
     boolean hasLab() {
@@ -200,47 +199,51 @@ public final class MajicFrame extends JFrame {
     }
 
     void look(boolean dark) {
-        Looks.change(dark, surroundings.settings());
+        LookAndFeels.change(dark, services.settings());
     }
 
     /** Ends the act of the robot whose tab is selected; shows a message if none runs. */
     void endAct() {
         tabs.selected()
                 .ifPresentOrElse(
-                        member -> voice.say(member.number() + " act off"),
-                        () -> complain("There are no robots yet; Add Bot connects one."));
+                        member -> channel.submit(member.number() + " act off"),
+                        () -> showError("There are no robots yet; Add Bot connects one."));
     }
 
     /** Submits a line as if it had been typed; its result is shown among the messages. */
-    void say(String line) {
+    void submit(String line) {
         parser.parseText(line);
     }
 
     private void startLab(Runnable start) {
         try {
             start.run();
-            session.factory().lab().map(LabAccess::robots).orElse(List.of()).forEach(robot -> say("add sim:" + robot));
+            session.factory()
+                    .lab()
+                    .map(LabAccess::robots)
+                    .orElse(List.of())
+                    .forEach(robot -> submit("add sim:" + robot));
         } catch (BotException e) {
-            complain(e.getMessage());
+            showError(e.getMessage());
         }
     }
 
     /** Shows a message that does not come from the session; callable from any thread. */
-    void complain(String sentence) {
+    void showError(String sentence) {
         session.log().write("error", sentence);
         commands.messages().line(new Line(Line.Kind.ERROR, sentence));
     }
 
     /** Passes on the lines and messages of the window's parts. */
-    private final class Spoken implements Voice {
+    private final class Channel implements CommandChannel {
         @Override
-        public void say(String lines) {
-            Edt.background("giving a line", () -> MajicFrame.this.say(lines));
+        public void submit(String lines) {
+            Edt.background("giving a line", () -> MajicFrame.this.submit(lines));
         }
 
         @Override
-        public void complain(String sentence) {
-            MajicFrame.this.complain(sentence);
+        public void showError(String sentence) {
+            MajicFrame.this.showError(sentence);
         }
     }
 

@@ -72,15 +72,15 @@ public final class Banner extends JTextArea {
     }
 
     private void dress() {
-        Ink ink = Ink.ofTheLook();
+        DrawingColors colors = DrawingColors.current();
         Font font = UIManager.getFont("Label.font");
         if (font != null) {
             setFont(alarm ? font.deriveFont(Font.BOLD, font.getSize2D() * ALARM_SIZE) : font);
         }
-        Color edge = alarm ? ink.alarm() : ink.grey(0.5);
+        Color edge = alarm ? colors.alarm() : colors.grey(0.5);
         setOpaque(true);
-        setBackground(alarm ? ink.alarm() : ink.grey(0.08));
-        setForeground(alarm ? ink.paper() : ink.line());
+        setBackground(alarm ? colors.alarm() : colors.grey(0.08));
+        setForeground(alarm ? colors.paper() : colors.line());
         setBorder(BorderFactory.createCompoundBorder(
                 BorderFactory.createLineBorder(edge), BorderFactory.createEmptyBorder(PAD / 2, PAD, PAD / 2, PAD)));
     }

@@ -24,34 +24,34 @@ public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon
     @Override
     public void paintIcon(Component component, Graphics graphics, int x, int y) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
+        DrawingColors.prepare(pen);
         pen.translate(x, y);
-        Ink ink = Ink.ofTheLook();
-        pen.setColor(ink.grey(0.7));
-        pen.setStroke(Ink.stroke(1.2));
+        DrawingColors colors = DrawingColors.current();
+        pen.setColor(colors.grey(0.7));
+        pen.setStroke(DrawingColors.stroke(1.2));
         pen.draw(new RoundRectangle2D.Double(0.6, 0.6, WIDTH - 3.6, HEIGHT - 1.2, 4, 4));
         pen.fill(new Rectangle2D.Double(WIDTH - 2.4, 3.5, 2.2, HEIGHT - 7));
-        paintCharge(pen, ink);
+        paintCharge(pen, colors);
         if (charging) {
-            paintFlash(pen, ink);
+            paintFlash(pen, colors);
         }
         pen.dispose();
     }
 
-    private void paintCharge(Graphics2D pen, Ink ink) {
+    private void paintCharge(Graphics2D pen, DrawingColors colors) {
         if (percent.isEmpty()) {
-            pen.setColor(ink.grey(0.4));
+            pen.setColor(colors.grey(0.4));
             for (double left = 4; left < INNER_WIDTH; left += 4) {
                 pen.draw(new java.awt.geom.Line2D.Double(left, HEIGHT - 3.5, left + 2, 3.5));
             }
             return;
         }
-        pen.setColor(percent.getAsInt() < LOW_PERCENT ? ink.alarm() : ink.grey(0.55));
+        pen.setColor(percent.getAsInt() < LOW_PERCENT ? colors.alarm() : colors.grey(0.55));
         double width = (INNER_WIDTH - 1) * percent.getAsInt() / 100.0;
         pen.fill(new Rectangle2D.Double(2.4, 2.4, width, HEIGHT - 4.8));
     }
 
-    private static void paintFlash(Graphics2D pen, Ink ink) {
+    private static void paintFlash(Graphics2D pen, DrawingColors colors) {
         Path2D flash = new Path2D.Double();
         flash.moveTo(12, 0);
         flash.lineTo(7, 7);
@@ -60,10 +60,10 @@ public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon
         flash.lineTo(14, 5);
         flash.lineTo(11, 5);
         flash.closePath();
-        pen.setColor(ink.paper());
-        pen.setStroke(Ink.stroke(2));
+        pen.setColor(colors.paper());
+        pen.setStroke(DrawingColors.stroke(2));
         pen.draw(flash);
-        pen.setColor(ink.line());
+        pen.setColor(colors.line());
         pen.fill(flash);
     }
 

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Places a view of a robot with its asides and readings beside or below it, whichever leaves the larger view. In small
+ * Places a view of a robot with its side panes and readings beside or below it, whichever leaves the larger view. In small
  * panels the readings are left out first. A banner can be placed above all.
  */
 public final class Dashboard implements LayoutManager {
@@ -23,25 +23,25 @@ public final class Dashboard implements LayoutManager {
     private final Component view;
     private final double share;
     private final ReadingsPanel<?> numbers;
-    private final AsideColumn column;
-    private final AsideStrip strip;
+    private final SidePaneColumn column;
+    private final SidePaneRow row;
     private @Nullable Banner banner;
 
     /**
      * Creates a layout of these children; all have the same parent.
      *
      * @param view gets the space that the others leave; the larger its shorter side, the better it is seen
-     * @param share of the width, 0 to 1, which the asides get at most where a square view does not need it: 0 for a
+     * @param share of the width, 0 to 1, which the side panes get at most where a square view does not need it: 0 for a
      *     view that can use all the space that they can spare, 1 for one that is square
-     * @param asides in the order of reading
+     * @param sidePanes in the order of reading
      * @param numbers as many of them as fit
      */
-    public Dashboard(Component view, double share, List<Aside> asides, ReadingsPanel<?> numbers) {
+    public Dashboard(Component view, double share, List<SidePane> sidePanes, ReadingsPanel<?> numbers) {
         this.view = view;
         this.share = share;
         this.numbers = numbers;
-        this.column = new AsideColumn(asides, numbers);
-        this.strip = new AsideStrip(asides, numbers);
+        this.column = new SidePaneColumn(sidePanes, numbers);
+        this.row = new SidePaneRow(sidePanes, numbers);
     }
 
     /**
@@ -64,7 +64,7 @@ public final class Dashboard implements LayoutManager {
         room.height = Math.max(0, room.height - used);
         int width = columnWidth(room);
         if (shorterAbove(room) > WORTH_IT * shorterBeside(room, width)) {
-            view.setBounds(room.x, room.y, room.width, strip.place(room));
+            view.setBounds(room.x, room.y, room.width, row.place(room));
         } else {
             placeBeside(room, width);
         }
@@ -104,7 +104,7 @@ public final class Dashboard implements LayoutManager {
     }
 
     private int shorterAbove(Rectangle room) {
-        return Math.min(room.width, room.height - strip.leastHeight(room.width) - gap());
+        return Math.min(room.width, room.height - row.leastHeight(room.width) - gap());
     }
 
     private void placeBeside(Rectangle room, int least) {

@@ -99,42 +99,43 @@ public final class Gauge extends JPanel {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink ink = isEnabled() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
-        Ink.prepare(pen);
+        DrawingColors colors =
+                isEnabled() ? DrawingColors.current() : DrawingColors.current().faded();
+        DrawingColors.prepare(pen);
         pen.setFont(getFont());
         FontMetrics metrics = pen.getFontMetrics();
-        pen.setColor(Ink.ofTheLook().line());
+        pen.setColor(DrawingColors.current().line());
         pen.drawString(title, 0, metrics.getAscent());
         pen.drawString(figure(), getWidth() - metrics.stringWidth(figure()), metrics.getAscent());
-        Ink.prepare(pen);
-        paintScale(pen, ink);
+        DrawingColors.prepare(pen);
+        paintScale(pen, colors);
         pen.dispose();
     }
 
-    private void paintScale(Graphics2D pen, Ink ink) {
+    private void paintScale(Graphics2D pen, DrawingColors colors) {
         FontMetrics metrics = pen.getFontMetrics();
         String left = signed(positiveLeft ? limits.max() : limits.min());
         String right = signed(positiveLeft ? limits.min() : limits.max());
         double middle = textHeight() + (textHeight() - 2) / 2.0;
         float base = (float) (middle + metrics.getAscent() / 2.0 - 1);
-        pen.setColor(Ink.ofTheLook().grey(0.8));
+        pen.setColor(DrawingColors.current().grey(0.8));
         pen.drawString(left, 0, base);
         pen.drawString(right, getWidth() - metrics.stringWidth(right), base);
         int ends = Math.max(metrics.stringWidth(LONGEST_LIMIT), metrics.stringWidth(left + right) / 2) + GAP;
-        paintBar(pen, ink, new Rectangle2D.Double(ends, middle - BAR_PX / 2.0, getWidth() - 2 * ends, BAR_PX));
+        paintBar(pen, colors, new Rectangle2D.Double(ends, middle - BAR_PX / 2.0, getWidth() - 2 * ends, BAR_PX));
     }
 
-    private void paintBar(Graphics2D pen, Ink ink, Rectangle2D bar) {
-        pen.setColor(ink.grey(0.1));
+    private void paintBar(Graphics2D pen, DrawingColors colors, Rectangle2D bar) {
+        pen.setColor(colors.grey(0.1));
         pen.fill(new RoundRectangle2D.Double(bar.getX(), bar.getY(), bar.getWidth(), BAR_PX, 4, 4));
         double zero = bar.getCenterX();
         double tip = zero + share() * bar.getWidth() / 2;
-        pen.setColor(ink.accent());
+        pen.setColor(colors.accent());
         pen.fill(new Rectangle2D.Double(Math.min(zero, tip), bar.getY() + 1, Math.abs(tip - zero), BAR_PX - 2));
-        pen.setColor(ink.grey(0.35));
-        pen.setStroke(Ink.stroke(1));
+        pen.setColor(colors.grey(0.35));
+        pen.setStroke(DrawingColors.stroke(1));
         pen.draw(new RoundRectangle2D.Double(bar.getX(), bar.getY(), bar.getWidth(), BAR_PX, 4, 4));
-        pen.setColor(ink.grey(0.85));
+        pen.setColor(colors.grey(0.85));
         pen.draw(new Line2D.Double(zero, bar.getY() - 2, zero, bar.getMaxY() + 2));
     }
 

@@ -64,37 +64,38 @@ public final class Horizon extends JPanel {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
-        Ink ink = isEnabled() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
+        DrawingColors.prepare(pen);
+        DrawingColors colors =
+                isEnabled() ? DrawingColors.current() : DrawingColors.current().faded();
         double radius = Math.min(getWidth(), getHeight()) / 2.0 - 1.5;
         pen.translate(getWidth() / 2.0, getHeight() / 2.0);
         Shape disc = new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius);
-        pen.setColor(ink.tint(0.12));
+        pen.setColor(colors.tint(0.12));
         pen.fill(disc);
         Tilt shown = tilt;
         if (shown != null) {
             Graphics2D world = (Graphics2D) pen.create();
             world.clip(disc);
-            paintWorld(world, ink, radius, shown);
+            paintWorld(world, colors, radius, shown);
             world.dispose();
         }
-        paintRobot(pen, ink, radius);
-        pen.setColor(ink.grey(0.7));
-        pen.setStroke(Ink.stroke(1.5));
+        paintRobot(pen, colors, radius);
+        pen.setColor(colors.grey(0.7));
+        pen.setStroke(DrawingColors.stroke(1.5));
         pen.draw(disc);
         pen.dispose();
     }
 
-    private static void paintWorld(Graphics2D pen, Ink ink, double radius, Tilt tilt) {
+    private static void paintWorld(Graphics2D pen, DrawingColors colors, double radius, Tilt tilt) {
         double pxPerDeg = radius / HALF_VIEW_DEG;
         pen.rotate(-Math.toRadians(tilt.rollDeg()));
         pen.translate(0, tilt.pitchDeg() * pxPerDeg);
-        pen.setColor(ink.grey(GROUND));
+        pen.setColor(colors.grey(GROUND));
         pen.fill(new Rectangle2D.Double(-4 * radius, 0, 8 * radius, 8 * radius));
-        pen.setColor(ink.line());
-        pen.setStroke(Ink.stroke(1));
+        pen.setColor(colors.line());
+        pen.setStroke(DrawingColors.stroke(1));
         pen.draw(new Line2D.Double(-4 * radius, 0, 4 * radius, 0));
-        pen.setStroke(Ink.stroke(0.8));
+        pen.setStroke(DrawingColors.stroke(0.8));
         for (int degrees = -80; degrees <= 80; degrees += LADDER_DEG) {
             double half = degrees == 0 ? 0 : 0.22 * radius;
             pen.draw(new Line2D.Double(-half, degrees * pxPerDeg, half, degrees * pxPerDeg));
@@ -102,18 +103,18 @@ public final class Horizon extends JPanel {
     }
 
     /** Draws the robot from behind: wings and a nose. */
-    private static void paintRobot(Graphics2D pen, Ink ink, double radius) {
+    private static void paintRobot(Graphics2D pen, DrawingColors colors, double radius) {
         Path2D wings = new Path2D.Double();
         wings.moveTo(-0.62 * radius, 0);
         wings.lineTo(-0.25 * radius, 0);
         wings.lineTo(0, 0.2 * radius);
         wings.lineTo(0.25 * radius, 0);
         wings.lineTo(0.62 * radius, 0);
-        pen.setColor(ink.paper());
+        pen.setColor(colors.paper());
         pen.setStroke(new BasicStroke(4.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         pen.draw(wings);
-        pen.setColor(ink.accent());
-        pen.setStroke(Ink.stroke(2.2));
+        pen.setColor(colors.accent());
+        pen.setStroke(DrawingColors.stroke(2.2));
         pen.draw(wings);
     }
 }

@@ -95,25 +95,25 @@ public final class PictureView extends JPanel {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
-        Ink ink = Ink.ofTheLook();
+        DrawingColors.prepare(pen);
+        DrawingColors colors = DrawingColors.current();
         Rectangle2D frame = frame();
-        pen.setColor(ink.grey(0.12));
+        pen.setColor(colors.grey(0.12));
         pen.fill(frame);
         BufferedImage shown = image;
         if (shown != null) {
             paintImage(pen, shown, frame);
         }
         if (!words.isEmpty()) {
-            pen.setColor(Ink.translucent(ink.grey(0.12), 1 - FADED));
+            pen.setColor(DrawingColors.translucent(colors.grey(0.12), 1 - FADED));
             pen.fill(frame);
-            paintWords(pen, ink, frame);
+            paintWords(pen, colors, frame);
         }
         if (!caption.isEmpty()) {
-            paintCaption(pen, ink, frame);
+            paintCaption(pen, colors, frame);
         }
-        pen.setColor(ink.grey(0.35));
-        pen.setStroke(Ink.stroke(1));
+        pen.setColor(colors.grey(0.35));
+        pen.setStroke(DrawingColors.stroke(1));
         pen.draw(frame);
         pen.dispose();
     }
@@ -129,11 +129,11 @@ public final class PictureView extends JPanel {
                 null);
     }
 
-    private void paintWords(Graphics2D pen, Ink ink, Rectangle2D frame) {
+    private void paintWords(Graphics2D pen, DrawingColors colors, Rectangle2D frame) {
         FontMetrics metrics = pen.getFontMetrics();
         List<String> lines = lines(metrics, frame.getWidth() - 2 * INSET);
         double base = frame.getCenterY() - lines.size() * metrics.getHeight() / 2.0 + metrics.getAscent();
-        pen.setColor(ink.line());
+        pen.setColor(colors.line());
         for (String line : lines) {
             pen.drawString(line, (float) (frame.getCenterX() - metrics.stringWidth(line) / 2.0), (float) base);
             base += metrics.getHeight();
@@ -155,7 +155,7 @@ public final class PictureView extends JPanel {
         return lines;
     }
 
-    private void paintCaption(Graphics2D pen, Ink ink, Rectangle2D frame) {
+    private void paintCaption(Graphics2D pen, DrawingColors colors, Rectangle2D frame) {
         FontMetrics metrics = pen.getFontMetrics();
         double width = metrics.stringWidth(caption) + 2.0 * INSET;
         if (width + INSET > frame.getWidth()) {
@@ -164,9 +164,9 @@ public final class PictureView extends JPanel {
         double height = metrics.getHeight();
         double left = frame.getMaxX() - width - INSET;
         double top = frame.getMaxY() - height - INSET;
-        pen.setColor(Ink.translucent(ink.paper(), 0.8));
+        pen.setColor(DrawingColors.translucent(colors.paper(), 0.8));
         pen.fill(new RoundRectangle2D.Double(left, top, width, height, INSET, INSET));
-        pen.setColor(ink.line());
+        pen.setColor(colors.line());
         pen.drawString(caption, (float) left + INSET, (float) top + metrics.getAscent());
     }
 }

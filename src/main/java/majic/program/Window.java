@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import majic.gui.MajicFrame;
-import majic.gui.kit.Surroundings;
-import majic.gui.kit.Surroundings.SerialPortChoice;
+import majic.gui.kit.ProgramServices;
+import majic.gui.kit.ProgramServices.SerialPortChoice;
 import majic.link.SerialPorts;
 import majic.script.MajicParser;
 
@@ -91,9 +91,9 @@ public final class Window {
 
     private MajicFrame build() {
         MajicFrame.installLook(program.settings());
-        Surroundings surroundings =
-                new Surroundings(Window::serialPorts, program::startLab, program::quit, program.settings());
-        return new MajicFrame(program.session(), parser, surroundings);
+        ProgramServices services =
+                new ProgramServices(Window::serialPorts, program::startLab, program::quit, program.settings());
+        return new MajicFrame(program.session(), parser, services);
     }
 
     private static List<SerialPortChoice> serialPorts() {

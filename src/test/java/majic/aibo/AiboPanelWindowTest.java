@@ -15,7 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
-import majic.gui.WaitPolicy;
+import majic.gui.WindowWait;
 import majic.panel.PictureView;
 import majic.team.Member;
 import majic.team.Owner;
@@ -166,6 +166,6 @@ class AiboPanelWindowTest {
     }
 
     private static void await(String what, BooleanSupplier condition) {
-        WaitPolicy.await(what, condition, PATIENCE_S);
+        WindowWait.await(what, condition, PATIENCE_S);
     }
 }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import majic.bot.Settings;
 import majic.gui.add.AddBotDialog;
-import majic.gui.kit.Surroundings;
+import majic.gui.kit.ProgramServices;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -49,8 +49,8 @@ class AddBotWindowTest {
 
     @Test
     void aRobotThatHangsIsGivenUpAndClosed() {
-        window.run(() -> new AddBotDialog(window.frame, window.session, surroundings(), member -> {}, SHORT_MS)
-                .setVisible(true));
+        window.run(() ->
+                new AddBotDialog(window.frame, window.session, services(), member -> {}, SHORT_MS).setVisible(true));
         connectTo("silent");
         window.await("giving up", () -> window.text("outcome").contains("Wind the toy up."));
         window.await(
@@ -82,7 +82,7 @@ class AddBotWindowTest {
         window.click("OK");
     }
 
-    private static Surroundings surroundings() {
-        return new Surroundings(List::of, null, () -> {}, Settings.inMemory());
+    private static ProgramServices services() {
+        return new ProgramServices(List::of, null, () -> {}, Settings.inMemory());
     }
 }

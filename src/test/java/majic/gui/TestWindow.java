@@ -25,7 +25,7 @@ import majic.act.file.Acts;
 import majic.bot.BotType;
 import majic.bot.Settings;
 import majic.gui.kit.EdtGuard;
-import majic.gui.kit.Surroundings;
+import majic.gui.kit.ProgramServices;
 import majic.log.SessionLog;
 import majic.script.MajicParser;
 import majic.script.Session;
@@ -76,9 +76,9 @@ public final class TestWindow implements AutoCloseable {
 
     private MajicFrame makeFrame() {
         MajicFrame.installLook(settings);
-        Surroundings surroundings =
-                new Surroundings(List::of, () -> factory.useLab(new ToyLab()), this::quit, settings);
-        return new MajicFrame(session, parser, surroundings);
+        ProgramServices services =
+                new ProgramServices(List::of, () -> factory.useLab(new ToyLab()), this::quit, settings);
+        return new MajicFrame(session, parser, services);
     }
 
     private void quit() {
@@ -245,7 +245,7 @@ public final class TestWindow implements AutoCloseable {
 
     /** Waits for something to become true, and fails if it does not. */
     public void await(String what, BooleanSupplier condition) {
-        WaitPolicy.await(what, condition, PATIENCE_S);
+        WindowWait.await(what, condition, PATIENCE_S);
     }
 
     @Override

@@ -7,7 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
-import majic.gui.WaitPolicy;
+import majic.gui.WindowWait;
 import majic.hemisson.panel.LedButton;
 import majic.panel.Banner;
 import org.assertj.swing.core.BasicRobot;
@@ -172,12 +172,12 @@ class HemissonPanelWindowTest {
 
     private boolean light(String words) {
         return mouse.finder()
-                .findByName(frame, "line", majic.panel.Light.class)
+                .findByName(frame, "line", majic.panel.StatusLight.class)
                 .getText()
                 .equals(words);
     }
 
     private static void await(String what, BooleanSupplier condition) {
-        WaitPolicy.await(what, condition, PATIENCE_S);
+        WindowWait.await(what, condition, PATIENCE_S);
     }
 }

@@ -19,7 +19,7 @@ class DashboardTest {
     private final JPanel picture = new JPanel();
     private final JPanel controls = new JPanel();
     private final JPanel map = new JPanel();
-    private final LightsPanel lights = lights();
+    private final StatusLightsPanel lights = lights();
     private final ReadingsPanel<String> readings = new ReadingsPanel<>("8888 mm");
     private final Banner banner = new Banner();
     private final JPanel parent = new JPanel();
@@ -34,28 +34,28 @@ class DashboardTest {
         }
     }
 
-    private static LightsPanel lights() {
-        List<Light> lights = IntStream.range(0, 6)
-                .mapToObj(index -> new Light("light" + index, "tip"))
+    private static StatusLightsPanel lights() {
+        List<StatusLight> lights = IntStream.range(0, 6)
+                .mapToObj(index -> new StatusLight("light" + index, "tip"))
                 .toList();
-        return new LightsPanel("something is on", lights);
+        return new StatusLightsPanel("something is on", lights);
     }
 
     /** Creates a view with a picture and controls beside it. */
     private void camera() {
-        arrange(new Dashboard(view, 0.38, List.of(Aside.shaped(picture), Aside.of(controls)), readings));
+        arrange(new Dashboard(view, 0.38, List.of(SidePane.shaped(picture), SidePane.of(controls)), readings));
         List.of(view, picture, controls, readings).forEach(parent::add);
     }
 
     /** Creates a square view with lights and a map beside it. */
     private void square() {
-        arrange(new Dashboard(view, 1, List.of(Aside.of(lights), Aside.stretched(map)), readings).under(banner));
+        arrange(new Dashboard(view, 1, List.of(SidePane.of(lights), SidePane.stretched(map)), readings).under(banner));
         List.of(view, lights, map, readings, banner).forEach(parent::add);
     }
 
     /** Creates a view of any shape with controls and lights beside it. */
     private void wide() {
-        arrange(new Dashboard(view, 0, List.of(Aside.of(controls), Aside.of(lights)), readings));
+        arrange(new Dashboard(view, 0, List.of(SidePane.of(controls), SidePane.of(lights)), readings));
         List.of(view, controls, lights, readings).forEach(parent::add);
     }
 

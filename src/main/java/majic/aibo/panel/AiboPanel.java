@@ -6,17 +6,17 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import majic.aibo.body.DogState;
 import majic.bot.MajicBot;
-import majic.panel.Aside;
 import majic.panel.Dashboard;
-import majic.panel.NewsPanel;
 import majic.panel.ReadingsPanel;
+import majic.panel.RefreshingPanel;
+import majic.panel.SidePane;
 import net.miginfocom.swing.MigLayout;
 
 /**
  * Shows one dog: what its camera sees, the dog itself with all that moves, shines and can be touched, and its readings.
  * The sliders of the head move it; nothing else sends it anything but questions.
  */
-public final class AiboPanel extends NewsPanel {
+public final class AiboPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
 
     /** What the camera sees is worth as much of the width. */
@@ -66,7 +66,7 @@ public final class AiboPanel extends NewsPanel {
         add(camera.view());
         add(controls);
         add(readings);
-        List<Aside> asides = List.of(Aside.shaped(camera.view()), Aside.of(controls));
+        List<SidePane> asides = List.of(SidePane.shaped(camera.view()), SidePane.of(controls));
         setLayout(new Dashboard(drawing, ASIDES, asides, readings));
     }
 
@@ -87,12 +87,12 @@ public final class AiboPanel extends NewsPanel {
      */
     public static JComponent create(MajicBot bot, DogState dog, Function<PanelPoller.Audience, PanelPoller> pollers) {
         AiboPanel panel = new AiboPanel(bot, dog, pollers);
-        panel.refreshOnNews();
+        panel.refreshIfChanged();
         return panel;
     }
 
     @Override
-    protected void inSight(boolean seen) {
+    protected void visibilityChanged(boolean seen) {
         poller.look(seen);
     }
 

@@ -12,7 +12,7 @@ import java.util.Optional;
 import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.bot.Value;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * What the distance sensors see, around the point where the head turns: rings at every half metre, the head's beam where
@@ -30,7 +30,7 @@ final class BeamsDrawing {
     private static final double LEAST_REACH_PX = 75;
 
     private final DogState dog;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final double reachPx;
     private final double nosePx;
 
@@ -40,9 +40,9 @@ final class BeamsDrawing {
      * @param reachPx from where the head turns to where the farthest sensor ends
      * @param nosePx from where the head turns to its nose
      */
-    BeamsDrawing(DogState dog, Ink ink, double reachPx, double nosePx) {
+    BeamsDrawing(DogState dog, DrawingColors colors, double reachPx, double nosePx) {
         this.dog = dog;
-        this.ink = ink;
+        this.colors = colors;
         this.reachPx = reachPx;
         this.nosePx = nosePx;
     }
@@ -63,10 +63,10 @@ final class BeamsDrawing {
     }
 
     private void paintRings(Graphics2D pen) {
-        pen.setStroke(Ink.stroke(1));
+        pen.setStroke(DrawingColors.stroke(1));
         double free = Double.POSITIVE_INFINITY;
         for (int mm = FARTHEST_MM; mm > 0; mm -= RING_MM) {
-            pen.setColor(ink.grey(0.25));
+            pen.setColor(colors.grey(0.25));
             pen.draw(arc(radius(mm), 0, 90, Arc2D.OPEN));
             if (reachPx >= LEAST_REACH_PX) {
                 free = paintNumber(pen, Value.plain(mm / 1000.0) + (mm == FARTHEST_MM ? " m" : ""), radius(mm), free);
@@ -82,14 +82,14 @@ final class BeamsDrawing {
         if (left + width > free) {
             return free;
         }
-        pen.setColor(ink.grey(0.75));
+        pen.setColor(colors.grey(0.75));
         pen.drawString(text, (float) left, metrics.getAscent() + 2f);
         return left - metrics.charWidth(' ');
     }
 
     private void paintBeam(Graphics2D pen, double panDeg, double mm, boolean met) {
         double radius = radius(mm);
-        pen.setColor(met ? ink.wash(0.35) : ink.grey(0.15));
+        pen.setColor(met ? colors.wash(0.35) : colors.grey(0.15));
         pen.fill(arc(radius, panDeg, HALF_BEAM_DEG, Arc2D.PIE));
     }
 
@@ -97,25 +97,25 @@ final class BeamsDrawing {
         double x = -radius(mm) * Math.sin(Math.toRadians(panDeg));
         double y = -radius(mm) * Math.cos(Math.toRadians(panDeg));
         double half = 4;
-        pen.setColor(ink.accent());
+        pen.setColor(colors.accent());
         pen.fill(new Ellipse2D.Double(x - half, y - half, 2 * half, 2 * half));
         label(pen, Math.round(mm) + " mm", x, y);
     }
 
     private void paintChest(Graphics2D pen, double mm) {
         double y = -radius(mm);
-        pen.setColor(ink.accent());
+        pen.setColor(colors.accent());
         pen.setStroke(new BasicStroke(1.2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0));
         pen.draw(new Line2D.Double(0, 0, 0, y));
-        pen.setStroke(Ink.stroke(1.5));
+        pen.setStroke(DrawingColors.stroke(1.5));
         pen.draw(new Rectangle2D.Double(-4, y - 4, 8, 8));
     }
 
     /** What is nearest in the way, from the foremost part of the dog. */
     private void paintBar(Graphics2D pen, double mm) {
-        Color color = mm < NEAR_MM ? ink.alarm() : ink.grey(0.7);
+        Color color = mm < NEAR_MM ? colors.alarm() : colors.grey(0.7);
         pen.setColor(color);
-        pen.setStroke(Ink.stroke(mm < NEAR_MM ? 4 : 2));
+        pen.setStroke(DrawingColors.stroke(mm < NEAR_MM ? 4 : 2));
         pen.draw(arc(radius(mm), 0, HALF_BAR_DEG, Arc2D.OPEN));
     }
 
@@ -125,7 +125,7 @@ final class BeamsDrawing {
         double width = metrics.stringWidth(text) + 8.0;
         boolean toTheRight = x >= 0 ? x + width <= reachPx : x - width < -reachPx;
         double base = Math.max(y + metrics.getAscent() / 2.0, metrics.getAscent() - reachPx);
-        pen.setColor(ink.line());
+        pen.setColor(colors.line());
         pen.drawString(text, (float) (toTheRight ? x + 8 : x - width), (float) base);
     }
 

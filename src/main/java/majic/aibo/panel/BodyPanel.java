@@ -9,8 +9,8 @@ import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
 import majic.panel.BatteryIcon;
 import majic.panel.Horizon;
-import majic.panel.Light;
-import majic.panel.Light.Kind;
+import majic.panel.StatusLight;
+import majic.panel.StatusLight.Kind;
 import net.miginfocom.swing.MigLayout;
 
 /** How the dog lies in space, its battery, its posture and its motors. For the event thread. */
@@ -22,8 +22,8 @@ final class BodyPanel extends JPanel {
     private final JLabel battery =
             new JLabel("no reading yet", new BatteryIcon(OptionalInt.empty(), false), JLabel.LEADING);
     private final JLabel posture = new JLabel("–");
-    private final Light motors =
-            new Light("motorsLight", "Whether the legs are stiff; the first motion switches them on");
+    private final StatusLight motors =
+            new StatusLight("motorsLight", "Whether the legs are stiff; the first motion switches them on");
 
     BodyPanel() {
         super(new MigLayout("insets 0, gap 8 0, novisualpadding", "[][grow, fill]", "[][][]"));

@@ -6,7 +6,7 @@ import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import javax.swing.JPanel;
 import majic.aibo.body.DogState;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * Draws the dog three times with its joints as they were measured: from its right, from above with what its distance
@@ -40,7 +40,7 @@ final class DogDrawing extends JPanel {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
+        DrawingColors.prepare(pen);
         int width = getWidth();
         int height = getHeight();
         if (width > WIDE * height) {
@@ -68,8 +68,8 @@ final class DogDrawing extends JPanel {
         return (Graphics2D) pen.create(room.x, room.y, room.width, room.height);
     }
 
-    private Ink ink() {
-        return isEnabled() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
+    private DrawingColors colors() {
+        return isEnabled() ? DrawingColors.current() : DrawingColors.current().faded();
     }
 
     private void paintSide(Graphics2D pen) {
@@ -79,10 +79,10 @@ final class DogDrawing extends JPanel {
         double scale = Math.min(width / length, height / (FigureDrawing.HIGH_MM + 16));
         pen.translate(width / 2 + (FigureDrawing.REAR_MM - length / 2) * scale, height - 10 * scale);
         pen.scale(scale, -scale);
-        pen.setColor(ink().grey(0.35));
-        pen.setStroke(Ink.stroke(2.5));
+        pen.setColor(colors().grey(0.35));
+        pen.setStroke(DrawingColors.stroke(2.5));
         pen.draw(new Line2D.Double(-FigureDrawing.REAR_MM, 0, FigureDrawing.AHEAD_MM, 0));
-        new FigureDrawing(dog, View.SIDE, ink(), isEnabled()).paint(pen);
+        new FigureDrawing(dog, View.SIDE, colors(), isEnabled()).paint(pen);
         pen.dispose();
     }
 
@@ -92,9 +92,9 @@ final class DogDrawing extends JPanel {
         double size = Math.min(width, height);
         double scale = HEAD_AT * size / BEHIND_HEAD_MM;
         pen.translate(width / 2, (height + size) / 2 - HEAD_AT * size);
-        new BeamsDrawing(dog, ink(), REACH * size, scale * NOSE_MM).paint(pen);
+        new BeamsDrawing(dog, colors(), REACH * size, scale * NOSE_MM).paint(pen);
         pen.scale(scale, -scale);
-        FigureDrawing figure = new FigureDrawing(dog, View.ABOVE, ink(), isEnabled());
+        FigureDrawing figure = new FigureDrawing(dog, View.ABOVE, colors(), isEnabled());
         pen.translate(0, -figure.skeleton().neckFoot().x());
         figure.paint(pen);
         pen.dispose();
@@ -107,7 +107,7 @@ final class DogDrawing extends JPanel {
         double scale = 0.9 * Math.min(width / (2 * FaceDrawing.HALF_WIDTH_MM), height / tall);
         pen.translate(width / 2, (height - scale * tall) / 2 + scale * FaceDrawing.TOP_MM);
         pen.scale(scale, -scale);
-        new FaceDrawing(dog, ink(), isEnabled()).paint(pen);
+        new FaceDrawing(dog, colors(), isEnabled()).paint(pen);
         pen.dispose();
     }
 }

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * The face as one looks into it, in mm around its middle: the 14 LEDs behind the visor in pairs from the chin upwards,
@@ -30,16 +30,16 @@ final class FaceDrawing {
     private static final List<Color> MODE_COLOURS = List.of(LedDrawing.RED, LedDrawing.GREEN, LedDrawing.BLUE);
 
     private final DogState dog;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final boolean live;
     private final LedDrawing leds;
 
     /** A live dog's LEDs shine. */
-    FaceDrawing(DogState dog, Ink ink, boolean live) {
+    FaceDrawing(DogState dog, DrawingColors colors, boolean live) {
         this.dog = dog;
-        this.ink = ink;
+        this.colors = colors;
         this.live = live;
-        this.leds = new LedDrawing(ink, LAMP_MM, ink.grey(0.55));
+        this.leds = new LedDrawing(colors, LAMP_MM, colors.grey(0.55));
     }
 
     /** Paints with y upwards. */
@@ -47,8 +47,8 @@ final class FaceDrawing {
         paintEar(pen, -1, "earR");
         paintEar(pen, 1, "earL");
         paintJaw(pen);
-        part(pen, oval(0, 6, 58, 60), ink.grey(0.08));
-        part(pen, new RoundRectangle2D.Double(-33, -48, 66, 104, 62, 78), HeadDrawing.visor(ink));
+        part(pen, oval(0, 6, 58, 60), colors.grey(0.08));
+        part(pen, new RoundRectangle2D.Double(-33, -48, 66, 104, 62, 78), HeadDrawing.visor(colors));
         paintFace(pen);
         paintTop(pen);
         paintModes(pen);
@@ -81,8 +81,8 @@ final class FaceDrawing {
     private void paintJaw(Graphics2D pen) {
         double open = -dog.senses().number(Sensor.MOUTH).orElse(-3.0);
         double drop = 30 * Math.sin(Math.toRadians(Math.max(0, open)));
-        part(pen, new RoundRectangle2D.Double(-30, -62 - drop, 60, 40 + drop, 44, 44), ink.grey(0.75));
-        part(pen, new RoundRectangle2D.Double(-27, -64 - drop, 54, 22, 22, 22), ink.grey(0.3));
+        part(pen, new RoundRectangle2D.Double(-30, -62 - drop, 60, 40 + drop, 44, 44), colors.grey(0.75));
+        part(pen, new RoundRectangle2D.Double(-27, -64 - drop, 54, 22, 22, 22), colors.grey(0.3));
         pad(pen, new RoundRectangle2D.Double(-11, -70 - drop, 22, 11, 11, 11), Sensor.CHIN);
     }
 
@@ -90,7 +90,7 @@ final class FaceDrawing {
         boolean flicked = dog.leds().amount(device).orElse(0.0) > 0.5;
         AffineTransform hanging = AffineTransform.getTranslateInstance(side * 52, 36);
         hanging.rotate(side * Math.toRadians(flicked ? 50 : 14));
-        part(pen, hanging.createTransformedShape(oval(0, -30, 14, 36)), ink.grey(0.45));
+        part(pen, hanging.createTransformedShape(oval(0, -30, 14, 36)), colors.grey(0.45));
     }
 
     private Optional<Double> amount(String led) {
@@ -98,14 +98,14 @@ final class FaceDrawing {
     }
 
     private void pad(Graphics2D pen, Shape shape, Sensor sensor) {
-        part(pen, shape, dog.senses().isPressed(sensor) ? ink.accent() : ink.paper());
+        part(pen, shape, dog.senses().isPressed(sensor) ? colors.accent() : colors.paper());
     }
 
     private void part(Graphics2D pen, Shape shape, Color color) {
         pen.setColor(color);
         pen.fill(shape);
-        pen.setColor(ink.grey(0.8));
-        pen.setStroke(Ink.stroke(OUTLINE_MM));
+        pen.setColor(colors.grey(0.8));
+        pen.setStroke(DrawingColors.stroke(OUTLINE_MM));
         pen.draw(shape);
     }
 

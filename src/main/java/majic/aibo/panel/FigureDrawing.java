@@ -8,7 +8,7 @@ import majic.aibo.body.Limb;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.Skeleton;
 import majic.aibo.body.Spot;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /** The whole dog as one view shows it, with every joint as it was measured; in mm, the ground at 0. */
 final class FigureDrawing {
@@ -30,15 +30,15 @@ final class FigureDrawing {
     private final DogState dog;
     private final Skeleton skeleton;
     private final View view;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final boolean live;
 
     /** A live dog's LEDs shine. */
-    FigureDrawing(DogState dog, View view, Ink ink, boolean live) {
+    FigureDrawing(DogState dog, View view, DrawingColors colors, boolean live) {
         this.dog = dog;
         this.skeleton = new Skeleton(dog.senses());
         this.view = view;
-        this.ink = ink;
+        this.colors = colors;
         this.live = live;
     }
 
@@ -47,7 +47,7 @@ final class FigureDrawing {
     }
 
     void paint(Graphics2D pen) {
-        PartsDrawing parts = new PartsDrawing(view, ink, live);
+        PartsDrawing parts = new PartsDrawing(view, colors, live);
         for (Limb limb : Limb.values()) {
             addLeg(parts, limb);
         }
@@ -56,7 +56,7 @@ final class FigureDrawing {
         for (int place = 0; place < PLACES.size(); place++) {
             addBack(parts, place);
         }
-        new HeadDrawing(dog, skeleton, ink).addTo(parts);
+        new HeadDrawing(dog, skeleton, colors).addTo(parts);
         parts.paint(pen);
     }
 
@@ -67,7 +67,7 @@ final class FigureDrawing {
         parts.boneBehind(BEHIND_PAW_MM, bones.middle(), bones.foot(), 32, 0.2);
         boolean down = dog.senses().isPressed(limb.paw());
         Spot toe = bones.foot().plus(new Spot(12, 0, -1));
-        parts.part(bones.foot().plus(new Spot(-3, 0, -1)), toe, 27, down ? ink.accent() : ink.paper());
+        parts.part(bones.foot().plus(new Spot(-3, 0, -1)), toe, 27, down ? colors.accent() : colors.paper());
     }
 
     private void addTail(PartsDrawing parts) {

@@ -5,7 +5,7 @@ import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.Skeleton;
 import majic.aibo.body.Spot;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /** The head with its visor, jaw and ears, its touch sensors and LEDs. */
 final class HeadDrawing {
@@ -19,24 +19,24 @@ final class HeadDrawing {
 
     private final DogState dog;
     private final Skeleton skeleton;
-    private final Ink ink;
+    private final DrawingColors colors;
 
-    HeadDrawing(DogState dog, Skeleton skeleton, Ink ink) {
+    HeadDrawing(DogState dog, Skeleton skeleton, DrawingColors colors) {
         this.dog = dog;
         this.skeleton = skeleton;
-        this.ink = ink;
+        this.colors = colors;
     }
 
     /** The look of the visor, behind which the LEDs of the face are. */
-    static Color visor(Ink ink) {
-        return new Color(0x23292F).equals(ink.paper()) ? ink.grey(0.3) : new Color(0x23292F);
+    static Color visor(DrawingColors colors) {
+        return new Color(0x23292F).equals(colors.paper()) ? colors.grey(0.3) : new Color(0x23292F);
     }
 
     void addTo(PartsDrawing parts) {
         parts.boneBehind(NECK_BEHIND_MM, skeleton.neckFoot(), skeleton.head(new Spot(0, 0, -14)), 40, 0.4);
         parts.bone(skeleton.head(SKULL), skeleton.head(new Spot(6, 0, 16)), 82, 0.08);
         parts.bone(skeleton.head(new Spot(24, 0, 8)), skeleton.head(new Spot(46, 0, 4)), 56, 0.08);
-        parts.part(skeleton.head(new Spot(58, 0, 8)), skeleton.head(new Spot(62, 0, 2)), 36, visor(ink));
+        parts.part(skeleton.head(new Spot(58, 0, 8)), skeleton.head(new Spot(62, 0, 2)), 36, visor(colors));
         parts.bone(skeleton.head(JAW_HINGE), skeleton.jaw(JAW_HINGE, JAW), 19, 0.3);
         addTouch(parts);
         addEar(parts, 1, "earL");

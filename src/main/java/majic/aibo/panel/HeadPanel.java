@@ -7,7 +7,7 @@ import javax.swing.JPanel;
 import majic.aibo.body.Joint;
 import majic.aibo.body.Senses;
 import majic.bot.MajicBot;
-import majic.panel.ReachSlider;
+import majic.panel.SetpointSlider;
 import net.miginfocom.swing.MigLayout;
 
 /** Sliders that turn the head. They move the dog, so a script, an act or STOP keeps them from it. For the event thread. */
@@ -17,7 +17,7 @@ final class HeadPanel extends JPanel {
     private final transient MajicBot bot;
     private final transient Senses senses;
     private final transient SliderControl grip;
-    private final transient Map<Joint, ReachSlider> sliders = new EnumMap<>(Joint.class);
+    private final transient Map<Joint, SetpointSlider> sliders = new EnumMap<>(Joint.class);
 
     HeadPanel(MajicBot bot, Senses senses) {
         super(new MigLayout("insets 0, wrap 1, fillx, gap 0 1, novisualpadding", "[grow, fill]"));
@@ -28,14 +28,14 @@ final class HeadPanel extends JPanel {
         add(Joint.HEAD_PAN);
         add(Joint.HEAD_TILT);
         add(Joint.NECK);
-        ReachSlider.align(sliders.values());
+        SetpointSlider.align(sliders.values());
     }
 
     private void add(Joint joint) {
         boolean turns = joint == Joint.HEAD_PAN;
         String name = joint.urbiName();
-        ReachSlider slider =
-                new ReachSlider(bot.parameter(name), turns, (degrees, last) -> grip.choose(name, degrees, last));
+        SetpointSlider slider =
+                new SetpointSlider(bot.parameter(name), turns, (degrees, last) -> grip.choose(name, degrees, last));
         sliders.put(joint, slider);
         add(slider);
     }

@@ -4,7 +4,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.util.Optional;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /** An LED: a ring that fills with its light, with a glow around it; a bare ring while it is dark or not known. */
 final class LedDrawing {
@@ -16,7 +16,7 @@ final class LedDrawing {
 
     private static final double GLOW = 2.1;
 
-    private final Ink ink;
+    private final DrawingColors colors;
     private final double radius;
     private final Color ring;
 
@@ -26,24 +26,24 @@ final class LedDrawing {
      * @param radius in the pen's units
      * @param ring around each
      */
-    LedDrawing(Ink ink, double radius, Color ring) {
-        this.ink = ink;
+    LedDrawing(DrawingColors colors, double radius, Color ring) {
+        this.colors = colors;
         this.radius = radius;
         this.ring = ring;
     }
 
     void paint(Graphics2D pen, double x, double y, Color light, Optional<Double> amount) {
         double bright = Math.max(0, Math.min(1, amount.orElse(0.0)));
-        pen.setColor(ink.grey(0.22));
+        pen.setColor(colors.grey(0.22));
         pen.fill(disc(x, y, radius));
         if (bright > 0) {
-            pen.setColor(Ink.translucent(light, 0.4 * bright));
+            pen.setColor(DrawingColors.translucent(light, 0.4 * bright));
             pen.fill(disc(x, y, GLOW * radius));
-            pen.setColor(Ink.translucent(light, 0.25 + 0.75 * bright));
+            pen.setColor(DrawingColors.translucent(light, 0.25 + 0.75 * bright));
             pen.fill(disc(x, y, radius));
         }
         pen.setColor(ring);
-        pen.setStroke(Ink.stroke(0.32 * radius));
+        pen.setStroke(DrawingColors.stroke(0.32 * radius));
         pen.draw(disc(x, y, radius));
     }
 

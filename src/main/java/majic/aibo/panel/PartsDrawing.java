@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import majic.aibo.body.Spot;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /** The parts of the dog as one view shows them, painted from the farthest to the nearest, in mm. */
 final class PartsDrawing {
@@ -20,7 +20,7 @@ final class PartsDrawing {
     private static final double SHADE = 0.0012;
 
     private final View view;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final boolean live;
     private final LedDrawing leds;
     private final List<Part> parts = new ArrayList<>();
@@ -28,11 +28,11 @@ final class PartsDrawing {
     private record Part(double depth, Consumer<Graphics2D> paint) {}
 
     /** No parts yet; LEDs shine only while the dog is connected. */
-    PartsDrawing(View view, Ink ink, boolean live) {
+    PartsDrawing(View view, DrawingColors colors, boolean live) {
         this.view = view;
-        this.ink = ink;
+        this.colors = colors;
         this.live = live;
-        this.leds = new LedDrawing(ink, LAMP_MM, ink.grey(0.8));
+        this.leds = new LedDrawing(colors, LAMP_MM, colors.grey(0.8));
     }
 
     /** A round-ended part of this thickness. */
@@ -44,7 +44,7 @@ final class PartsDrawing {
     void boneBehind(double furtherMm, Spot from, Spot to, double widthMm, double grey) {
         double depth = (view.depth(from) + view.depth(to)) / 2;
         double shaded = grey + SHADE * Math.max(0, Math.min(120, depth + 40));
-        Color color = ink.grey(Math.min(0.75, shaded));
+        Color color = colors.grey(Math.min(0.75, shaded));
         parts.add(new Part(depth + furtherMm, pen -> capsule(pen, from, to, widthMm, color)));
     }
 
@@ -57,7 +57,7 @@ final class PartsDrawing {
     /** A touch sensor; stands out while it is pressed. */
     void pad(Spot from, Spot to, double widthMm, boolean pressed) {
         double depth = (view.depth(from) + view.depth(to)) / 2;
-        Color color = pressed ? ink.accent() : ink.paper();
+        Color color = pressed ? colors.accent() : colors.paper();
         parts.add(new Part(depth, pen -> capsule(pen, from, to, pressed ? 1.35 * widthMm : widthMm, color)));
     }
 
@@ -73,11 +73,11 @@ final class PartsDrawing {
 
     private void capsule(Graphics2D pen, Spot from, Spot to, double widthMm, Color color) {
         Line2D line = new Line2D.Double(view.across(from), view.up(from), view.across(to), view.up(to));
-        pen.setColor(ink.grey(0.8));
-        pen.setStroke(Ink.stroke(widthMm));
+        pen.setColor(colors.grey(0.8));
+        pen.setStroke(DrawingColors.stroke(widthMm));
         pen.draw(line);
         pen.setColor(color);
-        pen.setStroke(Ink.stroke(widthMm - OUTLINE_MM));
+        pen.setStroke(DrawingColors.stroke(widthMm - OUTLINE_MM));
         pen.draw(line);
     }
 }

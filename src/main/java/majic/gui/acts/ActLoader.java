@@ -4,8 +4,8 @@ import java.awt.Window;
 import java.util.List;
 import majic.act.file.ActFile;
 import majic.bot.BotException;
+import majic.gui.kit.CommandChannel;
 import majic.gui.kit.Edt;
-import majic.gui.kit.Voice;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
 import majic.script.Session;
@@ -17,12 +17,12 @@ import majic.script.Session;
 public final class ActLoader {
     private final Window owner;
     private final Session session;
-    private final Voice voice;
+    private final CommandChannel channel;
 
-    public ActLoader(Window owner, Session session, Voice voice) {
+    public ActLoader(Window owner, Session session, CommandChannel channel) {
         this.owner = owner;
         this.session = session;
-        this.voice = voice;
+        this.channel = channel;
     }
 
     /** Starts with the choice of the act. */
@@ -48,16 +48,16 @@ public final class ActLoader {
                     try {
                         session.offers().agree(offer);
                     } catch (BotException e) {
-                        voice.complain(String.valueOf(e.getMessage()));
+                        channel.showError(String.valueOf(e.getMessage()));
                     }
                     Edt.later(() -> askRoles(target, offer));
                 },
-                voice::complain);
+                channel::showError);
     }
 
     private void askRoles(LoadTarget target, ActOffer offer) {
         if (offer.roles().size() == 1) {
-            voice.say(target.lines(offer, List.of()));
+            channel.submit(target.lines(offer, List.of()));
             return;
         }
         new RolesDialog(
@@ -65,7 +65,7 @@ public final class ActLoader {
                         offer,
                         target,
                         session.team().members(),
-                        others -> voice.say(target.lines(offer, others)))
+                        others -> channel.submit(target.lines(offer, others)))
                 .setVisible(true);
     }
 }

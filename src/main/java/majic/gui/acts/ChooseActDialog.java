@@ -1,6 +1,8 @@
 package majic.gui.acts;
 
 import java.awt.Window;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -13,7 +15,6 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import majic.gui.kit.ChooseFile;
-import majic.gui.kit.DoubleClick;
 import majic.gui.kit.Edt;
 import majic.gui.kit.MajicDialog;
 import majic.script.ActOffer;
@@ -51,7 +52,14 @@ final class ChooseActDialog extends MajicDialog {
         list.setCellRenderer(new ActCell(target.member()));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.addListSelectionListener(event -> show(list.getSelectedValue()));
-        list.addMouseListener(new DoubleClick(load::doClick));
+        list.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                if (event.getClickCount() == 2) {
+                    load.doClick();
+                }
+            }
+        });
         JPanel panel = new JPanel(new MigLayout(
                 "insets 0, gap 14 8", "[180:200:, fill][320:360:, grow, fill]", "[][240::, grow, fill][]"));
         panel.add(

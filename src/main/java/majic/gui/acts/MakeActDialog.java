@@ -14,10 +14,8 @@ import majic.act.file.Acts;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.Confirm;
 import majic.gui.kit.Edt;
-import majic.gui.kit.FocusLeft;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
-import majic.gui.kit.SuggestedField;
 import majic.script.ActOffers;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
@@ -47,9 +45,9 @@ public final class MakeActDialog extends MajicDialog {
         author.setName("makeAuthor");
         description.setName("makeDescription");
         from.addActionListener(event -> look());
-        from.addFocusListener(new FocusLeft(this::look));
+        from.whenFocusIsLost(this::look);
         act.addActionListener(event -> suggestNames());
-        name.addFocusListener(new FocusLeft(this::suggestTarget));
+        name.whenFocusIsLost(this::suggestTarget);
         fill(content(), make, closing("Close"));
         make.setEnabled(false);
         outcome.show(

@@ -14,7 +14,7 @@ import javax.swing.Timer;
 import majic.bot.BotException;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
-import majic.gui.kit.Surroundings;
+import majic.gui.kit.ProgramServices;
 import majic.script.Session;
 import majic.team.Member;
 import majic.text.Advice;
@@ -50,11 +50,11 @@ public final class AddBotDialog extends MajicDialog {
      * @param giveUpMs timeout of an attempt, ms
      */
     public AddBotDialog(
-            Window owner, Session session, Surroundings surroundings, Consumer<Member> joined, int giveUpMs) {
+            Window owner, Session session, ProgramServices services, Consumer<Member> joined, int giveUpMs) {
         super(owner, "Add Bot");
         this.session = session;
         this.joined = joined;
-        this.inputs = AddressInputs.all(session.factory(), surroundings);
+        this.inputs = AddressInputFactory.all(session.factory(), services);
         this.giveUp = new Timer(giveUpMs, event -> giveUp());
         giveUp.setRepeats(false);
         fill(content(), ok, closing("Cancel"));

@@ -8,7 +8,7 @@ import javax.swing.JLabel;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.gui.kit.Edt;
-import majic.gui.kit.Surroundings.SerialPortChoice;
+import majic.gui.kit.ProgramServices.SerialPortChoice;
 
 /** Selects one of the serial ports of this computer, or takes one that is typed in. */
 final class SerialInput extends AddressInput {

@@ -14,8 +14,8 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.gui.drive.DrivePad;
-import majic.gui.kit.Pacer;
-import majic.gui.kit.Voice;
+import majic.gui.kit.CommandChannel;
+import majic.gui.kit.UpdateThrottle;
 import majic.team.Member;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
@@ -27,28 +27,28 @@ final class BotPanel extends JPanel {
 
     private final transient Member member;
     private final StatusStrip strip;
-    private final transient Pacer pacer;
-    private final transient BotListener news = new News();
+    private final transient UpdateThrottle throttle;
+    private final transient BotListener listener = new ChangeListener();
 
     /**
      * Creates a panel for a robot; it listens to the robot until {@link #close()}.
      *
      * @param changed runs, at most ten times a second, after the robot's state has changed
-     * @param voice submits lines and shows messages
+     * @param channel submits lines and shows messages
      */
-    BotPanel(Team team, Member member, Runnable changed, Voice voice) {
+    BotPanel(Team team, Member member, Runnable changed, CommandChannel channel) {
         super(new BorderLayout());
         this.member = member;
         setName("bot" + member.number());
-        strip = new StatusStrip(member, () -> team.stop(List.of(member), null), voice);
-        pacer = new Pacer(() -> {
+        strip = new StatusStrip(member, () -> team.stop(List.of(member), null), channel);
+        throttle = new UpdateThrottle(() -> {
             strip.update();
             changed.run();
         });
         add(strip, BorderLayout.NORTH);
         add(display(), BorderLayout.CENTER);
-        add(new DrivePad(member, voice::complain), BorderLayout.SOUTH);
-        member.bot().addListener(news);
+        add(new DrivePad(member, channel::showError), BorderLayout.SOUTH);
+        member.bot().addListener(listener);
     }
 
     Member member() {
@@ -56,13 +56,13 @@ final class BotPanel extends JPanel {
     }
 
     /** Schedules an update of the strip; callable from any thread. */
-    void news() {
-        pacer.news();
+    void changed() {
+        throttle.changed();
     }
 
     /** Removes the listeners. */
     void close() {
-        member.bot().removeListener(news);
+        member.bot().removeListener(listener);
     }
 
     private JComponent display() {
@@ -92,15 +92,15 @@ final class BotPanel extends JPanel {
     }
 
     /** Updates the strip at a limited rate, however fast the robot reports. */
-    private final class News implements BotListener {
+    private final class ChangeListener implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {
-            pacer.news();
+            throttle.changed();
         }
 
         @Override
         public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
-            pacer.news();
+            throttle.changed();
         }
     }
 }

@@ -7,7 +7,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import majic.gui.kit.BotStatus;
-import majic.gui.kit.Voice;
+import majic.gui.kit.CommandChannel;
 import majic.team.Member;
 import majic.team.Team;
 import majic.team.TeamListener;
@@ -16,27 +16,27 @@ import net.miginfocom.swing.MigLayout;
 /** Holds a tab for each robot, by number; without robots, a hint on how to add one. */
 public final class BotTabs extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
-    private static final String NOBODY = "nobody";
-    private static final String SOMEBODY = "somebody";
+    private static final String EMPTY = "no robots";
+    private static final String TABS = "robots";
 
     private final transient Team team;
-    private final transient Voice voice;
+    private final transient CommandChannel channel;
     private final CardLayout cards = new CardLayout();
     private final JTabbedPane tabs = new JTabbedPane();
 
     /**
      * Creates tabs for the robots that are in the team already; tabs for later ones are added by events.
      *
-     * @param voice submits lines and shows messages
+     * @param channel submits lines and shows messages
      */
-    public BotTabs(Team team, Voice voice) {
+    public BotTabs(Team team, CommandChannel channel) {
         this.team = team;
-        this.voice = voice;
+        this.channel = channel;
         setLayout(cards);
         tabs.setName("bots");
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
-        add(hint(), NOBODY);
-        add(tabs, SOMEBODY);
+        add(hint(), EMPTY);
+        add(tabs, TABS);
         team.members().forEach(this::added);
     }
 
@@ -70,9 +70,9 @@ public final class BotTabs extends JPanel implements TeamListener {
         int place = (int) IntStream.range(0, tabs.getTabCount())
                 .filter(index -> panel(index).member().number() < member.number())
                 .count();
-        BotPanel panel = new BotPanel(team, member, () -> showCondition(member), voice);
+        BotPanel panel = new BotPanel(team, member, () -> showCondition(member), channel);
         tabs.insertTab("" + member.number(), TabIcon.of(member), panel, tip(member), place);
-        cards.show(this, SOMEBODY);
+        cards.show(this, TABS);
     }
 
     @Override
@@ -83,7 +83,7 @@ public final class BotTabs extends JPanel implements TeamListener {
             tabs.removeTabAt(index);
         }
         if (tabs.getTabCount() == 0) {
-            cards.show(this, NOBODY);
+            cards.show(this, EMPTY);
         }
     }
 
@@ -91,7 +91,7 @@ public final class BotTabs extends JPanel implements TeamListener {
     public void ownerChanged(Member member) {
         int index = panelAt(member);
         if (index >= 0) {
-            panel(index).news();
+            panel(index).changed();
         }
     }
 

@@ -8,9 +8,9 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.gui.acts.ActBar;
 import majic.gui.kit.BotStatus;
+import majic.gui.kit.CommandChannel;
 import majic.gui.kit.Edt;
 import majic.gui.kit.StateIcon;
-import majic.gui.kit.Voice;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
@@ -22,17 +22,17 @@ final class StatusStrip extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient Member member;
-    private final transient Voice voice;
+    private final transient CommandChannel channel;
     private final JLabel condition = new JLabel();
     private final JLabel pose = new JLabel();
     private final ActBar act;
     private final JButton reconnect = new JButton("Reconnect");
 
-    StatusStrip(Member member, Runnable stop, Voice voice) {
+    StatusStrip(Member member, Runnable stop, CommandChannel channel) {
         super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][]", "[][][][]"));
         this.member = member;
-        this.voice = voice;
-        act = new ActBar(member, () -> voice.say(member.number() + " act off"));
+        this.channel = channel;
+        act = new ActBar(member, () -> channel.submit(member.number() + " act off"));
         condition.setName("condition" + member.number());
         pose.setName("pose" + member.number());
         JLabel title = new JLabel(member.number() + "  " + member.bot().type().make());
@@ -69,7 +69,7 @@ final class StatusStrip extends JPanel {
                 member.bot().connect();
             } catch (BotException e) {
                 String problem = String.valueOf(e.getMessage());
-                voice.complain(member.number() + ": " + member.bot().type().adviceAfter(problem));
+                channel.showError(member.number() + ": " + member.bot().type().adviceAfter(problem));
             } finally {
                 Edt.later(() -> reconnect.setEnabled(true));
             }

@@ -8,7 +8,7 @@ import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTextPane;
 import majic.gui.kit.Edt;
-import majic.gui.kit.Pacer;
+import majic.gui.kit.UpdateThrottle;
 import majic.log.Line;
 import majic.log.SessionListener;
 
@@ -21,7 +21,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     private static final int MOST_WAITING = 2 * MessageDocument.MOST_LINES;
 
     private final transient List<Line> waiting = new ArrayList<>();
-    private final transient Pacer pacer = new Pacer(this::showWaiting);
+    private final transient UpdateThrottle throttle = new UpdateThrottle(this::showWaiting);
     private final transient MessageDocument document = new MessageDocument();
     private final JTextPane text = new JTextPane(document);
 
@@ -46,7 +46,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
             }
             waiting.add(line);
         }
-        pacer.news();
+        throttle.changed();
     }
 
     /** Updates the colours for the look and feel. */

@@ -27,12 +27,12 @@ public final class DrivePad extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int FULL_SPEED_PERCENT = 100;
 
-    private final transient HandDriver driver;
+    private final transient ManualDriver driver;
     private final JLabel hint = new JLabel();
 
-    public DrivePad(Member member, Consumer<String> complain) {
+    public DrivePad(Member member, Consumer<String> errors) {
         super(new MigLayout("insets 6 10 6 10, gap 4 4", "[][][]16[grow, fill]", "[][]"));
-        driver = new HandDriver(member, complain, () -> System.nanoTime() / 1_000_000);
+        driver = new ManualDriver(member, errors, () -> System.nanoTime() / 1_000_000);
         setName("drivePad" + member.number());
         setFocusable(true);
         getAccessibleContext().setAccessibleName("Drive robot " + member.number() + " by hand");
@@ -99,13 +99,13 @@ public final class DrivePad extends JPanel {
 
             @Override
             public void focusLost(FocusEvent event) {
-                driver.letGo();
+                driver.stopDriving();
                 showFocus(false);
             }
         });
         addHierarchyListener(change -> {
             if ((change.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0 && !isShowing()) {
-                driver.letGo();
+                driver.stopDriving();
             }
         });
     }

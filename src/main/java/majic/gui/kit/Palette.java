@@ -3,7 +3,7 @@ package majic.gui.kit;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
 import javax.swing.UIManager;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /** Colours with a meaning, readable in the present look and feel. */
 public final class Palette {
@@ -23,7 +23,7 @@ public final class Palette {
     }
 
     public static Color error() {
-        return Ink.ofTheLook().alarm();
+        return DrawingColors.current().alarm();
     }
 
     /**
@@ -32,15 +32,15 @@ public final class Palette {
      * @param share share of the text colour, 0 to 1
      */
     public static Color mixed(double share) {
-        Color ink = text();
-        Color paper = UIManager.getColor("Panel.background");
+        Color text = text();
+        Color background = UIManager.getColor("Panel.background");
         return new Color(
-                mix(ink.getRed(), paper.getRed(), share),
-                mix(ink.getGreen(), paper.getGreen(), share),
-                mix(ink.getBlue(), paper.getBlue(), share));
+                mix(text.getRed(), background.getRed(), share),
+                mix(text.getGreen(), background.getGreen(), share),
+                mix(text.getBlue(), background.getBlue(), share));
     }
 
-    private static int mix(int ink, int paper, double share) {
-        return (int) Math.round(ink * share + paper * (1 - share));
+    private static int mix(int text, int background, double share) {
+        return (int) Math.round(text * share + background * (1 - share));
     }
 }

@@ -13,8 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import majic.bot.Pose;
 import majic.gui.kit.Edt;
-import majic.gui.kit.Frames;
-import majic.gui.kit.Pacer;
+import majic.gui.kit.UpdateThrottle;
 import majic.lab.LabAccess;
 import majic.panel.map.Trail;
 import majic.team.BotFactory;
@@ -56,7 +55,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
 
     public void start() {
         team.addListener(this);
-        clock.scheduleWithFixedDelay(this::update, 0, Pacer.PERIOD_MS, TimeUnit.MILLISECONDS);
+        clock.scheduleWithFixedDelay(this::update, 0, UpdateThrottle.PERIOD_MS, TimeUnit.MILLISECONDS);
     }
 
     /** Records where the robot is when it is added, before it moves. */
@@ -123,7 +122,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     }
 
     private MapScene.Robot robot(Member member, Start start, Map<String, Pose> truths) {
-        Pose believed = Frames.at(start.origin, member.bot().state().pose());
+        Pose believed = PoseFrames.at(start.origin, member.bot().state().pose());
         start.trail.add(believed);
         return new MapScene.Robot(
                 member.number(),
@@ -151,6 +150,6 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         if (truth == null) {
             return new Start(new Pose(0, (1 - member.number()) * GUESSED_APART_MM, 0), false, new Trail());
         }
-        return new Start(Frames.originOf(truth, member.bot().state().pose()), true, new Trail());
+        return new Start(PoseFrames.originOf(truth, member.bot().state().pose()), true, new Trail());
     }
 }

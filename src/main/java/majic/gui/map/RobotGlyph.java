@@ -10,8 +10,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.bot.Pose;
 import majic.gui.kit.Palette;
-import majic.gui.kit.RobotColors;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 
 /** Draws one robot of the map: its trail, its estimated pose, its true pose. */
@@ -55,12 +54,12 @@ final class RobotGlyph {
         }
         way.lineTo(robot.believed().xMm(), robot.believed().yMm());
         g.setStroke(TRAIL);
-        g.setColor(Ink.translucent(color, TRAIL_OPACITY));
+        g.setColor(DrawingColors.translucent(color, TRAIL_OPACITY));
         g.draw(view.transform().createTransformedShape(way));
     }
 
     void paintBody(Graphics2D g) {
-        g.setColor(Ink.translucent(color, robot.connected() ? 0.75 : 0.27));
+        g.setColor(DrawingColors.translucent(color, robot.connected() ? 0.75 : 0.27));
         g.fill(circle(robot.believed()));
         g.setColor(color);
         g.setStroke(TRAIL);

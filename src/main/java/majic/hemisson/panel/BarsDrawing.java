@@ -8,7 +8,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import majic.hemisson.readings.Proximity;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * A bar where each infra-red sensor sits, pointing where it looks, filled the more the nearer something is; its figure.
@@ -25,12 +25,12 @@ final class BarsDrawing {
     private static final double LEAST_PX_PER_MM = 0.55;
 
     private final HemissonScene view;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final double pxPerMm;
 
-    BarsDrawing(HemissonScene view, Ink ink, double pxPerMm) {
+    BarsDrawing(HemissonScene view, DrawingColors colors, double pxPerMm) {
         this.view = view;
-        this.ink = ink;
+        this.colors = colors;
         this.pxPerMm = pxPerMm;
     }
 
@@ -46,12 +46,12 @@ final class BarsDrawing {
         double half = mount.looksDown() ? GROUND_HALF_WIDTH_MM : HALF_WIDTH_MM;
         Shape frame =
                 place.createTransformedShape(new RoundRectangle2D.Double(0, -half, mount.lengthMm(), 2 * half, 4, 4));
-        pen.setColor(ink.paper());
+        pen.setColor(colors.paper());
         pen.fill(frame);
-        pen.setColor(ink.accent());
+        pen.setColor(colors.accent());
         pen.fill(place.createTransformedShape(new Rectangle2D.Double(0, -half, mount.lengthMm() * share, 2 * half)));
-        pen.setColor(ink.grey(0.75));
-        pen.setStroke(Ink.stroke(1.2 / pxPerMm));
+        pen.setColor(colors.grey(0.75));
+        pen.setStroke(DrawingColors.stroke(1.2 / pxPerMm));
         pen.draw(frame);
     }
 
@@ -71,7 +71,7 @@ final class BarsDrawing {
         if (mount.looksDown()) {
             x = Math.signum(x) * Math.max(Math.abs(x), width / 2.0 + APART_PX);
         }
-        screen.setColor(ink.line());
+        screen.setColor(colors.line());
         screen.drawString(
                 text, (float) (x - width / 2.0), (float) (-pxPerMm * place.getX() + metrics.getAscent() * 0.4));
     }

@@ -7,16 +7,16 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.bot.Pose;
 import majic.hemisson.readings.Clearance;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
-import majic.panel.map.WayContent;
-import majic.panel.map.WayDrawing;
+import majic.panel.map.TrailContent;
+import majic.panel.map.TrailDrawing;
 
 /**
  * The floor with the estimated way of the robot: dashed and marked as an estimate, because nothing measures it. {@link
  * #hear} is for the driver's threads, everything else for the event thread.
  */
-final class FloorDrawing extends WayContent {
+final class FloorDrawing extends TrailContent {
     private static final Reach REACH = new Reach(0.18, 400, 900, 200);
     private static final double LEAST_RADIUS_PX = 7;
     private static final String MARK = "an estimate";
@@ -46,17 +46,18 @@ final class FloorDrawing extends WayContent {
 
     @Override
     public void paint(Graphics2D pen, MapView view) {
-        Ink ink = connected ? Ink.ofTheLook() : Ink.ofTheLook().faded();
-        WayDrawing.paintStart(pen, view, ink);
-        paintWay(pen, view, ink);
-        paintRobot(pen, view, ink);
+        DrawingColors colors =
+                connected ? DrawingColors.current() : DrawingColors.current().faded();
+        TrailDrawing.paintStart(pen, view, colors);
+        paintTrail(pen, view, colors);
+        paintRobot(pen, view, colors);
         paintMark(pen, view);
     }
 
     private static void paintMark(Graphics2D pen, MapView view) {
         FontMetrics metrics = pen.getFontMetrics();
         int foot = view.width() < NARROW_PX ? SCALE_PX : 0;
-        pen.setColor(Ink.ofTheLook().grey(0.8));
+        pen.setColor(DrawingColors.current().grey(0.8));
         pen.drawString(
                 MARK,
                 view.width() - metrics.stringWidth(MARK) - INSET,
@@ -64,16 +65,16 @@ final class FloorDrawing extends WayContent {
     }
 
     /** A disc to scale, or as small as can be found, with an arrow ahead. */
-    private void paintRobot(Graphics2D pen, MapView view, Ink ink) {
+    private void paintRobot(Graphics2D pen, MapView view, DrawingColors colors) {
         Point2D middle = view.pixel(pose.xMm(), pose.yMm());
         double radius = Math.max(LEAST_RADIUS_PX, Clearance.HULL_MM * view.pxPerMm());
         Graphics2D robot = (Graphics2D) pen.create();
         robot.translate(middle.getX(), middle.getY());
         robot.rotate(-Math.toRadians(pose.headingDeg() + MapView.Y_UP - view.upDeg()));
-        robot.setColor(ink.grey(0.2));
+        robot.setColor(colors.grey(0.2));
         robot.fill(new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius));
-        robot.setColor(ink.line());
-        robot.setStroke(Ink.stroke(1.3));
+        robot.setColor(colors.line());
+        robot.setStroke(DrawingColors.stroke(1.3));
         robot.draw(new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius));
         robot.fill(arrow(0.75 * radius));
         robot.dispose();

@@ -9,7 +9,7 @@ import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import majic.hemisson.line.MotorValues;
 import majic.hemisson.readings.Clearance;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * The robot without its sensors and LEDs: a round body, flat at the sides; wheels filled in proportion to the values of
@@ -24,12 +24,12 @@ final class HemissonBodyDrawing {
     private static final double ARROW_MM = 6;
 
     private final HemissonScene view;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final double pxPerMm;
 
-    HemissonBodyDrawing(HemissonScene view, Ink ink, double pxPerMm) {
+    HemissonBodyDrawing(HemissonScene view, DrawingColors colors, double pxPerMm) {
         this.view = view;
-        this.ink = ink;
+        this.colors = colors;
         this.pxPerMm = pxPerMm;
     }
 
@@ -48,7 +48,7 @@ final class HemissonBodyDrawing {
         nose.lineTo(HULL_MM - 8, 8);
         nose.lineTo(HULL_MM - 8, -8);
         nose.closePath();
-        pen.setColor(ink.grey(0.55));
+        pen.setColor(colors.grey(0.55));
         pen.fill(nose);
     }
 
@@ -61,7 +61,7 @@ final class HemissonBodyDrawing {
         }
         double tip = WHEEL_HALF_MM * told / MotorValues.MAX;
         double side = WHEEL_HALF_WIDTH_MM - 2;
-        pen.setColor(ink.accent());
+        pen.setColor(colors.accent());
         pen.fill(new Rectangle2D.Double(Math.min(0, tip), y - side, Math.abs(tip), 2 * side));
         Path2D arrow = new Path2D.Double();
         arrow.moveTo(tip + Math.signum(tip) * ARROW_MM, y);
@@ -69,8 +69,8 @@ final class HemissonBodyDrawing {
         arrow.lineTo(tip, y - side);
         arrow.closePath();
         pen.fill(arrow);
-        pen.setColor(ink.grey(0.85));
-        pen.setStroke(Ink.stroke(1.3 / pxPerMm));
+        pen.setColor(colors.grey(0.85));
+        pen.setStroke(DrawingColors.stroke(1.3 / pxPerMm));
         pen.draw(tyre);
     }
 
@@ -80,16 +80,16 @@ final class HemissonBodyDrawing {
             boolean one = switches.get(index) == 1;
             double y = 15 - 10 * index;
             part(pen, new Rectangle2D.Double(-54, y - 3.5, 17, 7), 0);
-            pen.setColor(one ? ink.line() : ink.alarm());
+            pen.setColor(one ? colors.line() : colors.alarm());
             pen.fill(new Rectangle2D.Double(one ? -45.5 : -54, y - 3.5, 8.5, 7));
         }
     }
 
     private void part(Graphics2D pen, Shape shape, double grey) {
-        pen.setColor(ink.grey(grey));
+        pen.setColor(colors.grey(grey));
         pen.fill(shape);
-        pen.setColor(ink.grey(0.8));
-        pen.setStroke(Ink.stroke(1.3 / pxPerMm));
+        pen.setColor(colors.grey(0.8));
+        pen.setStroke(DrawingColors.stroke(1.3 / pxPerMm));
         pen.draw(shape);
     }
 }

@@ -12,7 +12,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import javax.swing.JPanel;
 import majic.hemisson.readings.Proximity;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * The robot from above, its front upward, as large as fits: its body, around it the bars of its sensors over the light
@@ -85,33 +85,36 @@ final class HemissonDrawing extends JPanel {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D screen = (Graphics2D) graphics.create();
-        Ink.prepare(screen);
+        DrawingColors.prepare(screen);
         screen.translate(getWidth() / 2.0, getHeight() / 2.0);
         double scale = pxPerMm();
-        Ink ink = view.isConnected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
-        BarsDrawing bars = new BarsDrawing(view, ink, scale);
+        DrawingColors colors = view.isConnected()
+                ? DrawingColors.current()
+                : DrawingColors.current().faded();
+        BarsDrawing bars = new BarsDrawing(view, colors, scale);
         Graphics2D robot = (Graphics2D) screen.create();
         robot.transform(onScreen(scale));
         List<Integer> light = view.light();
-        new HemissonBodyDrawing(view, ink, scale).paint(robot);
+        new HemissonBodyDrawing(view, colors, scale).paint(robot);
         if (light != null && view.isConnected()) {
-            LightDrawing.paint(robot, light, ink, scale);
+            LightDrawing.paint(robot, light, colors, scale);
         }
         bars.paintBars(robot);
         robot.dispose();
         bars.paintFigures(screen);
-        paintSpeed(screen, ink, HemissonBodyDrawing.WHEEL_Y_MM, view.wheels().left());
-        paintSpeed(screen, ink, -HemissonBodyDrawing.WHEEL_Y_MM, view.wheels().right());
+        paintSpeed(screen, colors, HemissonBodyDrawing.WHEEL_Y_MM, view.wheels().left());
+        paintSpeed(
+                screen, colors, -HemissonBodyDrawing.WHEEL_Y_MM, view.wheels().right());
         screen.dispose();
     }
 
     /** The value of the motor, behind its wheel. */
-    private void paintSpeed(Graphics2D screen, Ink ink, double y, int told) {
+    private void paintSpeed(Graphics2D screen, DrawingColors colors, double y, int told) {
         String text =
                 String.format(Locale.ROOT, "%+d", told).replace('-', '\u2212').replace("+0", "0");
         FontMetrics metrics = screen.getFontMetrics();
         double x = -y * pxPerMm() - metrics.stringWidth(text) / 2.0;
-        screen.setColor(ink.line());
+        screen.setColor(colors.line());
         screen.drawString(
                 text, (float) x, (float) (HemissonBodyDrawing.WHEEL_HALF_MM * pxPerMm() + metrics.getAscent()));
     }

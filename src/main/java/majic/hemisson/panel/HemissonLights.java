@@ -3,9 +3,9 @@ package majic.hemisson.panel;
 import java.util.List;
 import java.util.Locale;
 import majic.hemisson.panel.HemissonScene.Line;
-import majic.panel.Light;
-import majic.panel.Light.Kind;
-import majic.panel.LightsPanel;
+import majic.panel.StatusLight;
+import majic.panel.StatusLight.Kind;
+import majic.panel.StatusLightsPanel;
 
 /** Motion, line and running mode, each by word and shape. For the event thread. */
 final class HemissonLights {
@@ -14,15 +14,16 @@ final class HemissonLights {
     /** Longer than a robot that is polled ten times a second may be silent, seconds. */
     private static final double SILENT_S = 0.7;
 
-    private final Light motors = new Light("motors", "What the wheels are told; nothing measures what they do");
-    private final Light line = new Light(
+    private final StatusLight motors =
+            new StatusLight("motors", "What the wheels are told; nothing measures what they do");
+    private final StatusLight line = new StatusLight(
             "line", "The mean time from a question to its answer; or that answers are missing, or since when");
-    private final Light mode = new Light(
+    private final StatusLight mode = new StatusLight(
             "mode", "What the four switches chose when the robot was switched on; 1, 1, 1, 1 is remote control");
-    private final LightsPanel panel = new LightsPanel(LONGEST, List.of(motors, line, mode));
+    private final StatusLightsPanel panel = new StatusLightsPanel(LONGEST, List.of(motors, line, mode));
 
     /** All of them. */
-    LightsPanel panel() {
+    StatusLightsPanel panel() {
         return panel;
     }
 

@@ -7,18 +7,18 @@ import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
-import majic.panel.Aside;
 import majic.panel.Banner;
 import majic.panel.Dashboard;
-import majic.panel.NewsPanel;
 import majic.panel.ReadingsPanel;
+import majic.panel.RefreshingPanel;
+import majic.panel.SidePane;
 import majic.panel.map.ZoomableMap;
 
 /**
  * Shows a Hemisson from above with its readings where its sensors are, its estimated way, the quality of its line, and
  * advice for the user when nothing else can stop it. It sends nothing but clicks on LEDs and the buzzer.
  */
-public final class HemissonPanel extends NewsPanel {
+public final class HemissonPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
 
     private final transient Supplier<HemissonScene> views;
@@ -41,7 +41,7 @@ public final class HemissonPanel extends NewsPanel {
         add(map);
         add(readings);
         add(banner);
-        List<Aside> asides = List.of(Aside.of(lights.panel()), Aside.stretched(map));
+        List<SidePane> asides = List.of(SidePane.of(lights.panel()), SidePane.stretched(map));
         setLayout(new Dashboard(drawing, 1, asides, readings).under(banner));
     }
 
@@ -53,12 +53,12 @@ public final class HemissonPanel extends NewsPanel {
      */
     public static JComponent create(MajicBot bot, Supplier<HemissonScene> views, Executor background) {
         HemissonPanel panel = new HemissonPanel(bot, views, background);
-        panel.refreshOnNews();
+        panel.refreshIfChanged();
         return panel;
     }
 
     @Override
-    protected void heard(BotState state) {
+    protected void stateReceived(BotState state) {
         floor.hear(state.pose());
     }
 

@@ -8,7 +8,7 @@ import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import javax.swing.JButton;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * An LED or the buzzer on the drawing in its last confirmed state; with a dotted ring while the robot has not yet
@@ -72,40 +72,40 @@ public final class LedButton extends JButton {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
+        DrawingColors.prepare(pen);
         pen.translate(getWidth() / 2.0, getHeight() / 2.0);
-        Ink ink = faded ? Ink.ofTheLook().faded() : Ink.ofTheLook();
+        DrawingColors colors = faded ? DrawingColors.current().faded() : DrawingColors.current();
         if (getModel().isRollover() || isFocusOwner() || waiting) {
-            paintRing(pen, ink);
+            paintRing(pen, colors);
         }
         if (lamp == LedOrBuzzer.BUZZER) {
-            paintBuzzer(pen, ink);
+            paintBuzzer(pen, colors);
         } else {
-            paintLamp(pen, ink);
+            paintLamp(pen, colors);
         }
         pen.dispose();
     }
 
-    private void paintRing(Graphics2D pen, Ink ink) {
-        pen.setColor(ink.accent());
+    private void paintRing(Graphics2D pen, DrawingColors colors) {
+        pen.setColor(colors.accent());
         float[] dots = {2, 2};
-        pen.setStroke(waiting ? new java.awt.BasicStroke(1.4f, 0, 0, 1, dots, 0) : Ink.stroke(1.4));
+        pen.setStroke(waiting ? new java.awt.BasicStroke(1.4f, 0, 0, 1, dots, 0) : DrawingColors.stroke(1.4));
         pen.draw(circle(HALO * radiusPx));
     }
 
-    private void paintLamp(Graphics2D pen, Ink ink) {
+    private void paintLamp(Graphics2D pen, DrawingColors colors) {
         if (on) {
-            pen.setColor(ink.wash(0.3));
+            pen.setColor(colors.wash(0.3));
             pen.fill(circle(HALO * radiusPx));
         }
-        pen.setColor(on ? ink.accent() : ink.paper());
+        pen.setColor(on ? colors.accent() : colors.paper());
         pen.fill(circle(radiusPx));
-        pen.setColor(ink.grey(0.8));
-        pen.setStroke(Ink.stroke(1.3));
+        pen.setColor(colors.grey(0.8));
+        pen.setStroke(DrawingColors.stroke(1.3));
         pen.draw(circle(radiusPx));
     }
 
-    private void paintBuzzer(Graphics2D pen, Ink ink) {
+    private void paintBuzzer(Graphics2D pen, DrawingColors colors) {
         double unit = radiusPx / 5;
         Path2D horn = new Path2D.Double();
         horn.moveTo(-6 * unit, -2 * unit);
@@ -115,10 +115,10 @@ public final class LedButton extends JButton {
         horn.lineTo(-3 * unit, 2 * unit);
         horn.lineTo(-6 * unit, 2 * unit);
         horn.closePath();
-        pen.setColor(on ? ink.accent() : ink.paper());
+        pen.setColor(on ? colors.accent() : colors.paper());
         pen.fill(horn);
-        pen.setColor(on ? ink.accent() : ink.grey(0.8));
-        pen.setStroke(Ink.stroke(1.3));
+        pen.setColor(on ? colors.accent() : colors.grey(0.8));
+        pen.setStroke(DrawingColors.stroke(1.3));
         pen.draw(horn);
         for (double wave = 3 * unit; on && wave <= 6 * unit; wave += 3 * unit) {
             pen.draw(new Arc2D.Double(-wave, -wave, 2 * wave, 2 * wave, -45, 90, Arc2D.OPEN));

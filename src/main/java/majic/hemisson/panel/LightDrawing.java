@@ -7,7 +7,7 @@ import java.awt.geom.Arc2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import majic.hemisson.readings.Proximity;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /** The light on each sensor as the shade of what lies before it: sunny where it is bright, shadow where it is dark. */
 final class LightDrawing {
@@ -22,14 +22,14 @@ final class LightDrawing {
     private LightDrawing() {}
 
     /** Paints in the robot's frame, mm. */
-    static void paint(Graphics2D pen, List<Integer> light, Ink ink, double pxPerMm) {
+    static void paint(Graphics2D pen, List<Integer> light, DrawingColors colors, double pxPerMm) {
         for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
             SensorDrawing mount = SensorDrawing.ALL.get(sensor);
             Shape field = mount.transform().createTransformedShape(field(mount));
             pen.setColor(shade(light.get(sensor)));
             pen.fill(field);
-            pen.setColor(ink.grey(0.3));
-            pen.setStroke(Ink.stroke(0.8 / pxPerMm));
+            pen.setColor(colors.grey(0.3));
+            pen.setStroke(DrawingColors.stroke(0.8 / pxPerMm));
             pen.draw(field);
         }
     }
@@ -38,8 +38,8 @@ final class LightDrawing {
     static Color shade(int light) {
         double dark = light / DARK;
         return dark < 0.5
-                ? Ink.translucent(SUN, SUN_OPACITY * (1 - 2 * dark))
-                : Ink.translucent(SHADOW, SHADOW_OPACITY * (2 * dark - 1));
+                ? DrawingColors.translucent(SUN, SUN_OPACITY * (1 - 2 * dark))
+                : DrawingColors.translucent(SHADOW, SHADOW_OPACITY * (2 * dark - 1));
     }
 
     private static Shape field(SensorDrawing mount) {

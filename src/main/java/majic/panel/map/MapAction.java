@@ -37,27 +37,27 @@ enum MapAction {
 
     private final String title;
     private final List<String> keys;
-    private final Consumer<ZoomableMap> deed;
+    private final Consumer<ZoomableMap> effect;
     private final Predicate<ZoomableMap> state;
     private final boolean toggles;
 
-    MapAction(String title, List<String> keys, Consumer<ZoomableMap> deed) {
-        this(title, keys, deed, map -> false, false);
+    MapAction(String title, List<String> keys, Consumer<ZoomableMap> effect) {
+        this(title, keys, effect, map -> false, false);
     }
 
-    MapAction(String title, List<String> keys, Consumer<ZoomableMap> deed, Predicate<ZoomableMap> state) {
-        this(title, keys, deed, state, true);
+    MapAction(String title, List<String> keys, Consumer<ZoomableMap> effect, Predicate<ZoomableMap> state) {
+        this(title, keys, effect, state, true);
     }
 
     MapAction(
             String title,
             List<String> keys,
-            Consumer<ZoomableMap> deed,
+            Consumer<ZoomableMap> effect,
             Predicate<ZoomableMap> state,
             boolean toggles) {
         this.title = title;
         this.keys = keys;
-        this.deed = deed;
+        this.effect = effect;
         this.state = state;
         this.toggles = toggles;
     }
@@ -85,7 +85,7 @@ enum MapAction {
     }
 
     void perform(ZoomableMap map) {
-        deed.accept(map);
+        effect.accept(map);
     }
 
     static void bindKeys(ZoomableMap map) {

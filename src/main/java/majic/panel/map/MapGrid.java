@@ -8,7 +8,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.RoundRectangle2D;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /** Draws grid lines on a floor at round distances, and a scale bar as long as their distance. */
 final class MapGrid {
@@ -18,20 +18,20 @@ final class MapGrid {
 
     private final Graphics2D pen;
     private final MapView view;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final double stepMm;
 
-    MapGrid(Graphics2D pen, MapView view, Ink ink) {
+    MapGrid(Graphics2D pen, MapView view, DrawingColors colors) {
         this.pen = pen;
         this.view = view;
-        this.ink = ink;
+        this.colors = colors;
         this.stepMm = Lengths.round(WANTED_PX / view.pxPerMm());
     }
 
     /** Paints all visible lines, at any rotation of the floor; lines parallel to the axes of the screen are sharp. */
     void paintLines() {
         double reach = Math.hypot(view.width(), view.height()) / 2 / view.pxPerMm();
-        pen.setColor(ink.grey(0.13));
+        pen.setColor(colors.grey(0.13));
         pen.setStroke(new BasicStroke(1));
         Object smooth = pen.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
         if (view.upDeg() == MapView.Y_UP) {
@@ -67,10 +67,10 @@ final class MapGrid {
         double y = view.height() - INSET;
         double width = Math.max(length, metrics.stringWidth(text)) + 2 * TICK;
         double height = metrics.getAscent() + 3 * TICK;
-        pen.setColor(Ink.translucent(floor, 0.75));
+        pen.setColor(DrawingColors.translucent(floor, 0.75));
         pen.fill(new RoundRectangle2D.Double(INSET - TICK, y + TICK + 1 - height, width, height, 6, 6));
-        pen.setColor(ink.grey(0.85));
-        pen.setStroke(Ink.stroke(1.5));
+        pen.setColor(colors.grey(0.85));
+        pen.setStroke(DrawingColors.stroke(1.5));
         pen.draw(new Line2D.Double(INSET, y, INSET + length, y));
         pen.draw(new Line2D.Double(INSET, y - TICK, INSET, y + TICK));
         pen.draw(new Line2D.Double(INSET + length, y - TICK, INSET + length, y + TICK));

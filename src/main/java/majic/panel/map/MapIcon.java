@@ -8,7 +8,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import javax.swing.Icon;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * The symbol on a map's button, drawn in the colour of text.
@@ -23,11 +23,11 @@ record MapIcon(MapAction action, int size) implements Icon {
     @Override
     public void paintIcon(Component component, Graphics graphics, int x, int y) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
+        DrawingColors.prepare(pen);
         pen.translate(x, y);
         pen.scale(size / GRID, size / GRID);
-        pen.setColor(Ink.ofTheLook().grey(0.85));
-        pen.setStroke(Ink.stroke(1.5));
+        pen.setColor(DrawingColors.current().grey(0.85));
+        pen.setStroke(DrawingColors.stroke(1.5));
         switch (action) {
             case ZOOM_IN -> plus(pen);
             case ZOOM_OUT -> line(pen, 2, 7, 12, 7);

@@ -9,7 +9,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import net.miginfocom.swing.MigLayout;
 
 /** Holds the buttons in a map's corner. */
@@ -51,8 +51,8 @@ final class MapTools extends JPanel {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
-        pen.setColor(Ink.translucent(ZoomableMap.floor(), 0.8));
+        DrawingColors.prepare(pen);
+        pen.setColor(DrawingColors.translucent(ZoomableMap.floor(), 0.8));
         pen.fillRoundRect(0, 0, getWidth(), getHeight(), 8, 8);
         pen.dispose();
     }

@@ -27,9 +27,9 @@ public final class Trail {
      * @param pose now
      */
     public synchronized void add(Pose pose) {
-        double way =
+        double path =
                 size == 0 ? Double.POSITIVE_INFINITY : Math.hypot(pose.xMm() - xs[size - 1], pose.yMm() - ys[size - 1]);
-        if (way < stepMm) {
+        if (path < stepMm) {
             return;
         }
         if (size == CAPACITY) {
@@ -37,7 +37,7 @@ public final class Trail {
         }
         xs[size] = (float) pose.xMm();
         ys[size] = (float) pose.yMm();
-        jumps[size] = way > JUMP_MM + stepMm;
+        jumps[size] = path > JUMP_MM + stepMm;
         size++;
     }
 

@@ -11,7 +11,7 @@ import java.awt.geom.Point2D;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import majic.bot.Pose;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -203,11 +203,11 @@ public class ZoomableMap extends JPanel {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
+        DrawingColors.prepare(pen);
         pen.setColor(floor());
         pen.fillRect(0, 0, getWidth(), getHeight());
         MapView view = view();
-        MapGrid grid = new MapGrid(pen, view, Ink.ofTheLook());
+        MapGrid grid = new MapGrid(pen, view, DrawingColors.current());
         grid.paintLines();
         Graphics2D inside = (Graphics2D) pen.create();
         content.paint(inside, view);

@@ -2,7 +2,7 @@ package majic.pioneer.panel;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Hull;
 import majic.pioneer.state.PioneerState;
@@ -19,12 +19,12 @@ final class BumpersDrawing {
     private static final double OFF_MM = 35;
 
     private final Hull hull;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final double pxPerMm;
 
-    BumpersDrawing(Hull hull, Ink ink, double pxPerMm) {
+    BumpersDrawing(Hull hull, DrawingColors colors, double pxPerMm) {
         this.hull = hull;
-        this.ink = ink;
+        this.colors = colors;
         this.pxPerMm = pxPerMm;
     }
 
@@ -45,8 +45,8 @@ final class BumpersDrawing {
     /** Arc2D counts angles clockwise in these axes. */
     private void paintSegment(Graphics2D pen, double lengthMm, double leftDeg, double widthDeg, boolean touched) {
         double half = hull.halfWidthMm() + OFF_MM;
-        pen.setColor(touched ? ink.alarm() : ink.grey(0.7));
-        pen.setStroke(Ink.stroke((touched ? 6 : 2) / pxPerMm));
+        pen.setColor(touched ? colors.alarm() : colors.grey(0.7));
+        pen.setStroke(DrawingColors.stroke((touched ? 6 : 2) / pxPerMm));
         pen.draw(new Arc2D.Double(-lengthMm, -half, 2 * lengthMm, 2 * half, -leftDeg, widthDeg, Arc2D.OPEN));
     }
 }

@@ -3,7 +3,7 @@ package majic.pioneer.panel;
 import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
 import java.util.List;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.SonarDisc;
 import majic.pioneer.state.SonarScan;
@@ -20,13 +20,13 @@ final class ConesDrawing {
 
     private final SonarScan scan;
     private final long nowNanos;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final double pxPerMm;
 
-    ConesDrawing(PioneerState state, Ink ink, double pxPerMm) {
+    ConesDrawing(PioneerState state, DrawingColors colors, double pxPerMm) {
         this.scan = state.sonar();
         this.nowNanos = state.atNanos();
-        this.ink = ink;
+        this.colors = colors;
         this.pxPerMm = pxPerMm;
     }
 
@@ -51,13 +51,13 @@ final class ConesDrawing {
 
     private void paintCone(Graphics2D pen, SonarDisc disc) {
         double glow = Math.max(0, 1 - ageSeconds(disc) / AFTERGLOW_S);
-        pen.setColor(ink.wash(hasEcho(disc) ? 0.08 + 0.12 * glow : 0.02 + 0.03 * glow));
+        pen.setColor(colors.wash(hasEcho(disc) ? 0.08 + 0.12 * glow : 0.02 + 0.03 * glow));
         pen.fill(arc(disc, CONE_DEG, Arc2D.PIE));
     }
 
     private void paintEcho(Graphics2D pen, SonarDisc disc) {
-        pen.setColor(ink.accent());
-        pen.setStroke(Ink.stroke(2.2 / pxPerMm));
+        pen.setColor(colors.accent());
+        pen.setStroke(DrawingColors.stroke(2.2 / pxPerMm));
         pen.draw(arc(disc, BAR_DEG, Arc2D.OPEN));
     }
 

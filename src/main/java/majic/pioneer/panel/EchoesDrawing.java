@@ -7,7 +7,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Point2D;
 import java.util.List;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import majic.panel.map.Echoes;
 import majic.panel.map.MapView;
 
@@ -23,10 +23,10 @@ final class EchoesDrawing {
     private final MapView view;
     private final Color[] colors = new Color[UNTIL_S.length];
 
-    EchoesDrawing(Ink ink, MapView view) {
+    EchoesDrawing(DrawingColors palette, MapView view) {
         this.view = view;
         for (int age = 0; age < colors.length; age++) {
-            colors[age] = ink.tint(SHARE[age]);
+            colors[age] = palette.tint(SHARE[age]);
         }
     }
 

@@ -6,7 +6,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import majic.pioneer.state.Hull;
 import majic.pioneer.state.SonarDisc;
 
@@ -27,19 +27,19 @@ final class PioneerBodyDrawing {
 
     private final PioneerScene scene;
     private final Hull hull;
-    private final Ink ink;
+    private final DrawingColors colors;
     private final double pxPerMm;
 
-    PioneerBodyDrawing(PioneerScene scene, Ink ink, double pxPerMm) {
+    PioneerBodyDrawing(PioneerScene scene, DrawingColors colors, double pxPerMm) {
         this.scene = scene;
         this.hull = scene.model().hull();
-        this.ink = ink;
+        this.colors = colors;
         this.pxPerMm = pxPerMm;
     }
 
     void paint(Graphics2D pen) {
         if (2 * hull.halfWidthMm() * pxPerMm < LEAST_PX) {
-            pen.setColor(ink.line());
+            pen.setColor(colors.line());
             pen.fill(arrow(ARROW_PX / pxPerMm));
             return;
         }
@@ -47,9 +47,9 @@ final class PioneerBodyDrawing {
         paintWheel(pen, hull.halfWidthMm(), scene.state().stallLeft());
         paintWheel(pen, -hull.halfWidthMm(), scene.state().stallRight());
         paintDiscs(pen);
-        pen.setColor(ink.line());
+        pen.setColor(colors.line());
         pen.fill(arrow(0.6 * hull.frontMm()));
-        new BumpersDrawing(hull, ink, pxPerMm).paint(pen, scene.bumpers(), scene.state());
+        new BumpersDrawing(hull, colors, pxPerMm).paint(pen, scene.bumpers(), scene.state());
     }
 
     /** A box with its corners cut off. */
@@ -74,15 +74,15 @@ final class PioneerBodyDrawing {
         double half = Math.min(WHEEL_LENGTH_MM, hull.frontMm() + hull.rearMm()) / 2;
         part(pen, new RoundRectangle2D.Double(-half, y, 2 * half, WHEEL_WIDTH_MM, 30, 30), 0.6);
         if (stalled) {
-            pen.setColor(ink.alarm());
-            pen.setStroke(Ink.stroke(3 / pxPerMm));
+            pen.setColor(colors.alarm());
+            pen.setStroke(DrawingColors.stroke(3 / pxPerMm));
             pen.draw(new Line2D.Double(-half, y, half, y + WHEEL_WIDTH_MM));
             pen.draw(new Line2D.Double(-half, y + WHEEL_WIDTH_MM, half, y));
         }
     }
 
     private void paintDiscs(Graphics2D pen) {
-        pen.setColor(ink.grey(0.6));
+        pen.setColor(colors.grey(0.6));
         for (SonarDisc disc : scene.model().discs()) {
             pen.fill(new Ellipse2D.Double(disc.xMm() - DISC_MM, disc.yMm() - DISC_MM, 2 * DISC_MM, 2 * DISC_MM));
         }
@@ -99,10 +99,10 @@ final class PioneerBodyDrawing {
     }
 
     private void part(Graphics2D pen, Shape shape, double grey) {
-        pen.setColor(ink.grey(grey));
+        pen.setColor(colors.grey(grey));
         pen.fill(shape);
-        pen.setColor(ink.grey(0.85));
-        pen.setStroke(Ink.stroke(1.3 / pxPerMm));
+        pen.setColor(colors.grey(0.85));
+        pen.setStroke(DrawingColors.stroke(1.3 / pxPerMm));
         pen.draw(shape);
     }
 }

@@ -4,11 +4,11 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 import majic.panel.map.Echoes;
 import majic.panel.map.MapView;
-import majic.panel.map.WayContent;
-import majic.panel.map.WayDrawing;
+import majic.panel.map.TrailContent;
+import majic.panel.map.TrailDrawing;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.SonarDisc;
@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * A Pioneer on its floor, to scale: its start, its path, the echoes along that path and the cones of its sonars now.
  * {@link #record} is for the driver's threads, everything else for the event thread.
  */
-final class PioneerDrawing extends WayContent {
+final class PioneerDrawing extends TrailContent {
     private static final Reach REACH = new Reach(0.065, 2000, 4200, 900);
 
     private final Echoes echoes = new Echoes();
@@ -78,25 +78,28 @@ final class PioneerDrawing extends WayContent {
             paintNothing(pen, view);
             return;
         }
-        Ink ink = shown.isConnected() ? Ink.ofTheLook() : Ink.ofTheLook().faded();
-        WayDrawing.paintStart(pen, view, ink);
+        DrawingColors colors = shown.isConnected()
+                ? DrawingColors.current()
+                : DrawingColors.current().faded();
+        TrailDrawing.paintStart(pen, view, colors);
         Graphics2D robot = inRobotFrame(pen, view, shown.state().pose());
         if (shown.isConnected() && shown.state().sonarOn()) {
-            new ConesDrawing(shown.state(), ink, view.pxPerMm())
+            new ConesDrawing(shown.state(), colors, view.pxPerMm())
                     .paint(robot, shown.model().discs());
         }
-        paintWay(pen, view, ink);
+        paintTrail(pen, view, colors);
         Graphics2D echoPen = (Graphics2D) pen.create();
-        new EchoesDrawing(ink, view).paint(echoPen, echoes.all(), shown.state().atNanos());
+        new EchoesDrawing(colors, view)
+                .paint(echoPen, echoes.all(), shown.state().atNanos());
         echoPen.dispose();
-        new PioneerBodyDrawing(shown, ink, view.pxPerMm()).paint(robot);
+        new PioneerBodyDrawing(shown, colors, view.pxPerMm()).paint(robot);
         robot.dispose();
     }
 
     private static void paintNothing(Graphics2D pen, MapView view) {
         String text = "no reading yet";
         FontMetrics metrics = pen.getFontMetrics();
-        pen.setColor(Ink.ofTheLook().grey(0.7));
+        pen.setColor(DrawingColors.current().grey(0.7));
         pen.drawString(text, (view.width() - metrics.stringWidth(text)) / 2, view.height() / 2);
     }
 

@@ -3,9 +3,9 @@ package majic.pioneer.panel;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.MajicBot;
-import majic.panel.Light;
-import majic.panel.Light.Kind;
-import majic.panel.LightsPanel;
+import majic.panel.StatusLight;
+import majic.panel.StatusLight.Kind;
+import majic.panel.StatusLightsPanel;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.PioneerState;
@@ -18,20 +18,23 @@ final class PioneerLights {
     /** More damaged packets than one in so many are shown as a warning. */
     private static final long DAMAGED_ONE_IN = 200;
 
-    private final Light motors = new Light("motors", "Whether the motors are on; the first motion switches them on");
-    private final Light sonars = new Light("sonars", "Whether the sonars fire; without them it has no distances");
-    private final Light stallLeft = new Light("stallLeft", "Whether the left wheel's motor is stalled");
-    private final Light stallRight = new Light("stallRight", "Whether the right wheel's motor is stalled");
-    private final Light bumpers = new Light("bumpers", "Touched segments, counted clockwise: F front, R rear");
-    private final Light button = new Light("stopButton", "The STOP button on the robot itself");
-    private final Light link = new Light(
+    private final StatusLight motors =
+            new StatusLight("motors", "Whether the motors are on; the first motion switches them on");
+    private final StatusLight sonars =
+            new StatusLight("sonars", "Whether the sonars fire; without them it has no distances");
+    private final StatusLight stallLeft = new StatusLight("stallLeft", "Whether the left wheel's motor is stalled");
+    private final StatusLight stallRight = new StatusLight("stallRight", "Whether the right wheel's motor is stalled");
+    private final StatusLight bumpers =
+            new StatusLight("bumpers", "Touched segments, counted clockwise: F front, R rear");
+    private final StatusLight button = new StatusLight("stopButton", "The STOP button on the robot itself");
+    private final StatusLight link = new StatusLight(
             "link", "Packets a second from the robot, and how many came damaged; or since when it has been silent");
 
-    private final LightsPanel panel =
-            new LightsPanel(LONGEST, List.of(motors, sonars, stallLeft, stallRight, bumpers, button, link));
+    private final StatusLightsPanel panel =
+            new StatusLightsPanel(LONGEST, List.of(motors, sonars, stallLeft, stallRight, bumpers, button, link));
 
     /** The panel with all lights. */
-    LightsPanel panel() {
+    StatusLightsPanel panel() {
         return panel;
     }
 
@@ -55,7 +58,7 @@ final class PioneerLights {
         showLink(scene);
     }
 
-    private static void showAlarm(Light light, boolean alarm, String so, String otherwise) {
+    private static void showAlarm(StatusLight light, boolean alarm, String so, String otherwise) {
         light.show(alarm ? Kind.ALARM : Kind.QUIET, alarm ? so : otherwise);
     }
 

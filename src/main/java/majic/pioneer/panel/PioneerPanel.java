@@ -6,17 +6,17 @@ import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
-import majic.panel.Aside;
 import majic.panel.Dashboard;
-import majic.panel.NewsPanel;
 import majic.panel.ReadingsPanel;
+import majic.panel.RefreshingPanel;
+import majic.panel.SidePane;
 import majic.panel.map.ZoomableMap;
 
 /**
  * Shows one Pioneer: a map with the robot, its sonar cones, echoes and path; gauges, lights and readings. Sends the robot
  * nothing, so that a slip of the mouse has no effect.
  */
-public final class PioneerPanel extends NewsPanel {
+public final class PioneerPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
 
     private static final String LONGEST_READING = "-88888.8 mm";
@@ -52,7 +52,7 @@ public final class PioneerPanel extends NewsPanel {
         add(gauges);
         add(lights.panel());
         add(readings);
-        List<Aside> asides = List.of(Aside.of(gauges), Aside.of(lights.panel()));
+        List<SidePane> asides = List.of(SidePane.of(gauges), SidePane.of(lights.panel()));
         setLayout(new Dashboard(map, 0, asides, readings));
     }
 
@@ -63,12 +63,12 @@ public final class PioneerPanel extends NewsPanel {
      */
     public static JComponent create(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
         PioneerPanel panel = new PioneerPanel(bot, scenes);
-        panel.refreshOnNews();
+        panel.refreshIfChanged();
         return panel;
     }
 
     @Override
-    protected void heard(BotState state) {
+    protected void stateReceived(BotState state) {
         scenes.get().ifPresent(scene -> drawing.record(scene.model(), scene.state()));
     }
 

@@ -12,7 +12,7 @@ import majic.bot.MajicBot.Connection;
 import majic.bot.Settings;
 import majic.gui.ToyBot;
 import majic.gui.ToyType;
-import majic.gui.WaitPolicy;
+import majic.gui.WindowWait;
 import majic.log.SessionLog;
 import majic.script.Session;
 import majic.team.BotFactory;
@@ -73,9 +73,9 @@ class ConnectAttemptTest {
     void aCancelledAttemptEndsClosedAndUnheard() throws InterruptedException {
         ConnectAttempt attempt = attempt("toy://silent");
         attempt.start();
-        WaitPolicy.await("the robot to be made", () -> !type.made.isEmpty(), 10);
+        WindowWait.await("the robot to be made", () -> !type.made.isEmpty(), 10);
         ToyBot bot = type.made.get(0);
-        WaitPolicy.await("the connecting", () -> bot.connection() == Connection.CONNECTING, 10);
+        WindowWait.await("the connecting", () -> bot.connection() == Connection.CONNECTING, 10);
         attempt.cancel();
         assertThat(bot.closed.await(10, TimeUnit.SECONDS)).isTrue();
         assertThat(heard.poll(200, TimeUnit.MILLISECONDS)).isNull();

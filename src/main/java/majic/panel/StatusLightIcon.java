@@ -16,17 +16,17 @@ import javax.swing.UIManager;
  *
  * @param kind the kind of light
  */
-record LightIcon(Light.Kind kind) implements Icon {
+record StatusLightIcon(StatusLight.Kind kind) implements Icon {
     private static final int SIZE = 12;
 
-    static LightIcon of(Light.Kind kind) {
-        return new LightIcon(kind);
+    static StatusLightIcon of(StatusLight.Kind kind) {
+        return new StatusLightIcon(kind);
     }
 
     @Override
     public void paintIcon(Component component, Graphics graphics, int x, int y) {
         Graphics2D pen = (Graphics2D) graphics.create();
-        Ink.prepare(pen);
+        DrawingColors.prepare(pen);
         pen.translate(x, y);
         switch (kind) {
             case QUIET -> ring(pen);
@@ -38,8 +38,8 @@ record LightIcon(Light.Kind kind) implements Icon {
     }
 
     private static void ring(Graphics2D pen) {
-        pen.setColor(Ink.ofTheLook().grey(0.6));
-        pen.setStroke(Ink.stroke(1.6));
+        pen.setColor(DrawingColors.current().grey(0.6));
+        pen.setStroke(DrawingColors.stroke(1.6));
         pen.draw(new Ellipse2D.Double(2, 2, 8, 8));
     }
 
@@ -51,9 +51,9 @@ record LightIcon(Light.Kind kind) implements Icon {
         triangle.closePath();
         fill(pen, "Actions.Yellow", triangle);
         pen.setColor(Color.BLACK);
-        pen.setStroke(Ink.stroke(0.8));
+        pen.setStroke(DrawingColors.stroke(0.8));
         pen.draw(triangle);
-        pen.setStroke(Ink.stroke(1.4));
+        pen.setStroke(DrawingColors.stroke(1.4));
         pen.draw(new Line2D.Double(6, 4.5, 6, 7.5));
         pen.draw(new Line2D.Double(6, 9.6, 6, 9.7));
     }
@@ -71,18 +71,18 @@ record LightIcon(Light.Kind kind) implements Icon {
             }
         }
         octagon.closePath();
-        Ink ink = Ink.ofTheLook();
-        pen.setColor(ink.alarm());
+        DrawingColors colors = DrawingColors.current();
+        pen.setColor(colors.alarm());
         pen.fill(octagon);
-        pen.setColor(ink.paper());
-        pen.setStroke(Ink.stroke(1.7));
+        pen.setColor(colors.paper());
+        pen.setStroke(DrawingColors.stroke(1.7));
         pen.draw(new Line2D.Double(3.8, 3.8, 8.2, 8.2));
         pen.draw(new Line2D.Double(3.8, 8.2, 8.2, 3.8));
     }
 
     private static void fill(Graphics2D pen, String key, Shape shape) {
         Color color = UIManager.getColor(key);
-        pen.setColor(color == null ? Ink.ofTheLook().line() : color);
+        pen.setColor(color == null ? DrawingColors.current().line() : color);
         pen.fill(shape);
     }
 

@@ -4,33 +4,33 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import majic.bot.BotType;
-import majic.gui.kit.Surroundings;
+import majic.gui.kit.ProgramServices;
 import majic.team.BotFactory;
 
 /** Creates the input that fits each type of robot. */
-final class AddressInputs {
-    private AddressInputs() {}
+final class AddressInputFactory {
+    private AddressInputFactory() {}
 
     /** Creates one input for each type and one for the lab, by their names in the drop-down list. */
-    static Map<String, AddressInput> all(BotFactory factory, Surroundings surroundings) {
+    static Map<String, AddressInput> all(BotFactory factory, ProgramServices services) {
         Map<String, AddressInput> inputs = new LinkedHashMap<>();
         for (BotType type : factory.types()) {
-            inputs.put(type.label() + " (" + type.make() + ")", of(type, surroundings));
+            inputs.put(type.label() + " (" + type.make() + ")", of(type, services));
         }
         inputs.put("A robot of the simulated lab", new LabInput(factory));
         return inputs;
     }
 
-    private static AddressInput of(BotType type, Surroundings surroundings) {
+    private static AddressInput of(BotType type, ProgramServices services) {
         List<AddressInput> ways = type.reaches().stream()
                 .map(reach -> reach == BotType.Reach.TCP
                         ? new NetworkInput(type)
-                        : new SerialInput(type, surroundings.serialPorts()))
+                        : new SerialInput(type, services.serialPorts()))
                 .toList();
         if (ways.size() == 1) {
             return ways.get(0);
         }
-        return new EitherInput(
+        return new TwoWayInput(
                 name(type.reaches().get(0)), ways.get(0), name(type.reaches().get(1)), ways.get(1));
     }
 

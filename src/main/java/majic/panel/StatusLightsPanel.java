@@ -9,12 +9,12 @@ import javax.swing.JPanel;
  * Shows status lights in rows, two beside each other where there is enough width. None is ever left out; the last one
  * takes the rest of its row. Must be used on the event dispatch thread.
  */
-public final class LightsPanel extends JPanel {
+public final class StatusLightsPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int GAP = 6;
     private static final int SLACK = 4;
 
-    private final transient List<Light> lights;
+    private final transient List<StatusLight> lights;
     private final String longest;
 
     /**
@@ -23,7 +23,7 @@ public final class LightsPanel extends JPanel {
      * @param longest the longest text of a light, which determines the width
      * @param lights all lights
      */
-    public LightsPanel(String longest, List<Light> lights) {
+    public StatusLightsPanel(String longest, List<StatusLight> lights) {
         super(null);
         this.longest = longest;
         this.lights = List.copyOf(lights);
@@ -36,7 +36,7 @@ public final class LightsPanel extends JPanel {
      *
      * @return in the order of reading
      */
-    public List<Light> lights() {
+    public List<StatusLight> lights() {
         return lights;
     }
 
@@ -72,7 +72,7 @@ public final class LightsPanel extends JPanel {
     }
 
     private int lightWidth() {
-        Light light = lights.get(0);
+        StatusLight light = lights.get(0);
         return light.getIcon().getIconWidth()
                 + light.getIconTextGap()
                 + metrics().stringWidth(longest)

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * A slider for a value that is set and measured: its name, the knob, the reading. The knob follows the measured value,
  * except while it is dragged, and until the chosen value is reached. Must be used on the event dispatch thread.
  */
-public final class ReachSlider extends JPanel {
+public final class SetpointSlider extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int KNOB_ROOM = 48;
 
@@ -22,19 +22,19 @@ public final class ReachSlider extends JPanel {
     private final JSlider slider;
     private final JLabel name;
     private final JLabel reading;
-    private final transient Wish wish;
+    private final transient SetpointListener listener;
     private boolean following;
 
     /** Receives the value chosen with the slider. */
     @FunctionalInterface
-    public interface Wish {
+    public interface SetpointListener {
         /**
          * Sets a chosen value.
          *
          * @param value in the parameter's unit
          * @param last whether the knob was released
          */
-        void choose(double value, boolean last);
+        void setpointChanged(double value, boolean last);
     }
 
     /**
@@ -42,11 +42,11 @@ public final class ReachSlider extends JPanel {
      *
      * @param parameter gives name, unit, range and help
      * @param positiveLeft whether values grow to the left, as turns do
-     * @param wish called on the event dispatch thread; must not block
+     * @param listener called on the event dispatch thread; must not block
      */
-    public ReachSlider(Parameter parameter, boolean positiveLeft, Wish wish) {
+    public SetpointSlider(Parameter parameter, boolean positiveLeft, SetpointListener listener) {
         super(new MigLayout("insets 0, fillx, gap 4 0, novisualpadding", "[][grow, fill][right]", "[center]"));
-        this.wish = wish;
+        this.listener = listener;
         this.unit = parameter.unit().symbol();
         Range range = parameter.range();
         this.slider = new JSlider((int) Math.round(range.min()), (int) Math.round(range.max()), 0);
@@ -71,14 +71,14 @@ public final class ReachSlider extends JPanel {
      *
      * @param sliders all that stand below each other
      */
-    public static void align(Iterable<ReachSlider> sliders) {
+    public static void align(Iterable<SetpointSlider> sliders) {
         int names = 0;
         int readings = 0;
-        for (ReachSlider one : sliders) {
+        for (SetpointSlider one : sliders) {
             names = Math.max(names, one.name.getPreferredSize().width);
             readings = Math.max(readings, one.widestReading());
         }
-        for (ReachSlider one : sliders) {
+        for (SetpointSlider one : sliders) {
             ((MigLayout) one.getLayout())
                     .setColumnConstraints("[" + names + "!][grow, fill][right, " + readings + "!]");
         }
@@ -91,7 +91,7 @@ public final class ReachSlider extends JPanel {
 
     private void changed() {
         if (!following) {
-            wish.choose(slider.getValue(), !slider.getValueIsAdjusting());
+            listener.setpointChanged(slider.getValue(), !slider.getValueIsAdjusting());
         }
     }
 

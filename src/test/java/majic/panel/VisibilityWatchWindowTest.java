@@ -16,10 +16,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(30)
-class SightWindowTest {
-    private final List<Boolean> told = new ArrayList<>();
+class VisibilityWatchWindowTest {
+    private final List<Boolean> reported = new ArrayList<>();
     private final JPanel panel = new JPanel();
-    private final Sight sight = new Sight(panel, told::add);
+    private final VisibilityWatch watch = new VisibilityWatch(panel, reported::add);
     private JTabbedPane tabs;
     private JFrame frame;
 
@@ -42,39 +42,39 @@ class SightWindowTest {
     }
 
     @Test
-    void aHiddenTabIsOutOfSight() throws Exception {
+    void aHiddenTabIsReportedAsHidden() throws Exception {
         SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(1));
         SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(0));
 
-        assertThat(told).containsExactly(true, false, true);
+        assertThat(reported).containsExactly(true, false, true);
     }
 
     @Test
-    void anIconIsOutOfSight() throws Exception {
+    void anIconIsReportedAsHidden() throws Exception {
         state(Frame.NORMAL, Frame.ICONIFIED);
-        assertThat(told).containsExactly(true, false);
+        assertThat(reported).containsExactly(true, false);
         state(Frame.ICONIFIED, Frame.NORMAL);
 
-        assertThat(told).containsExactly(true, false, true);
+        assertThat(reported).containsExactly(true, false, true);
     }
 
     @Test
-    void aHiddenTabStaysOutOfSightWhenItsIconIsOpened() throws Exception {
+    void aHiddenTabStaysHiddenWhenItsIconIsOpened() throws Exception {
         SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(1));
         state(Frame.NORMAL, Frame.ICONIFIED);
         state(Frame.ICONIFIED, Frame.NORMAL);
 
-        assertThat(told).containsExactly(true, false);
+        assertThat(reported).containsExactly(true, false);
     }
 
     @Test
-    void whatLeftItsWindowIsOutOfSight() throws Exception {
+    void whatLeftItsWindowIsReportedAsHidden() throws Exception {
         SwingUtilities.invokeAndWait(() -> {
-            sight.end();
+            watch.end();
             tabs.remove(panel);
         });
 
-        assertThat(told).containsExactly(true, false);
+        assertThat(reported).containsExactly(true, false);
     }
 
     private void state(int before, int now) throws Exception {

@@ -1,4 +1,4 @@
-package majic.gui.kit;
+package majic.gui;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
@@ -6,22 +6,23 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.util.Optional;
 import majic.bot.BotException;
 import majic.bot.Settings;
+import majic.gui.kit.Edt;
 
 /** Installs the light or the dark look and feel, and stores which one is chosen. */
-public final class Looks {
+final class LookAndFeels {
     private static final String KEY = "window.look";
     private static final String DARK = "dark";
     private static final String LIGHT = "light";
 
-    private Looks() {}
+    private LookAndFeels() {}
 
     /** Installs the look and feel that was chosen last; must be called before the first component is created. */
-    public static void install(Settings settings) {
+    static void install(Settings settings) {
         set(settings.get(KEY).equals(Optional.of(DARK)));
     }
 
     /** Changes the look and feel of all windows at once, and stores the choice. */
-    public static void change(boolean dark, Settings settings) {
+    static void change(boolean dark, Settings settings) {
         set(dark);
         FlatLaf.updateUI();
         Edt.background("remembering the look", () -> remember(dark, settings));
@@ -39,7 +40,7 @@ public final class Looks {
         try {
             settings.put(KEY, dark ? DARK : LIGHT);
         } catch (BotException e) {
-            System.getLogger(Looks.class.getName())
+            System.getLogger(LookAndFeels.class.getName())
                     .log(System.Logger.Level.DEBUG, "the look is not remembered after the end", e);
         }
     }

@@ -11,7 +11,7 @@ import majic.bot.FakeType;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-class NewsPanelWindowTest {
+class RefreshingPanelWindowTest {
     private final FakeBot bot = new FakeBot(new FakeType(), BotEnvironment.plain());
     private final Counting panel = new Counting(bot);
     private JFrame frame;
@@ -28,12 +28,12 @@ class NewsPanelWindowTest {
             frame = new JFrame();
             frame.add(panel);
             frame.pack();
-            panel.refreshOnNews();
+            panel.refreshIfChanged();
         });
         bot.connect();
         SwingUtilities.invokeAndWait(() -> {
-            panel.refreshOnNews();
-            panel.refreshOnNews();
+            panel.refreshIfChanged();
+            panel.refreshIfChanged();
         });
         assertThat(panel.refreshed).isEqualTo(2);
     }
@@ -44,16 +44,16 @@ class NewsPanelWindowTest {
             frame = new JFrame();
             frame.add(panel);
             frame.pack();
-            panel.refreshOnNews();
+            panel.refreshIfChanged();
             frame.remove(panel);
         });
         bot.connect();
-        SwingUtilities.invokeAndWait(panel::refreshOnNews);
+        SwingUtilities.invokeAndWait(panel::refreshIfChanged);
         assertThat(panel.refreshed).isEqualTo(1);
         assertThat(panel.states).isZero();
     }
 
-    private static final class Counting extends NewsPanel {
+    private static final class Counting extends RefreshingPanel {
         private static final long serialVersionUID = 1;
         private int refreshed;
         private volatile int states;
@@ -68,7 +68,7 @@ class NewsPanelWindowTest {
         }
 
         @Override
-        protected void heard(BotState state) {
+        protected void stateReceived(BotState state) {
             states++;
         }
     }

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests that drawings in the colours of the look and feel are readable, in the light look and in the dark one. */
-class InkTest {
+class DrawingColorsTest {
     /** WCAG 2.1, success criterion 1.4.3: minimum contrast of text. */
     private static final double TEXT = 4.5;
 
@@ -32,26 +32,26 @@ class InkTest {
     @ParameterizedTest
     @MethodSource("looks")
     void wordsAndFiguresCanBeReadInBothLooks(FlatLaf look) throws Exception {
-        Ink ink = inkOf(look);
+        DrawingColors colors = colorsOf(look);
 
-        assertThat(contrast(ink.line(), ink.paper())).isGreaterThanOrEqualTo(TEXT);
-        assertThat(contrast(ink.alarm(), ink.paper())).isGreaterThanOrEqualTo(TEXT);
+        assertThat(contrast(colors.line(), colors.paper())).isGreaterThanOrEqualTo(TEXT);
+        assertThat(contrast(colors.alarm(), colors.paper())).isGreaterThanOrEqualTo(TEXT);
     }
 
     @ParameterizedTest
     @MethodSource("looks")
     void shapesStandOutInBothLooks(FlatLaf look) throws Exception {
-        Ink ink = inkOf(look);
-        assertThat(contrast(ink.accent(), ink.paper())).isGreaterThanOrEqualTo(SHAPES);
+        DrawingColors colors = colorsOf(look);
+        assertThat(contrast(colors.accent(), colors.paper())).isGreaterThanOrEqualTo(SHAPES);
     }
 
-    private static Ink inkOf(FlatLaf look) throws Exception {
-        Ink[] ink = new Ink[1];
+    private static DrawingColors colorsOf(FlatLaf look) throws Exception {
+        DrawingColors[] colors = new DrawingColors[1];
         SwingUtilities.invokeAndWait(() -> {
             FlatLaf.setup(look);
-            ink[0] = Ink.ofTheLook();
+            colors[0] = DrawingColors.current();
         });
-        return ink[0];
+        return colors[0];
     }
 
     /** Returns the contrast ratio of WCAG 2.1: 1 to 21. */

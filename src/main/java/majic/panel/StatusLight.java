@@ -6,7 +6,7 @@ import javax.swing.JLabel;
  * Shows one condition of a robot as a word and a shape; colour only adds to them. Must be used on the event dispatch
  * thread.
  */
-public final class Light extends JLabel {
+public final class StatusLight extends JLabel {
     private static final long serialVersionUID = 1;
 
     /** The severity of a condition. */
@@ -27,7 +27,7 @@ public final class Light extends JLabel {
      * @param name of the condition, for tests and screen readers
      * @param tip what the condition means
      */
-    public Light(String name, String tip) {
+    public StatusLight(String name, String tip) {
         setName(name);
         setToolTipText(tip);
         setIconTextGap(5);
@@ -41,7 +41,7 @@ public final class Light extends JLabel {
      * @param words its words, short
      */
     public void show(Kind kind, String words) {
-        setIcon(LightIcon.of(kind));
+        setIcon(StatusLightIcon.of(kind));
         setText(words);
         getAccessibleContext().setAccessibleDescription(getToolTipText());
     }
@@ -52,6 +52,6 @@ public final class Light extends JLabel {
      * @return the kind given last
      */
     public Kind kind() {
-        return ((LightIcon) getIcon()).kind();
+        return ((StatusLightIcon) getIcon()).kind();
     }
 }

@@ -7,10 +7,10 @@ import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /** Draws the trail of a robot, from its start. Must be used on the event dispatch thread. */
-public final class WayDrawing {
+public final class TrailDrawing {
     private static final String START = "start";
     private static final double START_PX = 5;
     private static final double STEP_PX = 2;
@@ -23,9 +23,9 @@ public final class WayDrawing {
 
     private final Trail trail;
     private final Stroke stroke;
-    private final Path2D way = new Path2D.Double();
+    private final Path2D path = new Path2D.Double();
 
-    private WayDrawing(Trail trail, Stroke stroke) {
+    private TrailDrawing(Trail trail, Stroke stroke) {
         this.trail = trail;
         this.stroke = stroke;
     }
@@ -36,8 +36,8 @@ public final class WayDrawing {
      * @param trail the trail, read at each painting
      * @return a solid line
      */
-    public static WayDrawing measured(Trail trail) {
-        return new WayDrawing(trail, MEASURED);
+    public static TrailDrawing measured(Trail trail) {
+        return new TrailDrawing(trail, MEASURED);
     }
 
     /**
@@ -46,8 +46,8 @@ public final class WayDrawing {
      * @param trail the trail, read at each painting
      * @return a dashed line
      */
-    public static WayDrawing estimated(Trail trail) {
-        return new WayDrawing(trail, ESTIMATED);
+    public static TrailDrawing estimated(Trail trail) {
+        return new TrailDrawing(trail, ESTIMATED);
     }
 
     /**
@@ -55,13 +55,13 @@ public final class WayDrawing {
      *
      * @param pen in pixels
      * @param view from the floor to the pixels
-     * @param ink the colours to use
+     * @param colors the colours to use
      */
-    public void paint(Graphics2D pen, MapView view, Ink ink) {
-        trail.trace(way, STEP_PX / view.pxPerMm());
-        pen.setColor(ink.grey(0.6));
+    public void paint(Graphics2D pen, MapView view, DrawingColors colors) {
+        trail.trace(path, STEP_PX / view.pxPerMm());
+        pen.setColor(colors.grey(0.6));
         pen.setStroke(stroke);
-        pen.draw(view.transform().createTransformedShape(way));
+        pen.draw(view.transform().createTransformedShape(path));
     }
 
     /**
@@ -69,12 +69,12 @@ public final class WayDrawing {
      *
      * @param pen in pixels
      * @param view from the floor to the pixels
-     * @param ink the colours to use
+     * @param colors the colours to use
      */
-    public static void paintStart(Graphics2D pen, MapView view, Ink ink) {
+    public static void paintStart(Graphics2D pen, MapView view, DrawingColors colors) {
         Point2D start = view.pixel(0, 0);
-        pen.setColor(ink.grey(0.85));
-        pen.setStroke(Ink.stroke(1.5));
+        pen.setColor(colors.grey(0.85));
+        pen.setStroke(DrawingColors.stroke(1.5));
         pen.draw(new Ellipse2D.Double(start.getX() - START_PX, start.getY() - START_PX, 2 * START_PX, 2 * START_PX));
         pen.fill(new Ellipse2D.Double(start.getX() - 1.5, start.getY() - 1.5, 3, 3));
         FontMetrics metrics = pen.getFontMetrics();

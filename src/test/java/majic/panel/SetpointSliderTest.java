@@ -8,9 +8,9 @@ import majic.bot.Parameter;
 import majic.bot.Unit;
 import org.junit.jupiter.api.Test;
 
-class ReachSliderTest {
+class SetpointSliderTest {
     private final List<String> wishes = new ArrayList<>();
-    private final ReachSlider slider = new ReachSlider(
+    private final SetpointSlider slider = new SetpointSlider(
             Parameter.number("neck", Unit.DEG, "lowers the neck").within(-79, 2),
             false,
             (value, last) -> wishes.add(value + (last ? " at last" : "")));

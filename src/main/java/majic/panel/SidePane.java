@@ -7,57 +7,57 @@ import java.awt.Dimension;
  * A component beside or below the view of a {@link Dashboard}, with the space it needs. Must be used on the event
  * dispatch thread.
  */
-public abstract class Aside {
+public abstract class SidePane {
     private static final int LEAST_PICTURE = 60;
     private static final int LEAST_MAP = 80;
     private static final int GOOD_MAP = 130;
 
     private final Component component;
 
-    private Aside(Component component) {
+    private SidePane(Component component) {
         this.component = component;
     }
 
     /**
-     * Creates an aside of the component's preferred height that is never left out.
+     * Creates a side pane of the component's preferred height that is never left out.
      *
      * @param component with at least its minimum width
      * @return for a dashboard
      */
-    public static Aside of(Component component) {
-        return new Aside(component) {};
+    public static SidePane of(Component component) {
+        return new SidePane(component) {};
     }
 
     /**
-     * Creates an aside of status lights that is never left out: two per row where that costs the view little, else one
+     * Creates a side pane of status lights that is never left out: two per row where that costs the view little, else one
      * per row.
      *
      * @param lights with all their words
      * @return for a dashboard
      */
-    public static Aside of(LightsPanel lights) {
+    public static SidePane of(StatusLightsPanel lights) {
         return new Lights(lights);
     }
 
     /**
-     * Creates an aside that keeps the aspect ratio of its preferred size while there is enough height, and gets smaller
+     * Creates a side pane that keeps the aspect ratio of its preferred size while there is enough height, and gets smaller
      * otherwise.
      *
      * @param picture of any size
      * @return for a dashboard
      */
-    public static Aside shaped(Component picture) {
+    public static SidePane shaped(Component picture) {
         return new Shaped(picture);
     }
 
     /**
-     * Creates an aside that takes the space that the others and the readings leave, and is hidden when that is too
+     * Creates a side pane that takes the space that the others and the readings leave, and is hidden when that is too
      * little.
      *
      * @param map any shape will do
      * @return for a dashboard
      */
-    public static Aside stretched(Component map) {
+    public static SidePane stretched(Component map) {
         return new Stretched(map);
     }
 
@@ -92,10 +92,10 @@ public abstract class Aside {
         component.setBounds(x, y, width, height);
     }
 
-    private static final class Lights extends Aside {
-        private final LightsPanel lights;
+    private static final class Lights extends SidePane {
+        private final StatusLightsPanel lights;
 
-        Lights(LightsPanel lights) {
+        Lights(StatusLightsPanel lights) {
             super(lights);
             this.lights = lights;
         }
@@ -116,7 +116,7 @@ public abstract class Aside {
         }
     }
 
-    private static final class Shaped extends Aside {
+    private static final class Shaped extends SidePane {
         Shaped(Component picture) {
             super(picture);
         }
@@ -138,7 +138,7 @@ public abstract class Aside {
         }
     }
 
-    private static final class Stretched extends Aside {
+    private static final class Stretched extends SidePane {
         Stretched(Component map) {
             super(map);
         }

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param quit stops and closes everything and ends the program; may block, is called once, in the background
  * @param settings the stored settings
  */
-public record Surroundings(
+public record ProgramServices(
         Supplier<List<SerialPortChoice>> serialPorts,
         @Nullable Runnable startLab,
         Runnable quit,

@@ -15,7 +15,7 @@ import javax.swing.UIManager;
  * @param accent for sensor readings
  * @param alarm for warnings
  */
-public record Ink(Color line, Color paper, Color accent, Color alarm) {
+public record DrawingColors(Color line, Color paper, Color accent, Color alarm) {
     private static final float FIGURES = 0.85f;
 
     /** Alarm colour for a light background, where the look and feel's own red has too little contrast. */
@@ -28,9 +28,9 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
      *
      * @return the colours at this moment
      */
-    public static Ink ofTheLook() {
+    public static DrawingColors current() {
         Color paper = color("Panel.background", Color.WHITE);
-        return new Ink(
+        return new DrawingColors(
                 color("Label.foreground", Color.BLACK),
                 paper,
                 color("Component.linkColor", Color.BLUE),
@@ -46,8 +46,8 @@ public record Ink(Color line, Color paper, Color accent, Color alarm) {
      *
      * @return paler colours on the same background
      */
-    public Ink faded() {
-        return new Ink(grey(0.45), paper, grey(0.4), grey(0.4));
+    public DrawingColors faded() {
+        return new DrawingColors(grey(0.45), paper, grey(0.4), grey(0.4));
     }
 
     private static Color color(String key, Color otherwise) {

@@ -3,15 +3,15 @@ package majic.panel.map;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
-import majic.panel.Ink;
+import majic.panel.DrawingColors;
 
 /**
  * The part of the map that all robots share: the robot's start, its trail, and the visible area. {@link #hear} may be
  * called on the driver's threads, everything else on the event dispatch thread.
  */
-public abstract class WayContent implements RobotContent {
+public abstract class TrailContent implements RobotContent {
     private final Trail trail = new Trail();
-    private final WayDrawing way;
+    private final TrailDrawing path;
     private final Reach reach;
 
     /**
@@ -30,9 +30,9 @@ public abstract class WayContent implements RobotContent {
      * @param reach how much of it is visible
      * @param measured whether the robot measures its path; otherwise the trail is drawn as an estimate
      */
-    protected WayContent(Reach reach, boolean measured) {
+    protected TrailContent(Reach reach, boolean measured) {
         this.reach = reach;
-        this.way = measured ? WayDrawing.measured(trail) : WayDrawing.estimated(trail);
+        this.path = measured ? TrailDrawing.measured(trail) : TrailDrawing.estimated(trail);
     }
 
     /**
@@ -80,9 +80,9 @@ public abstract class WayContent implements RobotContent {
      *
      * @param pen in pixels
      * @param view from the floor to the pixels
-     * @param ink the colours to use
+     * @param colors the colours to use
      */
-    protected final void paintWay(Graphics2D pen, MapView view, Ink ink) {
-        way.paint(pen, view, ink);
+    protected final void paintTrail(Graphics2D pen, MapView view, DrawingColors colors) {
+        path.paint(pen, view, colors);
     }
 }

@@ -4,13 +4,13 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.Timer;
 
 /** Updates a part of the window after changes, at most ten times a second however often changes occur. */
-public final class Pacer {
+public final class UpdateThrottle {
     public static final int PERIOD_MS = 100;
 
     private final AtomicBoolean due = new AtomicBoolean();
     private final Timer timer;
 
-    public Pacer(Runnable update) {
+    public UpdateThrottle(Runnable update) {
         timer = new Timer(PERIOD_MS, event -> {
             due.set(false);
             update.run();
@@ -19,7 +19,7 @@ public final class Pacer {
     }
 
     /** Reports a change; callable from any thread. */
-    public void news() {
+    public void changed() {
         if (due.compareAndSet(false, true)) {
             Edt.later(timer::start);
         }

@@ -14,21 +14,21 @@ import org.jspecify.annotations.Nullable;
  * Reports when a component becomes visible to the user or is hidden: a component on a hidden tab is not visible, nor is
  * one in an iconified window, which Swing reports as showing. Must be used on the event dispatch thread.
  */
-final class Sight {
+final class VisibilityWatch {
     private final Component component;
-    private final Consumer<Boolean> audience;
+    private final Consumer<Boolean> listener;
     private final WindowStateListener states = this::changed;
     private @Nullable Window window;
-    private boolean seen;
+    private boolean visible;
 
     /**
      * Creates a watch for a component that is not visible yet.
      *
-     * @param audience receives each change
+     * @param listener receives each change
      */
-    Sight(Component component, Consumer<Boolean> audience) {
+    VisibilityWatch(Component component, Consumer<Boolean> listener) {
         this.component = component;
-        this.audience = audience;
+        this.listener = listener;
         component.addHierarchyListener(change -> {
             if ((change.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0) {
                 follow(component.isShowing() ? SwingUtilities.getWindowAncestor(component) : null);
@@ -49,7 +49,7 @@ final class Sight {
         if (now != null) {
             now.addWindowStateListener(states);
         }
-        tell(now != null && !isIcon(now));
+        report(now != null && !isIcon(now));
     }
 
     private static boolean isIcon(Window window) {
@@ -57,13 +57,13 @@ final class Sight {
     }
 
     private void changed(WindowEvent change) {
-        tell(component.isShowing() && (change.getNewState() & Frame.ICONIFIED) == 0);
+        report(component.isShowing() && (change.getNewState() & Frame.ICONIFIED) == 0);
     }
 
-    private void tell(boolean now) {
-        if (now != seen) {
-            seen = now;
-            audience.accept(now);
+    private void report(boolean now) {
+        if (now != visible) {
+            visible = now;
+            listener.accept(now);
         }
     }
 }

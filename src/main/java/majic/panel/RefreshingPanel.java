@@ -10,9 +10,9 @@ import majic.bot.MajicBot;
 /**
  * A panel that shows one robot. An event of the robot only sets a flag, on whatever thread it arrives; a timer of the
  * event dispatch thread checks the flag ten times a second while the panel is visible, and only then: not on a hidden
- * tab, not in an iconified window. Must be used on the event dispatch thread, except {@link #heard}.
+ * tab, not in an iconified window. Must be used on the event dispatch thread, except {@link #stateReceived}.
  */
-public abstract class NewsPanel extends JPanel {
+public abstract class RefreshingPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int REFRESH_MS = 100;
 
@@ -20,13 +20,13 @@ public abstract class NewsPanel extends JPanel {
      * Number of timer ticks without an event after which the panel is refreshed anyway, so that a missing report is
      * shown too.
      */
-    private static final int TICKS_OF_SILENCE = 10;
+    private static final int TICKS_WITHOUT_EVENT = 10;
 
     private final transient MajicBot bot;
-    private final transient AtomicBoolean news = new AtomicBoolean(true);
-    private final transient BotListener listener = new News();
+    private final transient AtomicBoolean hasChanged = new AtomicBoolean(true);
+    private final transient BotListener listener = new ChangeListener();
     private final Timer timer = new Timer(REFRESH_MS, tick -> tick());
-    private final transient Sight sight;
+    private final transient VisibilityWatch visibility;
     private int quietTicks;
 
     /**
@@ -34,15 +34,15 @@ public abstract class NewsPanel extends JPanel {
      *
      * @param bot the robot to listen to
      */
-    protected NewsPanel(MajicBot bot) {
+    protected RefreshingPanel(MajicBot bot) {
         super(null);
         this.bot = bot;
-        this.sight = new Sight(this, this::look);
+        this.visibility = new VisibilityWatch(this, this::visible);
     }
 
-    private void look(boolean seen) {
+    private void visible(boolean seen) {
         runTimer(seen);
-        inSight(seen);
+        visibilityChanged(seen);
     }
 
     /**
@@ -57,7 +57,7 @@ public abstract class NewsPanel extends JPanel {
      *
      * @param state the part of the state that all robots have
      */
-    protected void heard(BotState state) {}
+    protected void stateReceived(BotState state) {}
 
     /**
      * Starts or ends work that is only useful while the panel is visible. Called on the event dispatch thread; must not
@@ -65,11 +65,11 @@ public abstract class NewsPanel extends JPanel {
      *
      * @param seen whether the panel has become visible; false when it is hidden
      */
-    protected void inSight(boolean seen) {}
+    protected void visibilityChanged(boolean seen) {}
 
     /** Refreshes if the robot has reported anything since the last refresh; for a panel that has just been created. */
-    public final void refreshOnNews() {
-        if (news.getAndSet(false)) {
+    public final void refreshIfChanged() {
+        if (hasChanged.getAndSet(false)) {
             quietTicks = 0;
             refresh();
         }
@@ -77,29 +77,29 @@ public abstract class NewsPanel extends JPanel {
 
     private void tick() {
         quietTicks++;
-        if (quietTicks >= TICKS_OF_SILENCE) {
-            news.set(true);
+        if (quietTicks >= TICKS_WITHOUT_EVENT) {
+            hasChanged.set(true);
         }
-        refreshOnNews();
+        refreshIfChanged();
     }
 
     @Override
     public void addNotify() {
         super.addNotify();
         bot.addListener(listener);
-        news.set(true);
+        hasChanged.set(true);
     }
 
     @Override
     public void removeNotify() {
-        sight.end();
+        visibility.end();
         bot.removeListener(listener);
         super.removeNotify();
     }
 
     private void runTimer(boolean showing) {
         if (showing) {
-            refreshOnNews();
+            refreshIfChanged();
             timer.start();
         } else {
             timer.stop();
@@ -107,16 +107,16 @@ public abstract class NewsPanel extends JPanel {
     }
 
     /** Marks that there is something to show; called on the driver's threads. */
-    private final class News implements BotListener {
+    private final class ChangeListener implements BotListener {
         @Override
-        public void stateChanged(MajicBot changed, BotState state) {
-            heard(state);
-            news.set(true);
+        public void stateChanged(MajicBot source, BotState state) {
+            stateReceived(state);
+            hasChanged.set(true);
         }
 
         @Override
-        public void connectionChanged(MajicBot changed, MajicBot.Connection connection) {
-            news.set(true);
+        public void connectionChanged(MajicBot source, MajicBot.Connection connection) {
+            hasChanged.set(true);
         }
     }
 }

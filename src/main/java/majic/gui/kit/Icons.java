@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
  * Provides MAJIC's icons. Reading the first one takes a third of a second, so the window is shown without them, and
  * they are read in the background.
  */
-public final class Pictures {
-    private Pictures() {}
+public final class Icons {
+    private Icons() {}
 
     /**
      * Returns an icon by its name without {@code .svg}; its grey follows the look and feel. It has its size at once but

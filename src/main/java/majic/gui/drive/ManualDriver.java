@@ -15,35 +15,35 @@ import org.jspecify.annotations.Nullable;
  * Drives one robot while arrows are held, and releases it when they are not. Runs on the event dispatch thread and
  * never blocks there: if that thread hangs, the commands are not renewed and the robot stops 600 ms later.
  */
-final class HandDriver {
+final class ManualDriver {
     private static final int TICK_MS = 25;
     private static final long RENEWAL_MS = 150;
 
     /** Time in ms that a released manual control may take until the next one can own the robot. */
-    private static final long CHANGE_OF_HANDS_MS = 500;
+    private static final long RELEASE_TIME_MS = 500;
 
     private final Member member;
-    private final Consumer<String> complain;
+    private final Consumer<String> errors;
     private final LongSupplier clockMs;
     private final HeldKeys keys = new HeldKeys();
     private final Timer ticks = new Timer(TICK_MS, event -> tick());
     private @Nullable Direction pointed;
-    private @Nullable ManualControl hand;
+    private @Nullable ManualControl control;
     private Set<Direction> driven = Set.of();
     private long renewedMs;
-    private long letGoMs = Long.MIN_VALUE / 2;
+    private long releasedMs = Long.MIN_VALUE / 2;
     private boolean refused;
     private double share = 1;
 
     /**
      * Creates a driver that does not drive yet.
      *
-     * @param complain receives the reason when the robot cannot be driven
+     * @param errors receives the reason when the robot cannot be driven
      * @param clockMs any clock that does not go back
      */
-    HandDriver(Member member, Consumer<String> complain, LongSupplier clockMs) {
+    ManualDriver(Member member, Consumer<String> errors, LongSupplier clockMs) {
         this.member = member;
-        this.complain = complain;
+        this.errors = errors;
         this.clockMs = clockMs;
     }
 
@@ -63,7 +63,7 @@ final class HandDriver {
     }
 
     /** Stops at once, regardless of the keys held; called when the focus is lost or the panel is hidden. */
-    void letGo() {
+    void stopDriving() {
         keys.releaseAll();
         pointed = null;
         tick();
@@ -93,31 +93,31 @@ final class HandDriver {
     private void tick() {
         Set<Direction> wanted = wanted();
         if (wanted.isEmpty()) {
-            stand();
-        } else if (!refused && (hand != null || take())) {
+            release();
+        } else if (!refused && (control != null || acquire())) {
             drive(wanted);
         }
     }
 
-    private void stand() {
+    private void release() {
         ticks.stop();
         refused = false;
         driven = Set.of();
-        if (hand != null) {
-            hand.close();
-            hand = null;
-            letGoMs = clockMs.getAsLong();
+        if (control != null) {
+            control.close();
+            control = null;
+            releasedMs = clockMs.getAsLong();
         }
     }
 
-    private boolean take() {
+    private boolean acquire() {
         try {
-            hand = new ManualControl(member);
+            control = new ManualControl(member);
             return true;
         } catch (BotException e) {
-            if (clockMs.getAsLong() - letGoMs > CHANGE_OF_HANDS_MS) {
+            if (clockMs.getAsLong() - releasedMs > RELEASE_TIME_MS) {
                 refused = true;
-                complain.accept(e.getMessage());
+                errors.accept(e.getMessage());
             }
             return false;
         }
@@ -125,13 +125,13 @@ final class HandDriver {
 
     private void drive(Set<Direction> wanted) {
         long now = clockMs.getAsLong();
-        if (hand == null || (wanted.equals(driven) && now - renewedMs < RENEWAL_MS)) {
+        if (control == null || (wanted.equals(driven) && now - renewedMs < RENEWAL_MS)) {
             return;
         }
         driven = wanted;
         renewedMs = now;
         BotProfile profile = member.bot().profile();
-        hand.drive(
+        control.drive(
                 share * profile.cruiseMmPerSec() * Direction.forward(wanted),
                 share * profile.cruiseTurnDegPerSec() * Direction.left(wanted));
     }

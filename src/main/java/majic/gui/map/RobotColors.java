@@ -1,4 +1,4 @@
-package majic.gui.kit;
+package majic.gui.map;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
@@ -7,7 +7,7 @@ import java.awt.Color;
  * Assigns a colour to each robot number; the colours can be distinguished by colour-blind users too, in the light and
  * the dark look.
  */
-public final class RobotColors {
+final class RobotColors {
     private static final Color[] LIGHT = {
         new Color(0x0072B2), new Color(0xC04E00), new Color(0x007A5A), new Color(0x9C3F80),
         new Color(0x8A6D00), new Color(0x3D6FB6), new Color(0x7A4B2A), new Color(0x555555)
@@ -20,7 +20,7 @@ public final class RobotColors {
     private RobotColors() {}
 
     /** Returns the colour of a robot in the present look and feel. */
-    public static Color of(int number) {
+    static Color of(int number) {
         Color[] colors = FlatLaf.isLafDark() ? DARK : LIGHT;
         return colors[Math.floorMod(number - 1, colors.length)];
     }

@@ -7,14 +7,14 @@ import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 
 /** Selects one of two ways to connect a robot. */
-final class EitherInput extends AddressInput {
+final class TwoWayInput extends AddressInput {
     private static final long serialVersionUID = 1L;
 
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
     private AddressInput chosen;
 
-    EitherInput(String firstName, AddressInput first, String secondName, AddressInput second) {
+    TwoWayInput(String firstName, AddressInput first, String secondName, AddressInput second) {
         chosen = first;
         add(new JLabel("Reached by"));
         ButtonGroup group = new ButtonGroup();

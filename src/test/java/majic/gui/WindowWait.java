@@ -6,8 +6,8 @@ import org.assertj.swing.timing.Pause;
 import org.assertj.swing.timing.Timeout;
 
 /** Waits for the content of a window. */
-public final class WaitPolicy {
-    private WaitPolicy() {}
+public final class WindowWait {
+    private WindowWait() {}
 
     /**
      * Waits for something to become true, and fails if it does not.

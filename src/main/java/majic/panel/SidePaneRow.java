@@ -3,35 +3,32 @@ package majic.panel;
 import java.awt.Rectangle;
 import java.util.List;
 
-/** Places asides below a view: side by side, and below all of them the readings as far as there is space. */
-final class AsideStrip {
-    private final List<Aside> asides;
+/** Places side panes below a view: side by side, and below all of them the readings as far as there is space. */
+final class SidePaneRow {
+    private final List<SidePane> panes;
     private final ReadingsPanel<?> numbers;
     private final int gap;
 
-    AsideStrip(List<Aside> asides, ReadingsPanel<?> numbers) {
-        this.asides = asides;
+    SidePaneRow(List<SidePane> panes, ReadingsPanel<?> numbers) {
+        this.panes = panes;
         this.numbers = numbers;
         this.gap = numbers.gap() / 2;
     }
 
     /**
      * Returns the minimum height without the readings; larger than any available height if the width is too small for
-     * the asides.
+     * the side panes.
      */
     int leastHeight(int width) {
         int each = widthOfEach(width);
-        boolean fits = asides.stream().allMatch(aside -> aside.leastWidth() <= each);
+        boolean fits = panes.stream().allMatch(pane -> pane.leastWidth() <= each);
         return fits
-                ? asides.stream()
-                        .mapToInt(aside -> aside.goodHeight(each))
-                        .max()
-                        .orElse(0)
+                ? panes.stream().mapToInt(pane -> pane.goodHeight(each)).max().orElse(0)
                 : Short.MAX_VALUE;
     }
 
     private int widthOfEach(int width) {
-        return (width - (asides.size() - 1) * 2 * gap) / asides.size();
+        return (width - (panes.size() - 1) * 2 * gap) / panes.size();
     }
 
     /**
@@ -43,13 +40,13 @@ final class AsideStrip {
         int height = leastHeight(room.width);
         int spare = Math.max(0, room.height - height - gap - room.width);
         int rows = numbers.heightWithin(room.width, spare - gap);
-        if (asides.stream().anyMatch(Aside::takesRest)) {
+        if (panes.stream().anyMatch(SidePane::takesRest)) {
             height += rows == 0 ? spare : spare - rows - gap;
         }
         int y = room.y + room.height - height - (rows == 0 ? 0 : rows + gap);
         int x = room.x;
-        for (Aside aside : asides) {
-            aside.place(x, y, each, aside.takesRest() ? height : Math.min(height, aside.goodHeight(each)));
+        for (SidePane pane : panes) {
+            pane.place(x, y, each, pane.takesRest() ? height : Math.min(height, pane.goodHeight(each)));
             x += each + 2 * gap;
         }
         numbers.place(room.x, room.y + room.height - rows, room.width, rows);
