@@ -65,7 +65,7 @@ public final class ActOffers implements Completion.ActNames {
             return new ActOffer(called, new ActDetails(name, "", "", "A script."), act.roles(), null);
         }
         ActFile file = acts.find(called);
-        return new ActOffer(called, file.details(), roles(file), file);
+        return new ActOffer(called, file.details(), file.roles(), file);
     }
 
     /**
@@ -96,16 +96,6 @@ public final class ActOffers implements Completion.ActNames {
     /** The file of a script that goes by a name or path; empty if an act does. */
     Optional<Path> scriptAt(String name) {
         return acts.locate(name).filter(path -> Acts.isScript(path.toString()));
-    }
-
-    /**
-     * The robots an act asks for. A file without code may be loaded to ask the act itself: an object stream does not show
-     * the roles, and a script has them.
-     *
-     * @throws BotException if it cannot be loaded
-     */
-    private List<Role> roles(ActFile file) {
-        return file.carriesCode() ? file.roles() : file.load(acts.trust()).roles();
     }
 
     /**

@@ -1,9 +1,15 @@
 package majic.act.file;
 
+import static java.io.ObjectStreamConstants.TC_CLASSDESC;
+import static java.io.ObjectStreamConstants.TC_OBJECT;
+
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.EOFException;
 import java.io.IOException;
+import java.io.UTFDataFormatException;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.jar.Manifest;
 import majic.act.ActDetails;
@@ -55,13 +61,26 @@ public record ActContents(
     }
 
     private static ActContents ofStream(byte[] file, ClassLoader majic) throws IOException {
-        Set<String> saved = SerialScan.classes(file);
-        String actClass = saved.stream().findFirst().orElseThrow(() -> new Unfit("holds no act, but other data"));
+        String actClass = classOf(file);
         ActManifest manifest =
                 new ActManifest(actClass, ActDetails.named(ActNames.simple(actClass)), "", List.of(Role.any(Role.ME)));
-        Family family = Family.of(actClass, Map.of(), majic);
-        checkFamily(saved, family);
-        return new ActContents(manifest, List.of(), Map.of(), Map.of(), file, family);
+        return new ActContents(manifest, List.of(), Map.of(), Map.of(), file, Family.of(actClass, Map.of(), majic));
+    }
+
+    /** Returns the name at the beginning of an object stream (Java Object Serialization Specification, chapter 6). */
+    private static String classOf(byte[] stream) throws IOException {
+        try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(stream))) {
+            in.skipNBytes(Integer.BYTES);
+            String name = in.readByte() == TC_OBJECT && in.readByte() == TC_CLASSDESC ? in.readUTF() : "";
+            if (name.isEmpty() || ActNames.isOfJava(name)) {
+                throw new Unfit("holds no act, but other data");
+            }
+            return name;
+        } catch (EOFException e) {
+            throw new Unfit("is cut off: its data has no end", e);
+        } catch (UTFDataFormatException e) {
+            throw new Unfit("is damaged: its data makes no sense", e);
+        }
     }
 
     private static ActContents ofJar(byte[] file, ClassLoader majic) throws IOException {
@@ -70,10 +89,8 @@ public record ActContents(
         ActManifest manifest = ActManifest.of(said);
         List<Signer> signers = Signatures.check(file, entries.keySet(), said);
         Map<String, ClassFile> classes = classes(entries);
-        byte[] data = entry(entries, DATA);
         Family family = Family.of(manifest.actClass(), classes, majic);
-        checkFamily(SerialScan.classes(data), family);
-        return new ActContents(manifest, signers, entries, classes, data, family);
+        return new ActContents(manifest, signers, entries, classes, entry(entries, DATA), family);
     }
 
     private static byte[] entry(Map<String, byte[]> entries, String path) throws Unfit {
@@ -116,14 +133,6 @@ public record ActContents(
             return ClassFile.parse(bytes);
         } catch (IOException e) {
             throw new Unfit("is damaged: its " + name + " " + e.getMessage(), e);
-        }
-    }
-
-    private static void checkFamily(Set<String> saved, Family family) throws Unfit {
-        for (String one : saved) {
-            if (!family.has(one)) {
-                throw new Unfit("holds a " + one + ", which no act may hold");
-            }
         }
     }
 }

@@ -28,6 +28,7 @@ public final class ActFile {
     private final String sha256;
     private final boolean shipped;
     private final ActContents contents;
+    private final List<Role> roles;
 
     private ActFile(String label, byte[] bytes, boolean shipped) {
         this.label = label;
@@ -41,6 +42,7 @@ public final class ActFile {
             // The JDK's readers of manifests and certificates do not promise more than that.
             throw new ActException(Printable.of(label + " is damaged: its contents make no sense"), e);
         }
+        this.roles = carriesCode() ? contents.manifest().roles() : loadAgreed().roles();
     }
 
     /**
@@ -145,13 +147,12 @@ public final class ActFile {
     }
 
     /**
-     * Returns the robots that the act needs. An object stream alone does not contain them; use the loaded act's roles
-     * then.
+     * Returns the robots that the act needs: as the file states, or without code in it as the act itself does.
      *
      * @return at least one, the first being the one the act is loaded onto
      */
     public List<Role> roles() {
-        return contents.manifest().roles();
+        return roles;
     }
 
     /**

@@ -1,7 +1,6 @@
 package majic.act.file;
 
 import java.io.IOException;
-import java.io.InvalidClassException;
 import majic.act.ActException;
 import majic.act.Blame;
 import majic.act.MajicAct;
@@ -16,23 +15,17 @@ import org.jspecify.annotations.Nullable;
  */
 record ActLoading(String label, ActContents contents) {
     MajicAct load(ClassLoader loader) {
-        ActFilter filter = new ActFilter(contents.family()::has);
-        try (ActObjectInput in = new ActObjectInput(contents.data(), filter, loader)) {
-            return checked(in.readObject());
-        } catch (InvalidClassException e) {
-            throw refused(
-                    e.classname == null
-                            ? "holds what no act may hold"
-                            : "was saved with another version of the class " + e.classname,
-                    e);
-        } catch (ClassNotFoundException | NoClassDefFoundError e) {
-            throw refused("uses the class " + dotted(e) + ", which is neither in it nor in this MAJIC", e);
+        try {
+            return checked(ActObjectInput.read(contents.data(), contents.family()::has, loader));
+        } catch (NoClassDefFoundError e) {
+            String missing = String.valueOf(e.getMessage()).replace('/', '.');
+            throw refused("uses the class " + missing + ", which is neither in it nor in this MAJIC", e);
         } catch (ExceptionInInitializerError e) {
             throw refused("failed in its own code when it was loaded: " + Blame.named(cause(e)), e);
         } catch (LinkageError e) {
             throw refused("has a class that this Java cannot use: " + e.getMessage(), e);
         } catch (IOException e) {
-            throw refused("is damaged: " + e.getMessage(), e);
+            throw refused(String.valueOf(e.getMessage()), e);
         } catch (ActException e) {
             throw e;
         } catch (RuntimeException | Error e) {
@@ -53,10 +46,6 @@ record ActLoading(String label, ActContents contents) {
     private static Throwable cause(ExceptionInInitializerError failed) {
         Throwable cause = failed.getCause();
         return cause == null ? failed : cause;
-    }
-
-    private static String dotted(Throwable missing) {
-        return String.valueOf(missing.getMessage()).replace('/', '.');
     }
 
     private ActException refused(String why, Throwable cause) {

@@ -16,9 +16,12 @@ public final class ActNames {
 
     /** Returns whether a class name is reserved: its package is MAJIC's or the JDK's, so no file may contain it. */
     static boolean isReserved(String className) {
-        String inPackage = className.contains(".") ? className : "";
-        return MAJICS.matcher(ClassFile.packageOf(className)).matches()
-                || JAVAS.matcher(inPackage).matches();
+        return MAJICS.matcher(ClassFile.packageOf(className)).matches() || isOfJava(className);
+    }
+
+    /** Returns whether a class name is in a package of the JDK. */
+    static boolean isOfJava(String className) {
+        return JAVAS.matcher(className).matches();
     }
 
     /** Returns the class name of a path in a jar: {@code a.B} for {@code a/B.class}. */

@@ -3,31 +3,145 @@ package majic.act.file;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InvalidClassException;
+import java.io.InvalidObjectException;
+import java.io.ObjectInputFilter;
 import java.io.ObjectInputStream;
 import java.io.ObjectStreamClass;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
-/** Reads an act; a class that the filter does not admit is not searched for. */
+/**
+ * Reads the object of an act. It creates objects of the act's own classes and {@link PlainValues} only, and no collection
+ * that contains itself. For an act without code, to which the user gives no consent, it also limits the data, so that
+ * reading takes a bounded time: a set that is contained in many sets is hashed again for each of them.
+ */
 public final class ActObjectInput extends ObjectInputStream {
-    private final ActFilter filter;
-    private final ClassLoader loader;
+    /** The greatest nesting depth: a list of lists in a field of the act. Superclasses count as well. */
+    static final int MAX_DEPTH = 5;
 
-    public ActObjectInput(byte[] stream, ActFilter filter, ClassLoader loader) throws IOException {
-        super(new ByteArrayInputStream(stream));
-        this.filter = filter;
+    /** The most values, including each repeated one. */
+    static final int MAX_VALUES = 1_000;
+
+    /** The greatest length of an array, or of the table of a collection. */
+    public static final int MAX_ARRAY = 65_536;
+
+    /** The greatest length of a stream, bytes. */
+    static final int MAX_BYTES = 1 << 20;
+
+    private final Predicate<String> own;
+    private final ClassLoader loader;
+    private final Set<Object> complete = Collections.newSetFromMap(new IdentityHashMap<>());
+
+    private ActObjectInput(ByteArrayInputStream stream, Predicate<String> own, ClassLoader loader) throws IOException {
+        super(stream);
+        this.own = own;
         this.loader = loader;
-        setObjectInputFilter(filter);
+        enableResolveObject(true);
+    }
+
+    /**
+     * Reads the only object of a stream.
+     *
+     * @param data the stream
+     * @param own whether a class belongs to the act, by its name
+     * @param loader finds the classes; if they come from the act's file, the data is not limited
+     * @throws Unfit if the stream is damaged, or contains an object that no act may contain
+     */
+    public static @Nullable Object read(byte[] data, Predicate<String> own, ClassLoader loader) throws IOException {
+        ByteArrayInputStream stream = new ByteArrayInputStream(data);
+        try (ActObjectInput in = new ActObjectInput(stream, own, loader)) {
+            if (!(loader instanceof ActClassLoader)) {
+                in.limit(data.length);
+            }
+            Object read = in.readObject();
+            if (stream.available() > 0) {
+                throw new Unfit("has data behind its act");
+            }
+            return read;
+        } catch (Unfit e) {
+            throw e;
+        } catch (IOException e) {
+            throw new Unfit(reason(e, stream.available() == 0), e);
+        } catch (ClassNotFoundException e) {
+            throw new Unfit("uses the class " + e.getMessage() + ", which is neither in it nor in this MAJIC", e);
+        }
+    }
+
+    private void limit(int bytes) throws IOException {
+        if (bytes > MAX_BYTES) {
+            throw new Unfit("holds more than " + MAX_BYTES + " bytes of data");
+        }
+        setObjectInputFilter(ActObjectInput::checkLimits);
+    }
+
+    private static String reason(IOException e, boolean atEnd) {
+        if (e instanceof InvalidClassException invalid) {
+            Throwable limit = invalid.getCause();
+            return limit == null
+                    ? "was saved with another version of the class " + invalid.classname
+                    : String.valueOf(limit.getMessage());
+        }
+        if (e instanceof InvalidObjectException) {
+            return "is damaged: " + e.getMessage();
+        }
+        return atEnd ? "is cut off: its data has no end" : "is damaged: its data makes no sense";
+    }
+
+    /** The message of the exception is the cause of the one that the stream throws for it. */
+    private static ObjectInputFilter.Status checkLimits(ObjectInputFilter.FilterInfo next) {
+        if (next.depth() > MAX_DEPTH) {
+            throw new IllegalArgumentException("nests its data more than " + MAX_DEPTH + " deep");
+        }
+        if (next.references() > MAX_VALUES) {
+            throw new IllegalArgumentException("holds more than " + MAX_VALUES + " objects");
+        }
+        if (next.arrayLength() > MAX_ARRAY) {
+            throw new IllegalArgumentException(
+                    "holds an array of " + next.arrayLength() + " elements, more than " + MAX_ARRAY);
+        }
+        return ObjectInputFilter.Status.ALLOWED;
     }
 
     @Override
     protected Class<?> resolveClass(ObjectStreamClass described) throws IOException, ClassNotFoundException {
-        if (!filter.admits(described.getName())) {
-            throw new InvalidClassException(described.getName(), "not admitted");
+        String name = described.getName();
+        String element = PlainValues.element(name);
+        if (!PlainValues.has(name) && !own.test(element)) {
+            throw new Unfit("holds a " + element + ", which no act may hold");
         }
-        return Class.forName(described.getName(), false, loader);
+        return Class.forName(name, false, loader);
     }
 
     @Override
     protected Class<?> resolveProxyClass(String[] interfaces) throws IOException {
-        throw new InvalidClassException("a dynamic proxy is not admitted");
+        throw new Unfit("holds what no act may hold: a dynamic proxy");
+    }
+
+    @Override
+    protected Object resolveObject(Object read) throws IOException {
+        if (isContainer(read)) {
+            if (contents(read).anyMatch(element -> isContainer(element) && !complete.contains(element))) {
+                throw new Unfit("holds a collection that holds itself");
+            }
+            complete.add(read);
+        }
+        return read;
+    }
+
+    private static boolean isContainer(@Nullable Object value) {
+        return value instanceof Collection || value instanceof Map || value instanceof Object[];
+    }
+
+    private static Stream<?> contents(Object container) {
+        if (container instanceof Map<?, ?> map) {
+            return Stream.concat(map.keySet().stream(), map.values().stream());
+        }
+        return container instanceof Collection<?> collection ? collection.stream() : Stream.of((Object[]) container);
     }
 }

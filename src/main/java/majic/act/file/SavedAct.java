@@ -9,6 +9,7 @@ import java.lang.reflect.Modifier;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Optional;
+import majic.act.Blame;
 import majic.act.MajicAct;
 import org.jspecify.annotations.Nullable;
 
@@ -19,15 +20,15 @@ public final class SavedAct {
     /**
      * Saves an act.
      *
-     * @return its object stream, checked by the scan
+     * @return its object stream, which can be read back
      * @throws Unfit if a field cannot be saved; the message names it
      */
     public static byte[] of(MajicAct act, Family family) throws IOException {
         try {
             byte[] stream = bytes(act);
-            check(stream, family);
+            readBack(stream, act, family);
             return stream;
-        } catch (Unfit | NotSerializableException e) {
+        } catch (IOException e) {
             throw new Unfit(badField(act, family).orElseGet(() -> reason(e)), e);
         }
     }
@@ -40,11 +41,11 @@ public final class SavedAct {
         return bytes.toByteArray();
     }
 
-    private static void check(byte[] stream, Family family) throws IOException {
-        for (String one : SerialScan.classes(stream)) {
-            if (!family.has(one)) {
-                throw new Unfit("holds a " + one + ", which no act may hold");
-            }
+    private static void readBack(byte[] stream, MajicAct act, Family family) throws IOException {
+        try {
+            ActObjectInput.read(stream, family::has, act.getClass().getClassLoader());
+        } catch (RuntimeException | Error e) {
+            throw new Unfit("failed in its own code when it was read: " + Blame.named(e), e);
         }
     }
 
@@ -67,8 +68,7 @@ public final class SavedAct {
     private static Optional<String> problem(Field field, MajicAct act, Family family) {
         try {
             field.setAccessible(true);
-            byte[] stream = bytes(new ArrayList<>(Collections.singletonList(field.get(act))));
-            check(stream, family);
+            readBack(bytes(new ArrayList<>(Collections.singletonList(field.get(act)))), act, family);
             return Optional.empty();
         } catch (IOException e) {
             return Optional.of("cannot be saved: its field '" + field.getName() + "' " + reason(e)

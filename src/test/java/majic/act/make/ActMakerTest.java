@@ -212,7 +212,8 @@ class ActMakerTest {
                 "Runnable run = () -> {}; | its field 'run' holds a Act$$Lambda",
                 "Runnable run = (Runnable & java.io.Serializable) () -> {};"
                         + " | its field 'run' holds a java.lang.invoke.SerializedLambda",
-                "Helper h = new Helper(); class Helper implements java.io.Serializable {} | holds data that holds itself",
+                "java.util.List<Object> list = new java.util.ArrayList<>(); { list.add(list); }"
+                        + " | its field 'list' holds a collection that holds itself",
                 "public java.util.List<majic.act.Role> roles() { return java.util.List.of(); } | asks for no robot",
                 "public java.util.List<majic.act.Role> roles() { return null; } | failed in its roles()",
                 "public java.util.List<majic.act.Role> roles() { var me = majic.act.Role.any(`me`);"
@@ -239,6 +240,32 @@ class ActMakerTest {
                 }
                 """);
         assertThat(ActFile.of("act.act", file).classes()).containsExactly("Act");
+    }
+
+    @Test
+    void anObjectOfAnInnerClassIsSavedWithItsAct() throws ReflectiveOperationException {
+        ActFile file = ActFile.of("act.act", Sources.act(folder, "Act", """
+                class Act extends majic.act.MajicAct {
+                    final Step step = new Step();
+                    class Step implements java.io.Serializable { Act act() { return Act.this; } }
+                    protected void behave() {}
+                    public String toString() { return String.valueOf(step.act() == this); }
+                }
+                """));
+        assertThat(file.load(Sources.trusting(file))).hasToString("true");
+    }
+
+    @Test
+    void anActWithCodeMayHoldMuchData() {
+        ActFile file = ActFile.of("act.act", Sources.act(folder, "Act", """
+                class Act extends majic.act.MajicAct {
+                    final java.util.List<String> words = new java.util.ArrayList<>();
+                    { for (int i = 0; i < 20_000; i++) { words.add("word " + i); } }
+                    protected void behave() {}
+                    public String toString() { return words.size() + " words"; }
+                }
+                """));
+        assertThat(file.load(Sources.trusting(file))).hasToString("20000 words");
     }
 
     @Test
