@@ -88,7 +88,7 @@ public final class ActOffers implements Completion.ActNames {
     public void agree(ActOffer offer) {
         ActFile file = offer.file();
         if (file != null) {
-            output.say(Line.Kind.NOTICE, "trust " + offer.called() + ": agreed to its code, SHA-256 " + file.sha256());
+            output.send(Line.Kind.NOTICE, "trust " + offer.called() + ": agreed to its code, SHA-256 " + file.sha256());
             acts.trust().agree(file);
         }
     }

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.log.Line;
+import majic.log.SessionOutput;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.PreparedLine;
 import majic.script.lines.Source;
@@ -34,6 +35,8 @@ public final class MajicParser {
     private static final int MOST_REMEMBERED = 10_000;
 
     private final Session session;
+    private final SessionOutput output;
+    private final List<String> robotTypes;
     private final Source source;
     private final Dispatcher dispatcher;
     private final Deque<String> commands = new ArrayDeque<>();
@@ -53,6 +56,8 @@ public final class MajicParser {
 
     private MajicParser(Session session, Source source) {
         this.session = session;
+        this.output = session.output();
+        this.robotTypes = session.robotTypes();
         this.source = source;
         this.dispatcher = new Dispatcher(session.state(), session.actions(), source, this);
     }
@@ -128,7 +133,7 @@ public final class MajicParser {
     }
 
     private Optional<String> parseOne(String line, String place, Consumer<String> refusedLater) {
-        session.output().say(Line.Kind.COMMAND, line, this);
+        output.send(Line.Kind.COMMAND, line, this);
         try {
             Taken taken = take(line);
             remember(line);
@@ -163,7 +168,7 @@ public final class MajicParser {
             session.team().stopAll();
             takeBlock();
         }
-        session.output().say(Line.Kind.ERROR, message, this);
+        output.send(Line.Kind.ERROR, message, this);
         return message;
     }
 
@@ -232,7 +237,7 @@ public final class MajicParser {
     }
 
     private Parser parser(String text) {
-        return new Parser(Scanner.scan(text), session.robotTypes());
+        return new Parser(Scanner.scan(text), robotTypes);
     }
 
     private static void refuseMistakes(List<Mistake> mistakes) {

@@ -156,7 +156,7 @@ public final class ScriptAct extends MajicAct {
     /** As of a script that is run, each mistake is said once and the answer counts them. */
     private void refuse(List<Mistake> mistakes, Stage here) {
         Mistake.inOrder(mistakes, title)
-                .forEach(mistake -> here.state.output().say(Line.Kind.ERROR, mistake, here.asker));
+                .forEach(mistake -> here.state.output().send(Line.Kind.ERROR, mistake, here.asker));
         if (!mistakes.isEmpty()) {
             throw new BotException(Mistake.counted(mistakes.size()) + " in it, nothing was run");
         }

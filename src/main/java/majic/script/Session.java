@@ -34,6 +34,7 @@ public final class Session {
     private final BotFactory factory;
     private final SessionLog log;
     private final SessionOutput output;
+    private final List<String> robotTypes;
     private final SessionState state;
     private final ActOffers offers;
     private final RobotConnector connector;
@@ -53,11 +54,12 @@ public final class Session {
         this.factory = factory;
         this.log = log;
         this.output = new SessionOutput(log);
+        this.robotTypes = factory.types().stream().map(BotType::name).toList();
         this.state = new SessionState(team, output, new SessionRecord(team));
         this.offers = new ActOffers(output, acts);
         this.connector = new RobotConnector(state, factory);
         ParameterLog readings = new ParameterLog();
-        Sampling sampling = new Sampling(readings, team.time(), notice -> output.say(Line.Kind.NOTICE, notice));
+        Sampling sampling = new Sampling(readings, team.time(), notice -> output.send(Line.Kind.NOTICE, notice));
         SessionActs runner = new SessionActs(state, acts, offers);
         this.actions = new ActionTable(state, factory, connector, runner, readings, sampling, quit);
         log.onTrouble(this::alarm);
@@ -70,7 +72,7 @@ public final class Session {
      * @param text a sentence
      */
     public void alarm(String text) {
-        output.say(Line.Kind.ERROR, text);
+        output.send(Line.Kind.ERROR, text);
     }
 
     /**
@@ -178,7 +180,7 @@ public final class Session {
 
     /** The words that stand for all robots of a type. */
     List<String> robotTypes() {
-        return factory.types().stream().map(BotType::name).toList();
+        return robotTypes;
     }
 
     Completion completion() {
@@ -189,12 +191,12 @@ public final class Session {
     private final class TeamRelay implements TeamListener {
         @Override
         public void answered(Answer answer) {
-            output.say(Line.Kind.ANSWER, answer.text(), answer.asker());
+            output.send(Line.Kind.ANSWER, answer.text(), answer.asker());
         }
 
         @Override
         public void noticed(int robot, String message) {
-            output.say(Line.Kind.NOTICE, message);
+            output.send(Line.Kind.NOTICE, message);
         }
 
         @Override
@@ -203,7 +205,7 @@ public final class Session {
                     .address(member)
                     .map(address -> "; \"add " + address + "\" connects it again")
                     .orElse("");
-            output.say(Line.Kind.NOTICE, member.number() + ": " + reason + hint);
+            output.send(Line.Kind.NOTICE, member.number() + ": " + reason + hint);
         }
 
         @Override
@@ -211,17 +213,17 @@ public final class Session {
             String where =
                     connector.address(member).map(address -> " at " + address).orElse("");
             String label = member.bot().type().label();
-            output.say(Line.Kind.ANSWER, member.number() + ": " + label + where + " connected again");
+            output.send(Line.Kind.ANSWER, member.number() + ": " + label + where + " connected again");
         }
 
         @Override
         public void removed(Member member) {
-            output.say(Line.Kind.ANSWER, "Bot " + member.number() + " is dead");
+            output.send(Line.Kind.ANSWER, "Bot " + member.number() + " is dead");
         }
 
         @Override
         public void latchChanged(boolean latched) {
-            output.say(
+            output.send(
                     Line.Kind.NOTICE,
                     latched
                             ? "STOP is latched; \"release\" allows motion again"

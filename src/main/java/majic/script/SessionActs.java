@@ -98,7 +98,7 @@ final class SessionActs implements ActRunner {
     private void sayIfOwn(String name, Member me) {
         if (acts.replacesShipped(name)) {
             state.output()
-                    .say(
+                    .send(
                             Line.Kind.NOTICE,
                             me.number() + ": " + name + " from " + acts.folder()
                                     + ", in place of the one that comes with MAJIC");

@@ -40,7 +40,7 @@ public final class RobotConnector {
     Member add(String address, OptionalInt number) {
         Optional<Member> there = alreadyThere(address, number);
         if (there.isPresent()) {
-            output.say(Line.Kind.ANSWER, there.get().number() + ": at " + address + ", connected already");
+            output.send(Line.Kind.ANSWER, there.get().number() + ": at " + address + ", connected already");
             return there.get();
         }
         Optional<Member> lost = lost(address, number);
@@ -91,7 +91,7 @@ public final class RobotConnector {
     public void joined(Member member, String address) {
         addresses.put(member.number(), address);
         String label = member.bot().type().label();
-        output.say(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected");
+        output.send(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected");
         record.added(address, member.number());
     }
 

@@ -240,7 +240,7 @@ public final class Dispatcher {
 
     private void tellStopped(SubmittedLine line) {
         lines.fail(line.title());
-        state.output().say(Line.Kind.ANSWER, line.title() + ": not run: stopped", asker);
+        state.output().send(Line.Kind.ANSWER, line.title() + ": not run: stopped", asker);
     }
 
     private void takeTurn(SubmittedLine line) {
@@ -259,7 +259,7 @@ public final class Dispatcher {
             perform(line, Execution.Manner.IN_TURN, null);
         } catch (ExecutionEnded e) {
             lines.fail(line.title());
-            state.output().say(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
+            state.output().send(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
         } catch (ScriptException | BotException e) {
             line.failed().accept(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {

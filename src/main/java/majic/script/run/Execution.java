@@ -101,13 +101,13 @@ public final class Execution {
     }
 
     /** Sends an answer or another line. */
-    void say(Line.Kind kind, String text) {
-        state.output().say(kind, text, asker);
+    void send(Line.Kind kind, String text) {
+        state.output().send(kind, text, asker);
     }
 
     /** Answers the line. */
     public void answer(String text) {
-        say(Line.Kind.ANSWER, text);
+        send(Line.Kind.ANSWER, text);
     }
 
     /** Orders nothing any more once this holds: a stop came since the line was given. */

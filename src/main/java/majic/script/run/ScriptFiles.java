@@ -57,7 +57,7 @@ public record ScriptFiles(BotFactory factory, Actions actions) {
         List<Statement> script = ScriptText.parse(
                 text, factory.types().stream().map(BotType::name).toList(), mistakes);
         mistakes.addAll(Checker.check(script, actions, execution.selection()));
-        Mistake.inOrder(mistakes, file).forEach(mistake -> execution.say(Line.Kind.ERROR, mistake));
+        Mistake.inOrder(mistakes, file).forEach(mistake -> execution.send(Line.Kind.ERROR, mistake));
         if (!mistakes.isEmpty()) {
             throw new ExecutionEnded(
                     Answer.Outcome.FAILED, Mistake.counted(mistakes.size()) + " in it, nothing was run");

@@ -49,7 +49,7 @@ public final class ScriptRun {
             new Interpreter(execution, actions).run(script);
             if (waits) {
                 execution.finish();
-                say(String.format(Locale.ROOT, "done (%.1f s)", time.secondsSince(began)));
+                answer(String.format(Locale.ROOT, "done (%.1f s)", time.secondsSince(began)));
             }
             execution.recording().end(true);
             return true;
@@ -57,7 +57,7 @@ public final class ScriptRun {
             String ending = ending(e);
             execution.stopAllUsed();
             execution.recording().end(false);
-            say(ending);
+            answer(ending);
         } finally {
             execution.freeAll();
         }
@@ -82,11 +82,11 @@ public final class ScriptRun {
         if (file.isEmpty()) {
             return String.valueOf(mistake.getMessage());
         }
-        execution.say(Line.Kind.ERROR, mistake.mistake().in(file));
+        execution.send(Line.Kind.ERROR, mistake.mistake().in(file));
         return "line " + mistake.at().line();
     }
 
-    private void say(String how) {
-        execution.say(Line.Kind.ANSWER, title + ": " + how);
+    private void answer(String how) {
+        execution.send(Line.Kind.ANSWER, title + ": " + how);
     }
 }
