@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
@@ -13,8 +14,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import majic.program.UserFolder;
-import majic.script.syntax.Parser;
-import majic.script.syntax.Scanner;
+import majic.script.syntax.Mistake;
+import majic.script.syntax.ScriptParser;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -70,9 +71,9 @@ class LinesOnPagesTest {
     @ParameterizedTest
     @MethodSource({"scripts", "lines"})
     void everyScriptIsCorrect(Page.Code script) {
-        Parser parser = new Parser(Scanner.scan(script.text()), TYPES);
-        parser.script();
-        assertThat(parser.mistakes()).isEmpty();
+        List<Mistake> mistakes = new ArrayList<>();
+        ScriptParser.parse(script.text(), TYPES, mistakes);
+        assertThat(mistakes).isEmpty();
     }
 
     @ParameterizedTest

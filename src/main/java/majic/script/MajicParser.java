@@ -1,6 +1,7 @@
 package majic.script;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
@@ -15,15 +16,14 @@ import majic.script.lines.Source;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
 import majic.script.run.Trait;
+import majic.script.syntax.LineParser;
 import majic.script.syntax.Mistake;
-import majic.script.syntax.Parser;
-import majic.script.syntax.Piece;
-import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.ScriptText;
+import majic.script.syntax.ScriptParser;
 import majic.script.syntax.Statement;
 import majic.script.syntax.TypedBlock;
 import majic.text.VisibleText;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Takes lines of MAJIC Script, checks them and hands them to the robots they are for. Each place where lines come from
@@ -41,7 +41,7 @@ public final class MajicParser {
     private final Dispatcher dispatcher;
     private final Deque<String> commands = new ArrayDeque<>();
     private int total;
-    private final TypedBlock block = new TypedBlock();
+    private @Nullable TypedBlock block;
 
     /**
      * A parser with nothing to do yet.
@@ -81,7 +81,7 @@ public final class MajicParser {
      * {@code trust} or {@code run} names is read on a thread of this parser, and the lines behind it wait for that; a
      * {@code stop} does not.
      *
-     * @param text the line; if there are several, all up to the first wrong one are taken
+     * @param text the line; if there are several, all up to the first wrong one are accepted
      * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence; what is
      *     wrong with a file goes to the listeners only
      */
@@ -135,10 +135,10 @@ public final class MajicParser {
     private Optional<String> parseOne(String line, String place, Consumer<String> refusedLater) {
         output.send(Line.Kind.COMMAND, line, this);
         try {
-            Taken taken = take(line);
+            Accepted accepted = accept(line);
             remember(line);
-            Consumer<String> failed = why -> refuse(taken.text(), place, why);
-            give(taken, line, why -> refusedLater.accept(refuse(taken.text(), place, why)), failed);
+            Consumer<String> failed = why -> refuse(accepted.text(), place, why);
+            give(accepted, line, why -> refusedLater.accept(refuse(accepted.text(), place, why)), failed);
             return Optional.empty();
         } catch (ScriptException | BotException | ExecutionEnded e) {
             return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
@@ -147,13 +147,13 @@ public final class MajicParser {
         }
     }
 
-    private void give(Taken taken, String line, Consumer<String> refused, Consumer<String> failed) {
+    private void give(Accepted accepted, String line, Consumer<String> refused, Consumer<String> failed) {
         Consumer<String> forgotten = why -> {
             forget(line);
             refused.accept(why);
         };
         try {
-            taken.lines().forEach(prepared -> dispatcher.submit(prepared, forgotten, failed));
+            accepted.lines().forEach(prepared -> dispatcher.submit(prepared, forgotten, failed));
         } catch (RuntimeException | Error e) {
             forget(line);
             throw e;
@@ -166,14 +166,17 @@ public final class MajicParser {
         if (STOP.matcher(line).find()) {
             message = VisibleText.of(place + "taken as STOP: " + why);
             session.team().stopAll();
-            takeBlock();
+            dropBlock();
         }
         output.send(Line.Kind.ERROR, message, this);
         return message;
     }
 
-    private synchronized String takeBlock() {
-        return block.take();
+    /** Ends the open block, if there is one; returns its lines. */
+    private synchronized String dropBlock() {
+        TypedBlock dropped = block;
+        block = null;
+        return dropped == null ? "" : dropped.text();
     }
 
     /**
@@ -182,33 +185,31 @@ public final class MajicParser {
      * @param lines nothing while a block is open
      * @param text the line, or all lines of the block
      */
-    private record Taken(List<PreparedLine> lines, String text) {}
+    private record Accepted(List<PreparedLine> lines, String text) {}
 
-    /** Reads and checks a line. Waits for no file and no robot, since it holds the lock. */
-    private synchronized Taken take(String line) {
-        if (line.length() > ScriptText.LONGEST_LINE) {
-            throw new BotException(ScriptText.TOO_LONG);
+    /** Parses and checks a line. Waits for no file and no robot, since it holds the lock. */
+    private synchronized Accepted accept(String line) {
+        if (line.length() > LineParser.LONGEST_LINE) {
+            throw new BotException(LineParser.TOO_LONG);
         }
-        Parser parser = parser(line);
-        Piece piece = parser.piece();
-        refuseMistakes(parser.mistakes());
-        if (piece instanceof Piece.Plain plain) {
-            return takePlain(plain, line);
+        LineParser parser = new LineParser(line, robotTypes);
+        if (parser.isBlank()) {
+            return new Accepted(List.of(), line);
         }
-        return piece instanceof Piece.Nothing ? new Taken(List.of(), line) : takeBlockLine(piece, line);
+        return parser.isBlockLine() ? acceptBlockLine(line) : acceptCommand(parser.line(), line);
     }
 
-    private Taken takePlain(Piece.Plain plain, String line) {
-        PreparedLine prepared = dispatcher.prepare(plain.statement(), line);
+    private Accepted acceptCommand(Statement statement, String line) {
+        PreparedLine prepared = dispatcher.prepare(statement, line);
         if (source == Source.SOCKET && prepared.has(Trait.LOCAL_ONLY)) {
             throw new BotException("trust: not over a socket; type it in the window or at the terminal of MAJIC");
         }
-        if (block.isOpen() && !isUrgent(line)) {
-            block.add(plain, line);
-            return new Taken(List.of(), line);
+        if (block != null && !isUrgent(line)) {
+            block.add(line);
+            return new Accepted(List.of(), line);
         }
-        block.take();
-        return new Taken(List.of(prepared), line);
+        block = null;
+        return new Accepted(List.of(prepared), line);
     }
 
     /** Alone on a line, but for a pipe's, these two cannot wait for the end of a block; "all stop" is for use in one. */
@@ -217,33 +218,26 @@ public final class MajicParser {
         return source != Source.PIPE && (word.equalsIgnoreCase("stop") || word.equalsIgnoreCase("quit"));
     }
 
-    private Taken takeBlockLine(Piece piece, String line) {
-        if (piece instanceof Piece.Open open) {
-            dispatcher.checkHead(open.head());
+    private Accepted acceptBlockLine(String line) {
+        Optional<Statement> head = ScriptParser.blockLine(line);
+        head.ifPresent(dispatcher::checkHead);
+        TypedBlock open = block == null ? new TypedBlock() : block;
+        open.add(line, head);
+        block = open.isOpen() ? open : null;
+        return block == null ? acceptBlock(open.text()) : new Accepted(List.of(), line);
+    }
+
+    private Accepted acceptBlock(String text) {
+        List<Mistake> mistakes = new ArrayList<>();
+        List<Statement> script = ScriptParser.parse(text, robotTypes, mistakes);
+        if (!mistakes.isEmpty()) {
+            throw new BotException(mistakes.get(0).message());
         }
-        block.add(piece, line);
-        if (block.isOpen()) {
-            return new Taken(List.of(), line);
-        }
-        String text = block.take();
-        Parser whole = parser(text);
-        List<Statement> script = whole.script();
-        refuseMistakes(whole.mistakes());
-        return new Taken(
+        return new Accepted(
                 script.stream()
                         .map(statement -> dispatcher.prepare(statement, text))
                         .toList(),
                 text);
-    }
-
-    private Parser parser(String text) {
-        return new Parser(Scanner.scan(text), robotTypes);
-    }
-
-    private static void refuseMistakes(List<Mistake> mistakes) {
-        if (!mistakes.isEmpty()) {
-            throw new BotException(mistakes.get(0).message());
-        }
     }
 
     private synchronized void remember(String line) {
@@ -284,7 +278,7 @@ public final class MajicParser {
      * @return true after a line such as {@code repeat 4}
      */
     public synchronized boolean isBlockOpen() {
-        return block.isOpen();
+        return block != null;
     }
 
     /**
@@ -313,7 +307,7 @@ public final class MajicParser {
     /** At the end of the lines: refuses a block whose {@code end} is missing. Returns at once. */
     public void finish() {
         if (isBlockOpen()) {
-            refuse(takeBlock(), "", "the \"end\" of the last block is missing; nothing of it was run");
+            refuse(dropBlock(), "", "the \"end\" of the last block is missing; nothing of it was run");
         }
     }
 
@@ -342,7 +336,12 @@ public final class MajicParser {
      * @return false for anything else, such as the request of a web browser
      */
     public boolean isScript(String line) {
-        return read(line).isPresent();
+        try {
+            parse(line);
+            return true;
+        } catch (ScriptException e) {
+            return false;
+        }
     }
 
     /**
@@ -353,20 +352,22 @@ public final class MajicParser {
      * @return true if it must not wait
      */
     public boolean isStop(String line) {
-        return STOP.matcher(line).find()
-                && read(line)
-                        .map(piece -> piece instanceof Piece.Plain plain && dispatcher.isStop(plain.statement()))
-                        .orElse(true);
+        try {
+            return STOP.matcher(line).find()
+                    && parse(line).filter(dispatcher::isStop).isPresent();
+        } catch (ScriptException e) {
+            return true;
+        }
     }
 
-    private Optional<Piece> read(String line) {
-        try {
-            Parser parser = parser(line);
-            Piece piece = parser.piece();
-            return parser.mistakes().isEmpty() ? Optional.of(piece) : Optional.empty();
-        } catch (ScriptException e) {
+    /** Parses a line; empty for a blank one and for one that belongs to a block. */
+    private Optional<Statement> parse(String line) {
+        LineParser parser = new LineParser(line, robotTypes);
+        if (parser.isBlockLine()) {
+            ScriptParser.blockLine(line);
             return Optional.empty();
         }
+        return parser.isBlank() ? Optional.empty() : Optional.of(parser.line());
     }
 
     /**

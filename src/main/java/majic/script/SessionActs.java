@@ -27,7 +27,6 @@ import majic.script.run.RobotCheck;
 import majic.script.run.SessionState;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
-import majic.script.syntax.ScriptException;
 import majic.team.Member;
 import majic.team.QueuedCommand;
 import majic.time.Signal;
@@ -71,7 +70,7 @@ final class SessionActs implements ActRunner {
 
     @Override
     public void check(Command.Act act, RobotCheck check, Actions actions) {
-        ScriptException.placed(act.name().at(), () -> {
+        act.name().at().check(() -> {
             Found found = find(act.name());
             Map<String, List<Member>> robots =
                     assign(act, found, check.robot(), check.selection().members(act.others()));

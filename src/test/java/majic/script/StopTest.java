@@ -156,7 +156,7 @@ class StopTest {
     void isTakenAsSuchWhateverBreaksDown() {
         desk.prompt.parseText("1 move 3m");
         desk.aibo.breakDown();
-        assertThat(desk.prompt.parseText("1 stop")).get().asString().startsWith("taken as STOP: an error in MAJIC");
+        assertThat(desk.prompt.parseText("aibo stop")).get().asString().startsWith("taken as STOP: an error in MAJIC");
         assertThat(desk.team.isLatched()).isTrue();
     }
 }

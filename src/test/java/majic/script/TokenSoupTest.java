@@ -2,14 +2,14 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import majic.script.syntax.Mistake;
-import majic.script.syntax.Parser;
-import majic.script.syntax.Scanner;
+import majic.script.syntax.ScriptParser;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -138,8 +138,8 @@ class TokenSoupTest {
     }
 
     private static List<Mistake> mistakesIn(String text) {
-        Parser parser = new Parser(Scanner.scan(text), List.of("aibo"));
-        parser.script();
-        return parser.mistakes();
+        List<Mistake> mistakes = new ArrayList<>();
+        ScriptParser.parse(text, List.of("aibo"), mistakes);
+        return mistakes;
     }
 }

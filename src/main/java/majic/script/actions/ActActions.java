@@ -1,7 +1,5 @@
 package majic.script.actions;
 
-import static majic.script.syntax.ScriptException.placed;
-
 import java.util.List;
 import majic.bot.BotException;
 import majic.script.run.ActRunner;
@@ -104,7 +102,7 @@ final class ActActions {
 
         @Override
         public void check(SessionCheck check) {
-            placed(trust.act().at(), () -> acts.checkNamed(trust.act().unquoted()));
+            trust.act().at().check(() -> acts.checkNamed(trust.act().unquoted()));
         }
 
         @Override
@@ -130,7 +128,7 @@ final class ActActions {
 
         @Override
         public void check(SessionCheck check) {
-            placed(fileOrHash.at(), () -> acts.checkHash(fileOrHash.unquoted()));
+            fileOrHash.at().check(() -> acts.checkHash(fileOrHash.unquoted()));
         }
 
         @Override

@@ -1,7 +1,5 @@
 package majic.script.actions;
 
-import static majic.script.syntax.ScriptException.placed;
-
 import java.util.List;
 import majic.bot.BotControl;
 import majic.bot.Checks;
@@ -62,7 +60,7 @@ final class MotionActions {
         public void check(RobotCheck check) {
             checkUntil(check);
             if (!check.limitMayChange()) {
-                placed(distance.at(), () -> Checks.move(check.bot(), number(distance)));
+                distance.at().check(() -> Checks.move(check.bot(), number(distance)));
             }
         }
 
@@ -82,7 +80,7 @@ final class MotionActions {
 
         @Override
         public void check(RobotCheck check) {
-            placed(angle.at(), () -> Checks.turn(number(angle)));
+            angle.at().check(() -> Checks.turn(number(angle)));
             checkUntil(check);
         }
 
@@ -109,9 +107,9 @@ final class MotionActions {
         @Override
         public void check(RobotCheck check) {
             double seconds = drive.seconds().orElse(DRIVE_S);
-            placed(
-                    drive.speed().at(),
-                    () -> Checks.drive(check.bot(), number(drive.speed()), number(drive.rate()), seconds));
+            drive.speed()
+                    .at()
+                    .check(() -> Checks.drive(check.bot(), number(drive.speed()), number(drive.rate()), seconds));
             checkUntil(check);
         }
 

@@ -1,7 +1,5 @@
 package majic.script.actions;
 
-import static majic.script.syntax.ScriptException.placed;
-
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
@@ -90,7 +88,7 @@ final class ParameterActions {
             if (!check.parameter(parameter).writable()) {
                 throw new ScriptException(parameter, parameter.text() + ": can be read but not set");
             }
-            placed(literals.get(0).at(), () -> check.bot().checkSet(parameter.text(), values(literals)));
+            literals.get(0).at().check(() -> check.bot().checkSet(parameter.text(), values(literals)));
         }
 
         @Override
@@ -190,7 +188,7 @@ final class ParameterActions {
                 throw new ScriptException(word, Help.noSuchCommand(word.text(), check.bot()));
             }
             Token place = arguments.isEmpty() ? word : arguments.get(0).at();
-            placed(place, () -> Checks.run(check.bot(), word.text(), values(arguments)));
+            place.check(() -> Checks.run(check.bot(), word.text(), values(arguments)));
         }
 
         @Override
@@ -220,7 +218,7 @@ final class ParameterActions {
 
     private static List<String> names(List<Token> parameters, MajicBot bot) {
         return parameters.stream()
-                .map(name -> placed(name, () -> bot.parameter(name.text()).name()))
+                .map(name -> name.resolve(() -> bot.parameter(name.text()).name()))
                 .toList();
     }
 }

@@ -1,7 +1,5 @@
 package majic.script.actions;
 
-import static majic.script.syntax.ScriptException.placed;
-
 import java.util.List;
 import java.util.Locale;
 import majic.bot.BotAddress;
@@ -39,7 +37,7 @@ final class TeamActions {
         @Override
         public void check(SessionCheck check) {
             checkAddress(add.address(), factory);
-            placed(add.address().at(), () -> connector.checkRoom(add.address().unquoted(), add.number()));
+            add.address().at().check(() -> connector.checkRoom(add.address().unquoted(), add.number()));
         }
 
         @Override
@@ -178,7 +176,7 @@ final class TeamActions {
     }
 
     private static void checkAddress(Literal literal, BotFactory factory) {
-        placed(literal.at(), () -> {
+        literal.at().check(() -> {
             BotAddress address = BotAddress.parse(literal.unquoted());
             if (!address.scheme().equals(BotAddress.SIMULATED)) {
                 factory.type(address.scheme());

@@ -12,7 +12,7 @@ import majic.script.run.Checker;
 import majic.script.syntax.Command;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.ScriptText;
+import majic.script.syntax.ScriptParser;
 import majic.script.syntax.SessionCommand;
 import majic.script.syntax.Statement;
 import majic.team.Member;
@@ -40,7 +40,7 @@ public final class Behaviour {
      */
     public static Behaviour of(String title, String text) {
         List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = ScriptText.parse(text, List.of(), mistakes);
+        List<Statement> script = ScriptParser.parse(text, List.of(), mistakes);
         BehaviourInspection found = new BehaviourInspection();
         found.walk(script);
         mistakes.addAll(found.mistakes());

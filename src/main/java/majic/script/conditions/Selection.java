@@ -100,7 +100,7 @@ public final class Selection {
     }
 
     private Member member(Token at, int number) {
-        return ScriptException.placed(at, () -> byNumber.apply(number));
+        return at.resolve(() -> byNumber.apply(number));
     }
 
     private static boolean isChosen(Robots.Item item, Member member) {

@@ -10,13 +10,12 @@ import java.util.stream.Stream;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
 import majic.bot.Parameter;
-import majic.script.syntax.CommandParser;
 import majic.script.syntax.Cursor;
-import majic.script.syntax.Parser;
+import majic.script.syntax.LineParser;
 import majic.script.syntax.Robots;
-import majic.script.syntax.RobotsParser;
 import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
+import majic.script.syntax.ScriptParser;
 import majic.script.syntax.SessionParser;
 import majic.script.syntax.Token;
 import majic.team.BotFactory;
@@ -81,12 +80,12 @@ public final class Completion {
 
     private static boolean isSession(Token first) {
         String word = first.text().toLowerCase(Locale.ROOT);
-        return SessionParser.WORDS.contains(word) || Parser.BLOCK_WORDS.contains(word);
+        return SessionParser.WORDS.contains(word) || ScriptParser.BLOCK_WORDS.contains(word);
     }
 
     private Collection<String> firstWords() {
         List<String> words = new ArrayList<>(SessionParser.WORDS);
-        words.addAll(Parser.BLOCK_WORDS);
+        words.addAll(ScriptParser.BLOCK_WORDS);
         words.addAll(robotWords());
         return words;
     }
@@ -135,14 +134,14 @@ public final class Completion {
         Token last = tokens.get(tokens.size() - 1);
         tokens.add(new Token(Token.Kind.END, "", last.line(), last.end(), last.end()));
         try {
-            return selection.apply(new RobotsParser(new Cursor(tokens)).robots());
+            return selection.apply(Robots.parse(new Cursor(tokens)));
         } catch (ScriptException e) {
             return List.of();
         }
     }
 
     private static Collection<String> commandWords(List<Member> members) {
-        List<String> words = new ArrayList<>(CommandParser.WORDS);
+        List<String> words = new ArrayList<>(LineParser.COMMAND_WORDS);
         members.forEach(member -> words.addAll(
                 member.bot().commands().stream().map(BotCommand::name).toList()));
         return words;

@@ -15,7 +15,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
 import majic.bot.Range;
 import majic.bot.Unit;
-import majic.script.syntax.CommandParser;
+import majic.script.syntax.LineParser;
 import majic.script.syntax.Token;
 import majic.team.BotFactory;
 import majic.team.Member;
@@ -168,7 +168,7 @@ public final class Help {
         if (bot.parameters().stream().anyMatch(parameter -> parameter.name().equalsIgnoreCase(word))) {
             return word + ": a parameter; read it with get, or change it with set";
         }
-        List<String> words = new ArrayList<>(CommandParser.WORDS);
+        List<String> words = new ArrayList<>(LineParser.COMMAND_WORDS);
         words.addAll(bot.commands().stream().map(BotCommand::name).toList());
         return word + ": " + bot.name() + " has no such command" + Suggestion.didYouMean(word, words);
     }

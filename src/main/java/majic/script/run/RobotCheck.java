@@ -1,14 +1,12 @@
 package majic.script.run;
 
-import static majic.script.syntax.ScriptException.placed;
-
 import java.util.Locale;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.script.conditions.Comparisons;
 import majic.script.conditions.Selection;
-import majic.script.syntax.CommandParser;
 import majic.script.syntax.Condition;
+import majic.script.syntax.LineParser;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
 import majic.team.Member;
@@ -39,7 +37,7 @@ public record RobotCheck(Selection selection, Member robot, boolean limitMayChan
     }
 
     public Parameter parameter(Token name) {
-        return placed(name, () -> bot().parameter(name.text()));
+        return name.resolve(() -> bot().parameter(name.text()));
     }
 
     public void readable(Token name) {
@@ -50,7 +48,7 @@ public record RobotCheck(Selection selection, Member robot, boolean limitMayChan
 
     /** Whether the robot has a command of that name. */
     public boolean isCommand(String word) {
-        return CommandParser.WORDS.contains(word.toLowerCase(Locale.ROOT))
+        return LineParser.COMMAND_WORDS.contains(word.toLowerCase(Locale.ROOT))
                 || bot().commands().stream().anyMatch(own -> own.name().equalsIgnoreCase(word));
     }
 }

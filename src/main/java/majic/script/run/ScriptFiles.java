@@ -13,7 +13,7 @@ import majic.bot.BotType;
 import majic.log.Line;
 import majic.script.record.SessionRecord;
 import majic.script.syntax.Mistake;
-import majic.script.syntax.ScriptText;
+import majic.script.syntax.ScriptParser;
 import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.BotFactory;
@@ -54,7 +54,7 @@ public record ScriptFiles(BotFactory factory, Actions actions) {
     /** Parses and checks a script; throws {@link ExecutionEnded} if it has mistakes, after all were reported. */
     private List<Statement> checked(String file, String text, Execution execution) {
         List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = ScriptText.parse(
+        List<Statement> script = ScriptParser.parse(
                 text, factory.types().stream().map(BotType::name).toList(), mistakes);
         mistakes.addAll(Checker.check(script, actions, execution.selection()));
         Mistake.inOrder(mistakes, file).forEach(mistake -> execution.send(Line.Kind.ERROR, mistake));

@@ -11,12 +11,10 @@ final class ConditionParser {
     private static final int DEEPEST = 100;
 
     private final Cursor at;
-    private final RobotsParser robots;
     private int depth;
 
     ConditionParser(Cursor at) {
         this.at = at;
-        this.robots = new RobotsParser(at);
     }
 
     /** {@code condition = conjunction { "or" conjunction } ;} */
@@ -73,7 +71,7 @@ final class ConditionParser {
         boolean parameterFirst = at.check(Kind.WORD)
                 && at.peekSecond().kind() != Kind.WORD
                 && at.peekSecond().kind() != Kind.COMMA;
-        return parameterFirst || at.peek().isEnd() ? null : robots.robots();
+        return parameterFirst || at.peek().isEnd() ? null : Robots.parse(at);
     }
 
     /** {@code operator = "<" | "<=" | ">" | ">=" | "==" | "!=" ;} */

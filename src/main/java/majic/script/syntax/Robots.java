@@ -1,10 +1,12 @@
 package majic.script.syntax;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import majic.script.syntax.Token.Kind;
 
 /**
- * The robots a command or a condition speaks of.
+ * The robots that a command or a condition names.
  *
  * @param at where they are named
  * @param items one or more
@@ -32,6 +34,43 @@ public record Robots(Token at, List<Item> items) {
 
     /** The robot a behaviour was given. */
     public record Me(Token at) implements Item {}
+
+    /** Parses the names of robots: {@code robots = robot { "," robot } ;}. */
+    public static Robots parse(Cursor at) {
+        Token first = at.peek();
+        List<Item> items = new ArrayList<>();
+        do {
+            items.add(robot(at));
+        } while (at.match(Kind.COMMA));
+        return new Robots(first, items);
+    }
+
+    /** {@code robot = NUMBER | SPAN | "all" | "me" | TYPE ;} */
+    private static Item robot(Cursor at) {
+        Token token = at.peek();
+        return switch (token.kind()) {
+            case NUMBER -> new One(token, at.count("a robot's number"));
+            case SPAN -> span(at.advance());
+            case WORD -> named(at.advance());
+            default -> throw at.unexpected("a robot (a number, a range, a type, all)");
+        };
+    }
+
+    private static Item span(Token token) {
+        String[] ends = token.text().split("-");
+        try {
+            return new Span(token, Integer.parseInt(ends[0]), Integer.parseInt(ends[1]));
+        } catch (NumberFormatException e) {
+            throw new ScriptException(token, token.text() + ": robots have smaller numbers");
+        }
+    }
+
+    private static Item named(Token token) {
+        if (token.is("all")) {
+            return new All(token);
+        }
+        return token.is("me") ? new Me(token) : new OfType(token);
+    }
 
     public boolean isAny() {
         return items.get(0) instanceof Any;

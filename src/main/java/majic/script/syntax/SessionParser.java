@@ -18,10 +18,6 @@ public final class SessionParser {
         this.at = at;
     }
 
-    boolean begins() {
-        return at.check(Kind.WORD) && WORDS.contains(at.peek().text().toLowerCase(Locale.ROOT));
-    }
-
     /**
      * {@code sessionCommand = add | remove | probe | run | save | trust | help | stop | wait | "acts" | "bots" |
      * "release" | "lab" | "quit" ;}
@@ -30,7 +26,7 @@ public final class SessionParser {
         Token word = at.advance();
         return switch (word.text().toLowerCase(Locale.ROOT)) {
             case "add" -> add();
-            case "remove" -> new SessionCommand.Remove(new RobotsParser(at).robots());
+            case "remove" -> new SessionCommand.Remove(Robots.parse(at));
             case "probe" -> new SessionCommand.Probe(address());
             case "run" -> new SessionCommand.Run(file());
             case "save" -> save();

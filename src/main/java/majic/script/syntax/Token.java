@@ -1,5 +1,10 @@
 package majic.script.syntax;
 
+import java.util.Collection;
+import java.util.Locale;
+import java.util.function.Supplier;
+import majic.bot.BotException;
+
 /**
  * The smallest piece of a script, with its place. Immutable.
  *
@@ -40,6 +45,11 @@ public record Token(Kind kind, String text, int line, int column, int end) {
         return kind == Kind.WORD && text.equalsIgnoreCase(word);
     }
 
+    /** Whether it is one of some words, which are in lower case. */
+    public boolean isOneOf(Collection<String> words) {
+        return kind == Kind.WORD && words.contains(text.toLowerCase(Locale.ROOT));
+    }
+
     public boolean isEnd() {
         return kind == Kind.NEWLINE || kind == Kind.END;
     }
@@ -47,6 +57,27 @@ public record Token(Kind kind, String text, int line, int column, int end) {
     /** Whether another token follows this one with nothing between them. */
     boolean touches(Token next) {
         return next.line == line && next.column == end && !next.isEnd();
+    }
+
+    /**
+     * Runs a check of what stands here.
+     *
+     * @throws ScriptException with the message of the check, placed here, if the check throws a {@link BotException}
+     */
+    public void check(Runnable check) {
+        resolve(() -> {
+            check.run();
+            return true;
+        });
+    }
+
+    /** Looks up what stands here; throws as {@link #check} does. */
+    public <T> T resolve(Supplier<T> lookup) {
+        try {
+            return lookup.get();
+        } catch (BotException e) {
+            throw new ScriptException(this, String.valueOf(e.getMessage()));
+        }
     }
 
     /** As it was written, quotes included. */

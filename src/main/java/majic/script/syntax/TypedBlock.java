@@ -4,26 +4,39 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 
-/** A block that is being typed line by line. Used by one thread at a time. */
+/** A block that is being typed line by line, with the blocks in it. Used by one thread at a time. */
 public final class TypedBlock {
     private final List<String> lines = new ArrayList<>();
     private final Deque<Boolean> mayHaveElse = new ArrayDeque<>();
 
+    /** Whether the block waits for its {@code end}. */
     public boolean isOpen() {
         return !mayHaveElse.isEmpty();
     }
 
-    /** Takes a line in; throws a {@link ScriptException} if it does not belong there. */
-    public void add(Piece piece, String text) {
-        if (piece instanceof Piece.Open open) {
-            mayHaveElse.push(open.head() instanceof Statement.If);
-        } else if (piece instanceof Piece.Otherwise) {
-            otherwise(piece.at());
-        } else if (piece instanceof Piece.Close) {
-            close(piece.at());
+    /** Adds a line with a command. */
+    public void add(String line) {
+        lines.add(line);
+    }
+
+    /**
+     * Adds a line that begins a block, continues it with {@code else}, or ends it.
+     *
+     * @param head the head of a block; empty for {@code else} and {@code end}
+     * @throws ScriptException if an {@code else} or {@code end} does not belong here; nothing was added
+     */
+    public void add(String line, Optional<Statement> head) {
+        Token word = Scanner.scan(line).get(0);
+        if (head.isPresent()) {
+            mayHaveElse.push(head.get() instanceof Statement.If);
+        } else if (word.is("else")) {
+            otherwise(word);
+        } else {
+            close(word);
         }
-        lines.add(text);
+        lines.add(line);
     }
 
     private void otherwise(Token at) {
@@ -41,11 +54,8 @@ public final class TypedBlock {
         mayHaveElse.pop();
     }
 
-    /** All lines of the block; it is empty afterwards. */
-    public String take() {
-        String text = String.join("\n", lines);
-        lines.clear();
-        mayHaveElse.clear();
-        return text;
+    /** All lines of the block, also if it is still open. */
+    public String text() {
+        return String.join("\n", lines);
     }
 }

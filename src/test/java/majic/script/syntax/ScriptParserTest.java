@@ -3,6 +3,7 @@ package majic.script.syntax;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -11,13 +12,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** From text to tree. */
-class ParserTest {
+class ScriptParserTest {
     private static final List<String> TYPES = List.of("aibo", "pioneer");
 
     private static List<Statement> parse(String text) {
-        Parser parser = new Parser(Scanner.scan(text), TYPES);
-        List<Statement> script = parser.script();
-        assertThat(parser.mistakes()).isEmpty();
+        List<Mistake> mistakes = new ArrayList<>();
+        List<Statement> script = ScriptParser.parse(text, TYPES, mistakes);
+        assertThat(mistakes).isEmpty();
         return script;
     }
 
@@ -106,9 +107,9 @@ class ParserTest {
 
     @Test
     void afterAMistakeItGoesOnWithTheNextLine() {
-        Parser parser = new Parser(Scanner.scan("1 move\nrepeat x\n  2 trun(\nend\nend\n3.turn()\nwhile\nend"), TYPES);
-        parser.script();
-        assertThat(parser.mistakes())
+        List<Mistake> mistakes = new ArrayList<>();
+        ScriptParser.parse("1 move\nrepeat x\n  2 trun(\nend\nend\n3.turn()\nwhile\nend", TYPES, mistakes);
+        assertThat(mistakes)
                 .extracting(mistake -> mistake.line() + ":" + mistake.column())
                 .containsExactly("1:7", "2:8", "5:1", "6:8", "7:6");
     }

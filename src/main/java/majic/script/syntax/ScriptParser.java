@@ -3,55 +3,53 @@ package majic.script.syntax;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.TreeSet;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import majic.script.syntax.Token.Kind;
-import majic.text.Suggestion;
 
 /**
- * Makes a tree out of tokens: scripts, blocks and lines. After a mistake it goes on with the next line, so that all are
- * found together.
+ * Parses scripts: lines and blocks of lines. After a mistake it continues with the next line, so that all mistakes are
+ * found in one run.
  */
-public final class Parser {
+public final class ScriptParser {
     /** Words that begin blocks or end them. */
     public static final List<String> BLOCK_WORDS = List.of("else", "end", "if", "repeat", "while");
 
+    private static final Pattern LINE_BREAK = Pattern.compile("\\R");
     private static final int DEEPEST = 50;
 
     private final Cursor at;
-    private final Collection<String> types;
-    private final List<Mistake> mistakes = new ArrayList<>();
-    private final ConditionParser conditions;
-    private final SessionParser session;
-    private final RobotsParser robots;
-    private final CommandParser commands;
+    private final LineParser lines;
+    private final List<Mistake> mistakes;
     private int depth;
 
+    private ScriptParser(String text, Collection<String> types, List<Mistake> mistakes) {
+        this.at = new Cursor(Scanner.scan(text));
+        this.lines = new LineParser(at, types);
+        this.mistakes = mistakes;
+    }
+
     /**
-     * A parser for one text.
+     * Parses a script; checks nothing that depends on robots.
      *
-     * @param tokens all of it
-     * @param types the words for types of robots
+     * @param types the words that stand for all robots of a type
+     * @param mistakes receives what is wrong, in the order of the text
      */
-    public Parser(List<Token> tokens, Collection<String> types) {
-        this.at = new Cursor(tokens);
-        this.types = types;
-        this.conditions = new ConditionParser(at);
-        this.session = new SessionParser(at);
-        this.robots = new RobotsParser(at);
-        this.commands = new CommandParser(at);
+    public static List<Statement> parse(String text, Collection<String> types, List<Mistake> mistakes) {
+        String[] lines = LINE_BREAK.split(text, -1);
+        for (int index = 0; index < lines.length; index++) {
+            if (lines[index].length() > LineParser.LONGEST_LINE) {
+                mistakes.add(new Mistake(index + 1, 1, LineParser.TOO_LONG));
+                return List.of();
+            }
+        }
+        return new ScriptParser(text, types, mistakes).script();
     }
 
-    /** What was found wrong so far, in the order of the text. */
-    public List<Mistake> mistakes() {
-        return mistakes;
-    }
-
-    /** Reads a whole script: {@code script = lines ;}. */
-    public List<Statement> script() {
+    /** {@code script = lines ;} */
+    private List<Statement> script() {
         List<Statement> statements = new ArrayList<>(lines());
         while (!at.check(Kind.END)) {
             Token stray = at.peek();
@@ -62,7 +60,7 @@ public final class Parser {
         return statements;
     }
 
-    /** {@code lines = { [ statement ] NEWLINE } ;} up to what ends a block. */
+    /** {@code lines = { [ statement ] NEWLINE } ;} up to the end of the block or the script. */
     private List<Statement> lines() {
         List<Statement> statements = new ArrayList<>();
         while (!at.check(Kind.END) && !at.check("end") && !at.check("else")) {
@@ -86,7 +84,7 @@ public final class Parser {
         if (at.check("while")) {
             return nested(this::whileLoop);
         }
-        return at.check("if") ? nested(this::choice) : line();
+        return at.check("if") ? nested(this::choice) : lines.line();
     }
 
     private Statement nested(Supplier<Statement> block) {
@@ -152,14 +150,14 @@ public final class Parser {
         return head(() -> Optional.of(asked()), Optional.empty());
     }
 
-    /** Stands for a block whose head could not be read, so that its body can still be checked; it is never run. */
+    /** Stands for a block whose head could not be parsed, so that its body can still be checked; it is never run. */
     private static Statement once(Token word, List<Statement> body) {
         return new Statement.Repeat(word, OptionalInt.of(1), body);
     }
 
     private Condition asked() {
-        Token word = at.advance();
-        Condition condition = conditions.condition();
+        at.advance();
+        Condition condition = new ConditionParser(at).condition();
         at.endOfLine();
         return condition;
     }
@@ -191,7 +189,7 @@ public final class Parser {
                 false);
     }
 
-    /** The head of a block; when it is wrong its body is still looked at. */
+    /** Parses the head of a block; after a mistake in it the body is parsed as well. */
     private <T> T head(Supplier<T> rule, T instead) {
         try {
             return rule.get();
@@ -202,68 +200,30 @@ public final class Parser {
         }
     }
 
-    /** {@code line = sessionCommand | robots ( command | call ) ;} */
-    private Statement line() {
-        Token first = at.peek();
-        Statement statement =
-                session.begins() ? new Statement.ForSession(first, session.sessionCommand()) : forRobots(first);
+    /**
+     * Parses a line that begins a block, continues it with {@code else}, or ends it, without the rest of the block.
+     *
+     * @param line begins with one of {@link #BLOCK_WORDS}
+     * @return the head of the block, without a body; empty for {@code else} and {@code end}
+     * @throws ScriptException if the line does not follow the grammar
+     */
+    public static Optional<Statement> blockLine(String line) {
+        return new ScriptParser(line, List.of(), List.of()).blockLine();
+    }
+
+    private Optional<Statement> blockLine() {
+        Token word = at.peek();
+        if (word.is("repeat")) {
+            return Optional.of(new Statement.Repeat(word, times(), List.of()));
+        }
+        if (word.is("while")) {
+            return Optional.of(new Statement.While(word, asked(), List.of()));
+        }
+        if (word.is("if")) {
+            return Optional.of(new Statement.If(word, asked(), List.of(), List.of()));
+        }
+        at.advance();
         at.endOfLine();
-        return statement;
-    }
-
-    private Statement forRobots(Token first) {
-        requireRobots(first);
-        Robots who = robots.robots();
-        Command command = at.check(Kind.DOT) ? commands.call() : commands.command();
-        return who.isAll() && command instanceof Command.Stop
-                ? new Statement.ForSession(first, new SessionCommand.StopAll())
-                : new Statement.ForRobots(first, who, command);
-    }
-
-    /** A word that cannot be a robot gets a better message than that a command is missing behind it. */
-    private void requireRobots(Token first) {
-        if (first.kind() != Kind.WORD) {
-            return;
-        }
-        String word = first.text().toLowerCase(Locale.ROOT);
-        if (CommandParser.WORDS.contains(word)) {
-            throw new ScriptException(
-                    first, first.text() + ": which robot? Write its number in front, as in \"1 " + word + "\"");
-        }
-        if (!word.equals("all") && !word.equals("me") && !types.contains(word)) {
-            throw new ScriptException(
-                    first, first.text() + ": no such command" + Suggestion.didYouMean(first.text(), firstWords()));
-        }
-    }
-
-    private Collection<String> firstWords() {
-        Collection<String> words = new TreeSet<>(SessionParser.WORDS);
-        words.addAll(BLOCK_WORDS);
-        words.addAll(types);
-        words.add("all");
-        return words;
-    }
-
-    /** One line of a block that is still being typed. */
-    public Piece piece() {
-        Token first = at.peek();
-        try {
-            return switch (first.kind() == Kind.WORD ? first.text().toLowerCase(Locale.ROOT) : "") {
-                case "repeat" -> new Piece.Open(first, new Statement.Repeat(first, times(), List.of()));
-                case "while" -> new Piece.Open(first, new Statement.While(first, asked(), List.of()));
-                case "if" -> new Piece.Open(first, new Statement.If(first, asked(), List.of(), List.of()));
-                case "else" -> only(new Piece.Otherwise(at.advance()));
-                case "end" -> only(new Piece.Close(at.advance()));
-                default -> first.isEnd() ? new Piece.Nothing(first) : new Piece.Plain(first, line());
-            };
-        } catch (ScriptException e) {
-            mistakes.add(e.mistake());
-            return new Piece.Nothing(first);
-        }
-    }
-
-    private Piece only(Piece piece) {
-        at.endOfLine();
-        return piece;
+        return Optional.empty();
     }
 }

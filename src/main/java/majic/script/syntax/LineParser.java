@@ -1,30 +1,105 @@
 package majic.script.syntax;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.TreeSet;
 import majic.script.syntax.Token.Kind;
+import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
-/** The rules for what comes behind a robot, in both forms: {@code move 500} and {@code .move(500)}. */
-public final class CommandParser {
+/**
+ * Parses one line: a command for robots, as {@code 1 move 500} or {@code 1.move(500)}, or a command for the session. Its
+ * methods throw a {@link ScriptException} where the line does not follow the grammar.
+ */
+public final class LineParser {
     /** The words of the commands that every robot has. */
-    public static final List<String> WORDS =
+    public static final List<String> COMMAND_WORDS =
             List.of("act", "drive", "get", "help", "log", "move", "set", "stop", "turn", "wait");
 
+    /** The maximum length of a line, in characters. */
+    public static final int LONGEST_LINE = 4000;
+
+    /** The message for a longer line. */
+    public static final String TOO_LONG = "the line is longer than " + LONGEST_LINE + " characters";
+
     private final Cursor at;
-    private final ConditionParser conditions;
+    private final Collection<String> types;
     private boolean inCall;
 
-    CommandParser(Cursor at) {
+    /**
+     * A parser for one line.
+     *
+     * @param line the line
+     * @param types the words that stand for all robots of a type
+     */
+    public LineParser(String line, Collection<String> types) {
+        this(new Cursor(Scanner.scan(line)), types);
+    }
+
+    /** A parser for lines of a script; each starts where the cursor is. */
+    LineParser(Cursor at, Collection<String> types) {
         this.at = at;
-        this.conditions = new ConditionParser(at);
+        this.types = types;
+    }
+
+    /** Whether there is nothing but blanks and a comment. */
+    public boolean isBlank() {
+        return at.peek().isEnd();
+    }
+
+    /** Whether the line begins a block, continues it with {@code else}, or ends it. */
+    public boolean isBlockLine() {
+        return at.peek().isOneOf(ScriptParser.BLOCK_WORDS);
+    }
+
+    /** Parses the line: {@code line = sessionCommand | robots ( command | call ) ;}. */
+    public Statement line() {
+        Token first = at.peek();
+        Statement statement = first.isOneOf(SessionParser.WORDS)
+                ? new Statement.ForSession(first, new SessionParser(at).sessionCommand())
+                : forRobots(first);
+        at.endOfLine();
+        return statement;
+    }
+
+    private Statement forRobots(Token first) {
+        requireRobots(first);
+        Robots robots = Robots.parse(at);
+        Command command = at.match(Kind.DOT) ? call() : command();
+        return robots.isAll() && command instanceof Command.Stop
+                ? new Statement.ForSession(first, new SessionCommand.StopAll())
+                : new Statement.ForRobots(first, robots, command);
+    }
+
+    /** A word that cannot be a robot gets a better message than that a command is missing behind it. */
+    private void requireRobots(Token first) {
+        if (first.kind() != Kind.WORD) {
+            return;
+        }
+        String word = first.text().toLowerCase(Locale.ROOT);
+        if (COMMAND_WORDS.contains(word)) {
+            throw new ScriptException(
+                    first, first.text() + ": which robot? Write its number in front, as in \"1 " + word + "\"");
+        }
+        if (!word.equals("all") && !word.equals("me") && !types.contains(word)) {
+            throw new ScriptException(
+                    first, first.text() + ": no such command" + Suggestion.didYouMean(first.text(), firstWords()));
+        }
+    }
+
+    private Collection<String> firstWords() {
+        Collection<String> words = new TreeSet<>(SessionParser.WORDS);
+        words.addAll(ScriptParser.BLOCK_WORDS);
+        words.addAll(types);
+        words.add("all");
+        return words;
     }
 
     /** {@code call = "." WORD "(" arguments ")" ;} with the arguments of that command. */
-    Command call() {
-        at.advance();
+    private Command call() {
         Token word = at.consume(Kind.WORD, "a command");
         at.consume(Kind.LEFT, "\"(\"");
         inCall = true;
@@ -35,7 +110,7 @@ public final class CommandParser {
     }
 
     /** {@code command = move | turn | drive | stop | get | set | log | act | wait | help | own ;} */
-    Command command() {
+    private Command command() {
         return arguments(at.consume(Kind.WORD, "a command"));
     }
 
@@ -80,7 +155,7 @@ public final class CommandParser {
     /** {@code until = "until" condition ;} */
     private @Nullable Condition until() {
         separator();
-        return at.match("until") ? conditions.condition() : null;
+        return at.match("until") ? new ConditionParser(at).condition() : null;
     }
 
     /** {@code get = "get" [ "now" ] parameters ;} */
@@ -127,7 +202,7 @@ public final class CommandParser {
             return new Command.ActOff(word);
         }
         Literal name = at.value("a behaviour's name", inCall);
-        return new Command.Act(word, name, at.match("with") ? new RobotsParser(at).robots() : null);
+        return new Command.Act(word, name, at.match("with") ? Robots.parse(at) : null);
     }
 
     /** {@code help = "help" [ PARAMETER ] ;} */
