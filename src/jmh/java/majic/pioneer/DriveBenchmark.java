@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import majic.StandingRobot;
 import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.arcos.Packet;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -63,8 +64,9 @@ public class DriveBenchmark {
         rate = direct(ArcosCommand.RVEL.packet(-15));
     }
 
-    private static ByteBuffer direct(byte[] packet) {
-        return ByteBuffer.allocateDirect(packet.length).put(packet);
+    private static ByteBuffer direct(Packet packet) {
+        byte[] bytes = packet.bytes();
+        return ByteBuffer.allocateDirect(bytes.length).put(bytes);
     }
 
     /** Pauses; not measured. */

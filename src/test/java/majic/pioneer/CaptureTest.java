@@ -53,7 +53,9 @@ class CaptureTest {
             byte[] data = packet.data();
             if (data.length == 3) {
                 int magnitude = data[1] & 0xFF | (data[2] & 0xFF) << 8;
-                byte[] ours = commands.get(packet.type()).packet(data[0] == 0x1B ? -magnitude : magnitude);
+                byte[] ours = commands.get(packet.type())
+                        .packet(data[0] == 0x1B ? -magnitude : magnitude)
+                        .bytes();
                 assertThat(Bytes.hex(ours)).isEqualTo(Bytes.hex(Bytes.wire(packet.type(), data)));
             }
         }

@@ -9,9 +9,6 @@ import java.util.function.Consumer;
  * no socket, thread or clock. For one thread, except {@link #counts}.
  */
 public final class FrameDecoder {
-    static final int HEADER_1 = 0xFA;
-    static final int HEADER_2 = 0xFB;
-
     /** Type and checksum. */
     private static final int SMALLEST_COUNT = 3;
 
@@ -76,7 +73,7 @@ public final class FrameDecoder {
     }
 
     private boolean mayBegin(int at) {
-        return (bytes[at] & 0xFF) == HEADER_1 && (at + 1 == filled || (bytes[at + 1] & 0xFF) == HEADER_2);
+        return (bytes[at] & 0xFF) == Packet.HEADER_1 && (at + 1 == filled || (bytes[at + 1] & 0xFF) == Packet.HEADER_2);
     }
 
     private boolean isWhole(int at) {
@@ -93,7 +90,7 @@ public final class FrameDecoder {
         }
         int sumAt = at + count + 1;
         int sum = (bytes[sumAt] & 0xFF) << 8 | bytes[sumAt + 1] & 0xFF;
-        return Checksum.of(bytes, at + 3, sumAt) == sum;
+        return Packet.checksum(bytes, at + 3, sumAt) == sum;
     }
 
     /** The counts so far; from any thread. */

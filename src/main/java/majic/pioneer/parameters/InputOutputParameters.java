@@ -10,6 +10,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.arcos.Packet;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Feed;
 
@@ -91,7 +92,7 @@ final class InputOutputParameters implements ParameterTheme<Equipment> {
     }
 
     private void put(int states, int mask) {
-        byte[] packet = ArcosCommand.DIGOUT.packet(states, mask);
+        Packet packet = ArcosCommand.DIGOUT.packet(states, mask);
         if (access.open().state().ports().digitalOut().isEmpty()) {
             access.send(packet);
             return;

@@ -10,6 +10,7 @@ import majic.bot.Value;
 import majic.driver.AssumedSetting;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.ConfigField;
+import majic.pioneer.arcos.Packet;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.Feed;
@@ -103,7 +104,7 @@ public final class PioneerAccess {
      * @throws BotException if no SIP shows it in time
      * @throws LinkLost if the connection is gone
      */
-    void sendAndConfirm(byte[] packet, Predicate<PioneerState> done, String complaint) {
+    void sendAndConfirm(Packet packet, Predicate<PioneerState> done, String complaint) {
         PioneerSession open = open();
         open.send(packet);
         if (WaitPolicy.isAllowed() && !open.reported().await(done, CONFIRM_S)) {
@@ -122,14 +123,14 @@ public final class PioneerAccess {
     }
 
     /** Sends a setting that the robot does not report. */
-    void send(AssumedSetting setting, byte[] packet, Value value) {
+    void send(AssumedSetting setting, Packet packet, Value value) {
         PioneerSession open = open();
         open.send(packet);
         setting.sent(open, value);
     }
 
     /** Sends a command without a visible effect. */
-    void send(byte[] packet) {
+    void send(Packet packet) {
         open().send(packet);
     }
 }

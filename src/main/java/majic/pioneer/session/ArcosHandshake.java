@@ -3,7 +3,6 @@ package majic.pioneer.session;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.pioneer.arcos.ArcosCommand;
-import majic.pioneer.arcos.FrameEncoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.time.TimeSource;
@@ -98,7 +97,7 @@ public final class ArcosHandshake {
         long started = time.nanos();
         int step = 0;
         while (time.secondsSince(started) < limitS) {
-            line.send(FrameEncoder.bare(step));
+            line.send(Packet.bare(step));
             Packet answer = inbox.next(ANSWER_S);
             if (answer != null && answer.type() == LAST_SYNC && step == LAST_SYNC) {
                 return PioneerIdentity.decode(answer);

@@ -3,7 +3,6 @@ package majic.pioneer.session;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.util.HexFormat;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
@@ -102,12 +101,12 @@ public final class ArcosLine {
      *
      * @throws LinkLost if the line has ended, a write takes longer than 1 s, or the computer was suspended since the last one
      */
-    void send(byte[]... packets) {
-        for (byte[] packet : packets) {
+    void send(Packet... packets) {
+        for (Packet packet : packets) {
             refuseAfterSuspend();
-            LOG.log(Level.TRACE, () -> "> " + HexFormat.of().formatHex(packet));
+            LOG.log(Level.TRACE, () -> "> " + packet);
             try {
-                link.write(packet);
+                link.write(packet.bytes());
             } catch (IOException e) {
                 throw new LinkLost("connection lost: " + e.getMessage(), e);
             }
@@ -125,7 +124,7 @@ public final class ArcosLine {
     }
 
     /** Sends packets; throws nothing if the line has ended. */
-    void sendIfPossible(byte[]... packets) {
+    void sendIfPossible(Packet... packets) {
         try {
             send(packets);
         } catch (LinkLost e) {

@@ -193,7 +193,7 @@ public final class PioneerSession implements ArcosLine.Listener {
      *
      * @throws LinkLost if the line has ended or a write takes longer than 1 s
      */
-    public void send(byte[]... packets) {
+    public void send(Packet... packets) {
         line.send(packets);
     }
 

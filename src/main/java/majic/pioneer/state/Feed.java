@@ -9,6 +9,7 @@ import majic.pioneer.arcos.GripperReport;
 import majic.pioneer.arcos.Gyro;
 import majic.pioneer.arcos.InputsOutputs;
 import majic.pioneer.arcos.Joystick;
+import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.Report;
 import org.jspecify.annotations.Nullable;
 
@@ -40,12 +41,12 @@ public enum Feed {
     }
 
     /** The request for a report with every SIP. */
-    public byte[] stream() {
+    public Packet stream() {
         return request.packet(request.argument().most());
     }
 
     /** The request for a single report; the gyro has no single reports and streams. */
-    public byte[] once() {
+    public Packet once() {
         return request.packet(1);
     }
 

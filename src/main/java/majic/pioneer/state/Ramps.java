@@ -1,6 +1,7 @@
 package majic.pioneer.state;
 
 import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.arcos.Packet;
 
 /**
  * Highest speeds, accelerations and decelerations as they are sent to the robot (ARCOS sheet 6.1: SETV, SETA, SETRV,
@@ -81,8 +82,8 @@ public record Ramps(
     }
 
     /** The packets that set them in the robot. */
-    public byte[][] packets() {
-        return new byte[][] {
+    public Packet[] packets() {
+        return new Packet[] {
             ArcosCommand.SETV.packet(topSpeedMmPerSec),
             ArcosCommand.SETA.packet(acceleration),
             ArcosCommand.SETA.packet(-deceleration),

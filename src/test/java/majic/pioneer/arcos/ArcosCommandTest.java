@@ -32,10 +32,10 @@ class ArcosCommandTest {
                 Arguments.of("FA FB 03 07 00 07", ArcosCommand.SETO.packet()),
                 Arguments.of("FA FB 07 0F 2B 02 0A 48 11 7D", ArcosCommand.SAY.packet(new byte[] {10, 72})),
                 Arguments.of("FA FB 03 00 00 00", ArcosCommand.PULSE.packet()),
-                Arguments.of("FA FB 03 01 00 01", FrameEncoder.bare(1)),
+                Arguments.of("FA FB 03 01 00 01", Packet.bare(1)),
                 Arguments.of(
                         "FA FB 07 EE 2B 02 68 69 F0 FA",
-                        FrameEncoder.string(0xEE, "hi".getBytes(StandardCharsets.US_ASCII))));
+                        Packet.ofString(0xEE, "hi".getBytes(StandardCharsets.US_ASCII))));
     }
 
     static Stream<Arguments> sentByTheMakersClient() {
@@ -52,8 +52,8 @@ class ArcosCommandTest {
 
     @ParameterizedTest
     @MethodSource({"examplesOfTheSheet", "sentByTheMakersClient"})
-    void commandsAreBuiltAsTheSheetHasThem(String expected, byte[] packet) {
-        assertThat(Bytes.hex(packet)).isEqualTo(expected);
+    void commandsAreBuiltAsTheSheetHasThem(String expected, Packet packet) {
+        assertThat(Bytes.hex(packet.bytes())).isEqualTo(expected);
     }
 
     @Test
@@ -90,17 +90,18 @@ class ArcosCommandTest {
     @ParameterizedTest
     @EnumSource
     void theLargestArgumentOfEveryCommandFitsAPacket(ArcosCommand command) {
-        CommandArgument argument = command.argument();
-        byte[] packet = switch (argument.kind()) {
+        ArcosCommand.Argument argument = command.argument();
+        Packet packet = switch (argument.kind()) {
             case NONE -> command.packet();
             case INT -> command.packet(argument.most());
             case TWO_BYTES -> command.packet(argument.most(), argument.least());
             case STRING -> command.packet(new byte[argument.most()]);
         };
 
+        byte[] bytes = packet.bytes();
         List<Packet> found = new ArrayList<>();
-        new FrameDecoder().feed(packet, packet.length, found::add);
-        assertThat(packet).hasSizeLessThanOrEqualTo(200);
+        new FrameDecoder().feed(bytes, bytes.length, found::add);
+        assertThat(bytes).hasSizeLessThanOrEqualTo(200);
         assertThat(found).extracting(Packet::type).containsExactly(command.number());
     }
 

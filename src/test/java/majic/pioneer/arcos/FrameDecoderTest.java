@@ -42,7 +42,8 @@ class FrameDecoderTest {
 
     @Test
     void headersInsideDataAreData() {
-        String xIsMinus1030 = Bytes.hex(FrameEncoder.string(0x32, Bytes.of("FA FB 03 00 00 00")));
+        String xIsMinus1030 =
+                Bytes.hex(Packet.ofString(0x32, Bytes.of("FA FB 03 00 00 00")).bytes());
         feed(4, Bytes.joined(xIsMinus1030));
 
         assertThat(found).hasSize(1);
