@@ -12,6 +12,7 @@ import majic.link.Link;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
+import majic.time.SuspendDetector;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 

@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.time;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,27 +8,27 @@ import org.junit.jupiter.api.Test;
 class SuspendDetectorTest {
     private final AtomicLong wallMs = new AtomicLong(1_800_000_000_000L);
     private final AtomicLong nanos = new AtomicLong(-5_000_000_000L);
-    private final SuspendDetector slumber = new SuspendDetector(wallMs::get, nanos::get);
+    private final SuspendDetector detector = new SuspendDetector(wallMs::get, nanos::get);
 
     @Test
-    void aWaitIsNoSlumber() {
+    void aWaitIsNoSuspension() {
         pass(60_000, 60_000);
-        assertThat(slumber.wasSuspended()).isFalse();
+        assertThat(detector.wasSuspended()).isFalse();
     }
 
     @Test
-    void aMinuteOnTheWallClockAloneIsDetectedOnce() {
+    void aMinuteThatPassesOnTheWallClockOnlyIsDetectedOnce() {
         pass(60_000, 20);
-        assertThat(slumber.wasSuspended()).isTrue();
-        assertThat(slumber.wasSuspended()).isFalse();
+        assertThat(detector.wasSuspended()).isTrue();
+        assertThat(detector.wasSuspended()).isFalse();
     }
 
     @Test
-    void aClockThatIsSetBackOrCorrectedALittleIsNone() {
+    void aWallClockThatIsSetBackOrCorrectedALittleIsNoSuspension() {
         pass(20, 60_000);
-        assertThat(slumber.wasSuspended()).isFalse();
+        assertThat(detector.wasSuspended()).isFalse();
         pass(520, 20);
-        assertThat(slumber.wasSuspended()).isFalse();
+        assertThat(detector.wasSuspended()).isFalse();
     }
 
     private void pass(long onTheWallMs, long inProgramsMs) {

@@ -1,22 +1,22 @@
-package majic.pioneer.session;
+package majic.time;
 
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
 /**
- * Detects that the computer was suspended. On Linux and macOS {@link System#nanoTime} stops meanwhile, so minutes without a
- * packet would go unnoticed, and the robot, stopped by its watchdog, would resume its last speed at the next packet (ARCOS
- * sheet 5.3). The wall clock goes on. Thread-safe.
+ * Detects that the computer was suspended. On Linux and macOS {@link System#nanoTime} stops meanwhile, so by that clock a
+ * suspended program has not lost any time; the wall clock goes on. Thread-safe.
  */
-final class SuspendDetector {
-    /** More than a usual correction of the wall clock between two packets, less than the robot's watchdog, ms. */
+public final class SuspendDetector {
+    /** More than a usual correction of the wall clock between two calls, less than the watchdogs of robots, ms. */
     private static final long LONGEST_MS = 1000;
 
     private final LongSupplier wallMs;
     private final LongSupplier nanos;
     private long aheadMs;
 
-    SuspendDetector() {
+    /** Creates a detector that begins to watch now. */
+    public SuspendDetector() {
         this(System::currentTimeMillis, System::nanoTime);
     }
 
@@ -26,8 +26,8 @@ final class SuspendDetector {
         this.aheadMs = wallAheadMs();
     }
 
-    /** Whether the computer was suspended since the last call. */
-    synchronized boolean wasSuspended() {
+    /** Whether the computer was suspended for more than a second since the last call. */
+    public synchronized boolean wasSuspended() {
         long before = aheadMs;
         aheadMs = wallAheadMs();
         return aheadMs - before > LONGEST_MS;
