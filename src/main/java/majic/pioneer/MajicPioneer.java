@@ -24,7 +24,6 @@ import majic.pioneer.parameters.PioneerAccess;
 import majic.pioneer.parameters.PioneerCommands;
 import majic.pioneer.parameters.PioneerParameters;
 import majic.pioneer.parameters.RampParameters;
-import majic.pioneer.session.ActiveRamps;
 import majic.pioneer.session.ArcosHandshake;
 import majic.pioneer.session.ArcosLine;
 import majic.pioneer.session.BaudRates;
@@ -33,7 +32,6 @@ import majic.pioneer.session.Maneuver;
 import majic.pioneer.session.MotionFaults;
 import majic.pioneer.session.MotionTarget;
 import majic.pioneer.session.PioneerSession;
-import majic.pioneer.session.SpeedProfile;
 import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
@@ -61,11 +59,12 @@ public final class MajicPioneer extends MajicBot {
 
     private final String address;
     private final AtomicReference<@Nullable PioneerSession> session = new AtomicReference<>();
-    private final ActiveRamps ramps = new ActiveRamps(Models.USUAL);
     private final PoseOffset placement = new PoseOffset();
     private final PioneerParameters parameters;
     private final PioneerCommands commands;
     private volatile Pose lastPose = Pose.START;
+    private final Object rampLock = new Object();
+    private volatile @Nullable Ramps requestedRamps;
 
     /**
      * Creates the driver of a robot, with the system's clock and no settings.
@@ -89,7 +88,7 @@ public final class MajicPioneer extends MajicBot {
         this.address = address;
         link();
         PioneerAccess access = new PioneerAccess(session::get);
-        RampParameters pace = new RampParameters(ramps, this::useRamps);
+        RampParameters pace = new RampParameters(access, this::useRamps);
         this.parameters =
                 new PioneerParameters(table(), PioneerParameters.themes(access, time(), placement, pace, this::notice));
         this.commands = new PioneerCommands(access);
@@ -119,14 +118,15 @@ public final class MajicPioneer extends MajicBot {
         if (isBusy() && !isDriving()) {
             throw new BotException(name() + " is in a motion; how it speeds up and brakes can be set when it stands");
         }
-        synchronized (ramps) {
-            open.send(ramps.change(change));
-            adoptProfile(open.model());
+        synchronized (rampLock) {
+            requestedRamps = change.apply(open.ramps());
+            open.use(requestedRamps);
+            adoptProfile(open);
         }
     }
 
-    private void adoptProfile(Model model) {
-        BotProfile found = model.profile(ramps.ramps());
+    private void adoptProfile(PioneerSession open) {
+        BotProfile found = open.equipment().model().profile(open.ramps());
         if (!found.equals(profile())) {
             profile(found);
         }
@@ -145,7 +145,7 @@ public final class MajicPioneer extends MajicBot {
         PioneerSession opening =
                 new PioneerSession(new ArcosLine(link(), time()), time(), changes(), new SessionEvents());
         session.set(opening);
-        opening.open(lastPose, ramps);
+        opening.open(lastPose, requestedRamps);
         try {
             adopt(opening);
         } catch (RuntimeException e) {
@@ -155,13 +155,13 @@ public final class MajicPioneer extends MajicBot {
     }
 
     private void adopt(PioneerSession opened) {
-        Model model = opened.model();
+        Model model = opened.equipment().model();
         if (!model.known()) {
             notice("it calls itself " + model.subclass()
                     + ", a model that is not known here; it is driven slowly, and its distances cannot be told");
         }
-        adoptProfile(model);
-        describe(Equipment.of(model, opened.config()));
+        adoptProfile(opened);
+        describe(opened.equipment());
     }
 
     /** The kind of robot with its model and the name given by its owner (ARCOS sheet 4). */
@@ -183,20 +183,14 @@ public final class MajicPioneer extends MajicBot {
     @Override
     protected Value moveBy(double mm, Motion motion) {
         PioneerSession open = current();
-        return cover(
-                open,
-                new MotionTarget.Straight(open.state(), mm, SpeedProfile.straight(cruiseMmPerSec(), ramps.ramps())),
-                motion);
+        return cover(open, new MotionTarget.Straight(open.state(), mm, cruiseMmPerSec(), open.ramps()), motion);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
         PioneerSession open = current();
         return cover(
-                open,
-                new MotionTarget.Turning(
-                        open.state(), degrees, SpeedProfile.turning(cruiseTurnDegPerSec(), ramps.ramps())),
-                motion);
+                open, new MotionTarget.Turning(open.state(), degrees, cruiseTurnDegPerSec(), open.ramps()), motion);
     }
 
     private Value cover(PioneerSession open, MotionTarget target, Motion motion) {
@@ -207,12 +201,8 @@ public final class MajicPioneer extends MajicBot {
         if (motion.guardReached()) {
             return target.value(open.state());
         }
-        return new Maneuver(
-                        open.velocity(),
-                        open.reported(),
-                        target,
-                        new MotionFaults(open.bumpers(), target.direction(), open.state()))
-                .run(motion);
+        MotionFaults faults = new MotionFaults(open.equipment(), target.direction(), open.state());
+        return new Maneuver(open.motors(), open.reported(), target, faults).run(motion);
     }
 
     @Override
@@ -253,9 +243,9 @@ public final class MajicPioneer extends MajicBot {
 
     private PioneerScene scene(PioneerSession open) {
         return new PioneerScene(
-                open.model(),
+                open.equipment().model(),
                 open.state(),
-                open.bumpers(),
+                open.equipment().bumpers(),
                 connection(),
                 get("age").number(),
                 open.packetCounts(),
@@ -298,7 +288,7 @@ public final class MajicPioneer extends MajicBot {
     private void publish(PioneerSession from, PioneerState state) {
         if (from == session.get()) {
             lastPose = state.pose();
-            boolean moving = state.isMoving() || from.velocity().isNonZero();
+            boolean moving = state.isMoving() || from.motors().isMoving();
             publish(new BotState(
                     placement.of(state.pose()),
                     state.speedMmPerSec(),

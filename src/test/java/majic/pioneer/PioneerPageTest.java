@@ -9,6 +9,7 @@ import majic.bot.BotEnvironment;
 import majic.bot.RobotPage;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Limits;
 import majic.pioneer.state.Models;
 import org.junit.jupiter.api.Test;
 
@@ -32,7 +33,7 @@ class PioneerPageTest {
 
     private static MajicPioneer wellEquipped() {
         MajicPioneer bot = new MajicPioneer("//127.0.0.1:1", BotEnvironment.plain());
-        bot.describe(new Equipment(Models.USUAL, new Bumpers(5, 5), true, true, true));
+        bot.describe(new Equipment(Models.USUAL, new Bumpers(5, 5), true, true, true, Limits.of(Models.USUAL, null)));
         return bot;
     }
 }

@@ -7,24 +7,23 @@ import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.ParameterTheme;
-import majic.pioneer.session.ActiveRamps;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Ramps;
 
 /** Highest speeds, accelerations and decelerations, which are sent to the robot and hold for all motions. */
 public final class RampParameters implements ParameterTheme<Equipment> {
-    private final ActiveRamps active;
+    private final PioneerAccess access;
     private final Consumer<UnaryOperator<Ramps>> change;
 
     /**
      * Creates the parameters of one robot.
      *
-     * @param active those in force
+     * @param access to the session, which has the ramps in force
      * @param change puts other ramps in force
      */
-    public RampParameters(ActiveRamps active, Consumer<UnaryOperator<Ramps>> change) {
-        this.active = active;
+    public RampParameters(PioneerAccess access, Consumer<UnaryOperator<Ramps>> change) {
+        this.access = access;
         this.change = change;
     }
 
@@ -40,7 +39,7 @@ public final class RampParameters implements ParameterTheme<Equipment> {
 
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
-        Limits limits = active.limits();
+        Limits limits = equipment.limits();
         add(
                 table,
                 Parameter.number("topSpeed", Unit.MM_PER_S, "nothing drives it faster; cruise and drive stay below")
@@ -72,7 +71,7 @@ public final class RampParameters implements ParameterTheme<Equipment> {
     }
 
     private void add(ParameterTable table, Parameter parameter, Part part, Changed changed) {
-        table.add(parameter, () -> Value.of(part.of(active.ramps()), parameter.unit()))
+        table.add(parameter, access.session(open -> Value.of(part.of(open.ramps()), parameter.unit())))
                 .writes(values -> change.accept(ramps ->
                         changed.by(ramps, (int) Math.round(values.get(0).number()))));
     }

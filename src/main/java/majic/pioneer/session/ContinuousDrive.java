@@ -3,7 +3,7 @@ package majic.pioneer.session;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.bot.MotionFailed;
-import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -13,10 +13,9 @@ import org.jspecify.annotations.Nullable;
  * thrown by the next call of {@link #drive}, or given as a notice by {@link #stop}. For one session; thread-safe.
  */
 public final class ContinuousDrive {
-    private final VelocitySetpoint velocity;
+    private final WheelMotors motors;
     private final ReportedState state;
-    private final Supplier<Bumpers> bumpers;
-    private final MotorPower motors;
+    private final Supplier<Equipment> equipment;
     private final TimeSource time;
     private final Consumer<String> notice;
     private @Nullable MotionFaults faults;
@@ -25,22 +24,20 @@ public final class ContinuousDrive {
     private long beganNanos;
 
     ContinuousDrive(
-            VelocitySetpoint velocity,
+            WheelMotors motors,
             ReportedState state,
-            Supplier<Bumpers> bumpers,
-            MotorPower motors,
+            Supplier<Equipment> equipment,
             TimeSource time,
             Consumer<String> notice) {
-        this.velocity = velocity;
         this.state = state;
-        this.bumpers = bumpers;
+        this.equipment = equipment;
         this.motors = motors;
         this.time = time;
         this.notice = notice;
     }
 
     /**
-     * Begins a drive, or changes its velocity.
+     * Begins a drive, or changes its motors.
      *
      * @throws MotionFailed if a fault has ended the drive; the next call begins a new one
      */
@@ -54,7 +51,7 @@ public final class ContinuousDrive {
     private synchronized void go(double mmPerSec, double degPerSec) {
         failIfEnded();
         begin(MotionFaults.Direction.of(mmPerSec));
-        velocity.drive(mmPerSec, degPerSec);
+        motors.drive(mmPerSec, degPerSec);
     }
 
     private synchronized void failIfEnded() {
@@ -68,7 +65,7 @@ public final class ContinuousDrive {
     private void begin(MotionFaults.Direction now) {
         if (now != direction) {
             direction = now;
-            faults = new MotionFaults(bumpers.get(), now, state.get());
+            faults = new MotionFaults(equipment.get(), now, state.get());
             beganNanos = time.nanos();
         }
     }
@@ -80,7 +77,7 @@ public final class ContinuousDrive {
         if (reason != null) {
             end();
             endReason = reason;
-            velocity.stop();
+            motors.stop();
         }
     }
 
@@ -95,7 +92,7 @@ public final class ContinuousDrive {
     private synchronized @Nullable String endAndStop() {
         String reason = endReason;
         end();
-        velocity.stop();
+        motors.stop();
         return reason;
     }
 

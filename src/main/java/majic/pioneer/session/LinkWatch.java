@@ -34,13 +34,13 @@ public final class LinkWatch {
     }
 
     private final ArcosLine line;
-    private final VelocitySetpoint velocity;
+    private final WheelMotors motors;
     private final TimeSource time;
     private final Signal changes;
 
-    LinkWatch(ArcosLine line, VelocitySetpoint velocity, TimeSource time, Signal changes) {
+    LinkWatch(ArcosLine line, WheelMotors motors, TimeSource time, Signal changes) {
         this.line = line;
-        this.velocity = velocity;
+        this.motors = motors;
         this.time = time;
         this.changes = changes;
     }
@@ -53,8 +53,8 @@ public final class LinkWatch {
      */
     @Nullable
     LinkLost check(PioneerState last) {
-        velocity.stopIfNotRenewed();
-        boolean moving = last.isMoving() || velocity.isNonZero() || velocity.isHeld();
+        motors.stopIfNotRenewed();
+        boolean moving = last.isMoving() || motors.isMoving() || motors.isHeld();
         double silence = time.secondsSince(last.atNanos());
         switch (judge(silence, time.secondsSince(line.sentNanos()), moving)) {
             case WAIT -> {}
@@ -69,8 +69,8 @@ public final class LinkWatch {
     }
 
     private void holdOnce() {
-        if (!velocity.isHeld()) {
-            velocity.hold();
+        if (!motors.isHeld()) {
+            motors.hold();
             changes.raise();
         }
     }

@@ -21,23 +21,21 @@ public final class Maneuver {
     /** Assumed before the robot's SIP cycle is known, seconds. */
     private static final double USUAL_CYCLE_S = 0.1;
 
-    private final VelocitySetpoint velocity;
+    private final WheelMotors motors;
     private final ReportedState state;
     private final MotionTarget target;
     private final MotionFaults faults;
-    private final double limitS;
     private final int holdsBefore;
     private final SpeedController speeds;
     private double movedS;
 
-    public Maneuver(VelocitySetpoint velocity, ReportedState state, MotionTarget target, MotionFaults faults) {
-        this.velocity = velocity;
+    public Maneuver(WheelMotors motors, ReportedState state, MotionTarget target, MotionFaults faults) {
+        this.motors = motors;
         this.state = state;
         this.target = target;
         this.faults = faults;
-        this.limitS = target.profile().limitS(Math.abs(target.amount()));
-        this.speeds = new SpeedController(target.profile(), target.amount());
-        this.holdsBefore = velocity.holds();
+        this.speeds = target.controller();
+        this.holdsBefore = motors.holds();
     }
 
     /**
@@ -51,13 +49,13 @@ public final class Maneuver {
         while (!speeds.hasArrived(motion.seconds() - startedS)) {
             PioneerState now = state.get();
             double rate = speeds.next(target.covered(now), target.rate(now), motion.seconds() - startedS, cycleS(now));
-            motion.send(() -> target.go(velocity, rate, now));
+            motion.send(() -> target.go(motors, rate, now));
             if (!awaitSip(now, motion)) {
                 return endEarly(motion);
             }
             check(state.get(), motion.seconds() - startedS);
         }
-        motion.send(velocity::zero);
+        motion.send(motors::zero);
         return target.value(state.get());
     }
 
@@ -71,20 +69,20 @@ public final class Maneuver {
     }
 
     private void check(PioneerState now, double seconds) {
-        speeds.reported(target.covered(now), target.rate(now), now.isMoving(), seconds);
+        speeds.reported(target.covered(now), now.isMoving(), seconds);
         movedS = now.isMoving() ? seconds : movedS;
         String fault = faults.check(now, seconds);
         if (fault != null) {
             throw failed(fault, now);
         }
-        if (velocity.holds() != holdsBefore) {
+        if (motors.holds() != holdsBefore) {
             throw failed("the robot fell silent", now);
         }
         if (seconds - movedS > BLOCKED_S && !speeds.hasArrived(seconds)) {
             throw failed("told to go on, it has not moved for " + (int) BLOCKED_S + " s", now);
         }
-        if (seconds > limitS) {
-            throw failed("not there within " + Value.plain(limitS) + " s: came to a stand", now);
+        if (seconds > speeds.limitS()) {
+            throw failed("not there within " + Value.plain(speeds.limitS()) + " s: came to a stand", now);
         }
     }
 
@@ -96,7 +94,7 @@ public final class Maneuver {
         if (!motion.guardReached()) {
             throw failed("no word from the robot", state.get());
         }
-        motion.send(velocity::stop);
+        motion.send(motors::stop);
         state.awaitStationary(STOP_S);
         motion.check();
         return target.value(state.get());

@@ -1,6 +1,7 @@
 package majic.pioneer.session;
 
 import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;
 
@@ -12,7 +13,7 @@ public final class MotionFaults {
     /** Motors that a drive switches on are on after this time, seconds. */
     private static final double SWITCH_ON_S = 1;
 
-    private final Bumpers bumpers;
+    private final Equipment equipment;
     private final Direction direction;
     private final PioneerState start;
     private boolean seenFree;
@@ -33,8 +34,8 @@ public final class MotionFaults {
         }
     }
 
-    public MotionFaults(Bumpers bumpers, Direction direction, PioneerState start) {
-        this.bumpers = bumpers;
+    public MotionFaults(Equipment equipment, Direction direction, PioneerState start) {
+        this.equipment = equipment;
         this.direction = direction;
         this.start = start;
     }
@@ -65,8 +66,8 @@ public final class MotionFaults {
     }
 
     private @Nullable String bumped(PioneerState now) {
-        boolean front = bumpers.front(now) != 0;
-        boolean rear = bumpers.rear(now) != 0;
+        boolean front = equipment.bumpers().front(now) != 0;
+        boolean rear = equipment.bumpers().rear(now) != 0;
         return switch (direction) {
             case AHEAD -> front ? "front bumper touched" : stepAhead(now);
             case BACK -> rear ? "rear bumper touched" : null;
@@ -80,6 +81,7 @@ public final class MotionFaults {
     }
 
     private boolean isNewlyTouched(PioneerState now) {
+        Bumpers bumpers = equipment.bumpers();
         return (bumpers.front(now) & ~bumpers.front(start)) != 0 || (bumpers.rear(now) & ~bumpers.rear(start)) != 0;
     }
 }

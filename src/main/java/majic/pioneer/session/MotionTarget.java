@@ -3,15 +3,13 @@ package majic.pioneer.session;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Ramps;
 
 /** A distance or an angle to move by, from the robot's state at the start. Immutable. */
 public sealed interface MotionTarget {
 
-    /** The distance or angle, in {@link #unit}, signed. */
-    double amount();
-
-    /** The rate for each remaining distance. */
-    SpeedProfile profile();
+    /** A new controller of the rate at which it is covered. */
+    SpeedController controller();
 
     /** Which end of the robot is in front. */
     MotionFaults.Direction direction();
@@ -23,7 +21,7 @@ public sealed interface MotionTarget {
     double rate(PioneerState now);
 
     /** Sends the velocity that covers it at a rate. */
-    void go(VelocitySetpoint velocity, double rate, PioneerState now);
+    void go(WheelMotors motors, double rate, PioneerState now);
 
     /** mm or degrees. */
     Unit unit();
@@ -38,13 +36,19 @@ public sealed interface MotionTarget {
      *
      * @param start the state at the start
      * @param amount mm, ahead positive
-     * @param profile in mm
+     * @param cruise the highest speed, mm/s
+     * @param ramps in force
      */
-    record Straight(PioneerState start, double amount, SpeedProfile profile) implements MotionTarget {
+    record Straight(PioneerState start, double amount, double cruise, Ramps ramps) implements MotionTarget {
         /** deg/s for each degree off the heading. */
         private static final double HEADING_GAIN = 1;
 
         private static final double MOST_DEG_PER_SEC = 8;
+
+        @Override
+        public SpeedController controller() {
+            return SpeedController.straight(amount, cruise, ramps);
+        }
 
         @Override
         public MotionFaults.Direction direction() {
@@ -64,10 +68,10 @@ public sealed interface MotionTarget {
         }
 
         @Override
-        public void go(VelocitySetpoint velocity, double rate, PioneerState now) {
+        public void go(WheelMotors motors, double rate, PioneerState now) {
             double off = start.turnedDeg() - now.turnedDeg();
             double correction = Math.max(-MOST_DEG_PER_SEC, Math.min(MOST_DEG_PER_SEC, HEADING_GAIN * off));
-            velocity.drive(rate, rate == 0 ? 0 : correction);
+            motors.drive(rate, rate == 0 ? 0 : correction);
         }
 
         @Override
@@ -81,9 +85,15 @@ public sealed interface MotionTarget {
      *
      * @param start the state at the start
      * @param amount degrees, counterclockwise positive
-     * @param profile in degrees
+     * @param cruise the highest turn rate, deg/s
+     * @param ramps in force
      */
-    record Turning(PioneerState start, double amount, SpeedProfile profile) implements MotionTarget {
+    record Turning(PioneerState start, double amount, double cruise, Ramps ramps) implements MotionTarget {
+        @Override
+        public SpeedController controller() {
+            return SpeedController.turning(amount, cruise, ramps);
+        }
+
         @Override
         public MotionFaults.Direction direction() {
             return MotionFaults.Direction.AROUND;
@@ -100,8 +110,8 @@ public sealed interface MotionTarget {
         }
 
         @Override
-        public void go(VelocitySetpoint velocity, double rate, PioneerState now) {
-            velocity.drive(0, rate);
+        public void go(WheelMotors motors, double rate, PioneerState now) {
+            motors.drive(0, rate);
         }
 
         @Override

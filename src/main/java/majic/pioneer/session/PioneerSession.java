@@ -10,8 +10,8 @@ import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.ReportDecoder;
 import majic.pioneer.arcos.Sip;
-import majic.pioneer.state.Bumpers;
-import majic.pioneer.state.Model;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.Limits;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
@@ -27,10 +27,9 @@ import org.jspecify.annotations.Nullable;
  */
 public final class PioneerSession implements ArcosLine.Listener {
     private final ArcosLine line;
-    private final VelocitySetpoint velocity;
     private final ReportedState reported;
+    private final WheelMotors motors;
     private final LinkWatch watch;
-    private final MotorPower motors;
     private final ContinuousDrive driving;
     private final Subscriptions subscriptions;
     private final ConnectWait connecting;
@@ -39,7 +38,8 @@ public final class PioneerSession implements ArcosLine.Listener {
     private final TimeSource time;
     private final Signal changes;
     private final Listener listener;
-    private volatile Model model = Models.USUAL;
+    private volatile Equipment equipment = Equipment.of(Models.USUAL, null);
+    private volatile Ramps ramps = Ramps.careful(equipment.limits());
     private volatile @Nullable PioneerIdentity identity;
     private volatile @Nullable Config config;
     private volatile @Nullable StateTracker tracker;
@@ -64,14 +64,13 @@ public final class PioneerSession implements ArcosLine.Listener {
 
     public PioneerSession(ArcosLine line, TimeSource time, Signal changes, Listener listener) {
         this.line = line;
-        this.velocity = new VelocitySetpoint(line, time);
         this.reported = new ReportedState(line, changes);
+        this.motors = new WheelMotors(line, reported, time, listener::notice);
         this.time = time;
         this.changes = changes;
         this.listener = listener;
-        this.watch = new LinkWatch(line, velocity, time, changes);
-        this.motors = new MotorPower(line, reported, time, listener::notice);
-        this.driving = new ContinuousDrive(velocity, reported, this::bumpers, motors, time, listener::notice);
+        this.watch = new LinkWatch(line, motors, time, changes);
+        this.driving = new ContinuousDrive(motors, reported, this::equipment, time, listener::notice);
         this.subscriptions = new Subscriptions(line, time);
         this.connecting = new ConnectWait(changes, listener::isCanceled);
         this.inbox = new PacketInbox(connecting);
@@ -82,19 +81,19 @@ public final class PioneerSession implements ArcosLine.Listener {
      * Opens the line and begins the session. Leaves nothing open when it throws.
      *
      * @param start the pose that the odometry begins with
-     * @param ramps fitted to the robot's limits, then sent
+     * @param ramps those that a user has set; null for the careful ones. Reduced to the robot's limits, then sent
      * @throws ArcosHandshake.SessionClosed if a second attempt will succeed
      * @throws BotException if there is no Pioneer
      */
-    public void open(Pose start, ActiveRamps ramps) {
+    public void open(Pose start, @Nullable Ramps ramps) {
         new SessionOpening(this, line, inbox, connecting, time).run(start, ramps);
     }
 
     /** Ends the handshake: packets from now on are SIPs and reports. */
     void begin(PioneerIdentity known, Pose start) {
         identity = known;
-        model = Models.of(known.subclass());
-        tracker = new StateTracker(model, start);
+        equipment = Equipment.of(Models.of(known.subclass()), null);
+        tracker = new StateTracker(equipment.model(), start);
     }
 
     boolean hasBegun() {
@@ -108,13 +107,18 @@ public final class PioneerSession implements ArcosLine.Listener {
         } else if (packet.isSip()) {
             receive(Sip.decode(packet));
         } else if (packet.type() == Config.TYPE) {
-            config = Config.decode(packet);
+            configure(Config.decode(packet));
             listener.otherReported();
         } else if (packet.isReset()) {
             end(new LinkLost("connection lost: the robot's controller was reset"));
         } else {
             receive(ReportDecoder.decode(packet));
         }
+    }
+
+    private void configure(Config reportedConfig) {
+        equipment = Equipment.of(equipment.model(), reportedConfig);
+        config = reportedConfig;
     }
 
     private void receive(@Nullable Report report) {
@@ -137,7 +141,7 @@ public final class PioneerSession implements ArcosLine.Listener {
             PioneerState now = tracking.track(sip, time.nanos());
             reported.set(now);
             if (!now.isMoving()) {
-                velocity.release();
+                motors.release();
             }
             driving.check(now);
             listener.stateReported(this, now);
@@ -166,7 +170,7 @@ public final class PioneerSession implements ArcosLine.Listener {
     /** Requests reports that are due, unless the robot has stopped reporting: it would resume its motion at the request. */
     public void requestReports() {
         PioneerState now = reported.last();
-        if (now != null && !velocity.isHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
+        if (now != null && !motors.isHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
             subscriptions.requestDue();
         }
     }
@@ -197,9 +201,20 @@ public final class PioneerSession implements ArcosLine.Listener {
         line.send(packets);
     }
 
-    /** Sends ramps, which hold for this session. */
-    public void send(Ramps ramps) {
+    /**
+     * Sends ramps, which hold for this session.
+     *
+     * @param requested reduced to the robot's limits where necessary; null for the careful ones
+     */
+    public void use(@Nullable Ramps requested) {
+        Limits limits = equipment.limits();
+        ramps = requested == null ? Ramps.careful(limits) : requested.within(limits);
         line.send(ramps.packets());
+    }
+
+    /** The ramps that were last sent; the careful ones before. */
+    public Ramps ramps() {
+        return ramps;
     }
 
     Autobaud autobaud() {
@@ -210,11 +225,7 @@ public final class PioneerSession implements ArcosLine.Listener {
         return subscriptions;
     }
 
-    public VelocitySetpoint velocity() {
-        return velocity;
-    }
-
-    public MotorPower motors() {
+    public WheelMotors motors() {
         return motors;
     }
 
@@ -227,8 +238,9 @@ public final class PioneerSession implements ArcosLine.Listener {
         return line.counts();
     }
 
-    public Model model() {
-        return model;
+    /** The robot's model and equipment; of a usual model during the handshake. */
+    public Equipment equipment() {
+        return equipment;
     }
 
     /** The robot's names; null during the handshake. */
@@ -239,11 +251,6 @@ public final class PioneerSession implements ArcosLine.Listener {
     /** Null until it has come; not every robot sends it. */
     public @Nullable Config config() {
         return config;
-    }
-
-    /** The bumper segments that the robot has. */
-    public Bumpers bumpers() {
-        return Bumpers.of(model, config);
     }
 
     /** The last state that the robot reported. */

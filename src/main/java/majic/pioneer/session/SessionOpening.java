@@ -5,9 +5,10 @@ import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.Pose;
 import majic.pioneer.arcos.ArcosCommand;
-import majic.pioneer.state.Limits;
+import majic.pioneer.state.Ramps;
 import majic.pioneer.state.Side;
 import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Opens the line and begins a session: handshake, OPEN, CONFIG, speed of the line, ramps, reports, sonar
@@ -38,11 +39,11 @@ final class SessionOpening {
      * Opens the session. Leaves nothing open when it throws.
      *
      * @param start the pose that the odometry begins with
-     * @param ramps fitted to the robot's limits, then sent
+     * @param ramps those that a user has set; null for the careful ones. Reduced to the robot's limits, then sent
      * @throws ArcosHandshake.SessionClosed if a second attempt will succeed
      * @throws BotException if there is no Pioneer, or it sends no SIP
      */
-    void run(Pose start, ActiveRamps ramps) {
+    void run(Pose start, @Nullable Ramps ramps) {
         line.open(session);
         try {
             BaudRates rates = new BaudRates(line);
@@ -50,7 +51,7 @@ final class SessionOpening {
             startSips();
             requestConfig();
             session.autobaud().run(session.config(), rates.now());
-            session.send(ramps.fit(Limits.of(session.model(), session.config())));
+            session.use(ramps);
             session.subscriptions().begin(session.config());
             startSonar();
         } catch (RuntimeException e) {
@@ -80,7 +81,8 @@ final class SessionOpening {
     private boolean hasReadingsOnAllSides() {
         return session.hasReported()
                 && Arrays.stream(Side.values())
-                        .filter(side -> session.model().discs().stream().anyMatch(side::isCoveredBy))
+                        .filter(side ->
+                                session.equipment().model().discs().stream().anyMatch(side::isCoveredBy))
                         .allMatch(session.state().gaps()::containsKey);
     }
 

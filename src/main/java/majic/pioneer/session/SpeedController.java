@@ -1,18 +1,27 @@
 package majic.pioneer.session;
 
+import majic.pioneer.state.Ramps;
+
 /**
- * Computes the rate of a motion at each SIP from the part covered so far. The robot profilees the end from one side, and
- * once at most from the other. Has no link or clock. For one motion.
+ * Computes the rate of a motion at each SIP from the part covered so far: cruise, then constant braking, then proportional
+ * to the rest. The robot approaches the end from one side, and once at most from the other. Distances and rates are in one
+ * unit, mm or degrees. Has no link or clock. For one motion.
  */
 final class SpeedController {
+    /** Near the end the rate is at most this times the rest (1/s). */
+    private static final double GAIN = 3;
+
+    /** With a long SIP cycle at most this share of the rest is covered in one cycle. */
+    private static final double STEP = 0.4;
+
     /** After so many SIPs without motion the robot is taken to have settled. */
     private static final int SETTLED_READINGS = 5;
 
     /** By how much the rate for a robot that does not move is raised with each further SIP. */
     private static final double NUDGE = 0.25;
 
-    private final SpeedProfile profile;
     private final double target;
+    private final Profile profile;
     private final LatencyModel latency;
     private double rate;
     private double zeroSinceS;
@@ -22,27 +31,65 @@ final class SpeedController {
     private double lastNonZero;
 
     /**
-     * Begins a motion.
+     * The limits of a motion.
      *
-     * @param profile gives the rate for the rest
-     * @param target the distance or angle, signed
+     * @param cruise the highest rate, positive
+     * @param acceleration of the robot
+     * @param braking half of the robot's deceleration, so that it can follow
+     * @param creep the lowest rate at which the robot still moves
+     * @param tolerance the distance from the end that counts as reached
+     * @param acceptable the distance that counts as reached after the robot has passed the end once
      */
-    SpeedController(SpeedProfile profile, double target) {
-        this.profile = profile;
+    private record Profile(
+            double cruise, double acceleration, double braking, double creep, double tolerance, double acceptable) {}
+
+    private SpeedController(double target, Profile profile, double deceleration) {
         this.target = target;
-        this.latency = new LatencyModel(profile.acceleration(), profile.deceleration());
+        this.profile = profile;
+        this.latency = new LatencyModel(profile.acceleration, deceleration);
         this.off = Math.abs(target);
+    }
+
+    /**
+     * Begins a straight motion.
+     *
+     * @param mm ahead positive
+     * @param cruiseMmPerSec the highest speed, positive
+     */
+    static SpeedController straight(double mm, double cruiseMmPerSec, Ramps ramps) {
+        double braking = ramps.deceleration() / 2.0;
+        return new SpeedController(
+                mm, new Profile(cruiseMmPerSec, ramps.acceleration(), braking, 15, 2, 8), ramps.deceleration());
+    }
+
+    /**
+     * Begins a turn on the spot.
+     *
+     * @param degrees counterclockwise positive
+     * @param cruiseDegPerSec the highest rate, positive
+     */
+    static SpeedController turning(double degrees, double cruiseDegPerSec, Ramps ramps) {
+        double braking = ramps.turnDeceleration() / 2.0;
+        return new SpeedController(
+                degrees,
+                new Profile(cruiseDegPerSec, ramps.turnAcceleration(), braking, 3, 0.3, 0.9),
+                ramps.turnDeceleration());
+    }
+
+    /** The longest time that the motion may take, seconds; about twice the planned time. */
+    double limitS() {
+        double cruise = profile.cruise;
+        return 2 * (Math.abs(target) / cruise + cruise / profile.acceleration + cruise / profile.braking) + 5;
     }
 
     /**
      * Takes in a SIP.
      *
      * @param covered the part covered, signed
-     * @param nowRate the rate at which it is being covered
      * @param moving whether the robot moves at all
      * @param seconds since the motion began
      */
-    void reported(double covered, double nowRate, boolean moving, double seconds) {
+    void reported(double covered, boolean moving, double seconds) {
         latency.reported(moving, seconds);
         stationary = moving ? 0 : stationary + 1;
         off = Math.abs(target - covered);
@@ -60,7 +107,7 @@ final class SpeedController {
     double next(double covered, double nowRate, double seconds, double cycleS) {
         LatencyModel.Moment then = latency.ahead(covered, nowRate, seconds);
         double left = target - then.covered();
-        double wanted = isNear(left) ? 0 : Math.copySign(nudged(profile.rate(Math.abs(left), cycleS)), left);
+        double wanted = isNear(left) ? 0 : Math.copySign(nudged(planned(Math.abs(left), cycleS)), left);
         if (wanted == 0 && rate != 0) {
             zeroSinceS = seconds;
         }
@@ -72,17 +119,29 @@ final class SpeedController {
     }
 
     private boolean isNear(double left) {
-        return Math.abs(left) <= (reversed ? profile.acceptable() : profile.tolerance());
+        return Math.abs(left) <= (reversed ? profile.acceptable : profile.tolerance);
     }
 
-    private double nudged(double wanted) {
+    /** The rate for a remaining distance; both positive. */
+    private double planned(double left, double cycleS) {
+        double gain = Math.min(GAIN, STEP / cycleS);
+        return Math.max(Math.min(profile.creep, profile.cruise), Math.min(profile.cruise, braking(left, gain)));
+    }
+
+    /** Constant braking, joined to the proportional part where both have the same slope. */
+    private double braking(double left, double gain) {
+        double end = profile.braking / (gain * gain);
+        return left <= end ? gain * left : Math.sqrt(2 * profile.braking * (left - end / 2));
+    }
+
+    private double nudged(double planned) {
         int stuck = Math.max(0, stationary - SETTLED_READINGS);
-        return Math.min(profile.cruise(), wanted * (1 + NUDGE * stuck));
+        return Math.min(profile.cruise, planned * (1 + NUDGE * stuck));
     }
 
     /** Whether the robot has stopped at the end. */
     boolean hasArrived(double seconds) {
-        if (stationary == 0 || off > profile.acceptable()) {
+        if (stationary == 0 || off > profile.acceptable) {
             return false;
         }
         return rate == 0 ? seconds - zeroSinceS >= latency.delayS() : stationary >= SETTLED_READINGS;

@@ -15,8 +15,9 @@ import org.jspecify.annotations.Nullable;
  * @param gripper whether there may be one
  * @param charger whether there may be a docking charger
  * @param gyro whether there may be one that the client reads
+ * @param limits of speed and acceleration
  */
-public record Equipment(Model model, Bumpers bumpers, boolean gripper, boolean charger, boolean gyro) {
+public record Equipment(Model model, Bumpers bumpers, boolean gripper, boolean charger, boolean gyro, Limits limits) {
     /** As many as FLAGS has bits for (ARCOS sheet 8.1). */
     static final int SONAR_ARRAYS = 4;
 
@@ -29,7 +30,8 @@ public record Equipment(Model model, Bumpers bumpers, boolean gripper, boolean c
                 Bumpers.of(model, config),
                 mayHave(config, ConfigField.GRIPPER),
                 mayHave(config, ConfigField.CHARGER),
-                config == null || config.number(ConfigField.HASGYRO) == 1);
+                config == null || config.number(ConfigField.HASGYRO) == 1,
+                Limits.of(model, config));
     }
 
     private static boolean mayHave(@Nullable Config config, ConfigField field) {

@@ -33,7 +33,7 @@ class SpeedControllerTest {
     void aMoveEndsStationaryWithinTenMillimetres(double mm, double acceleration, double deceleration, int lateMs) {
         RampModel robot = new RampModel(acceleration, deceleration, 100);
 
-        double seconds = steer(robot, SpeedProfile.straight(300, RAMPS), mm, lateMs, true);
+        double seconds = steer(robot, mm, lateMs, true);
 
         assertThat(robot.x()).isCloseTo(mm, within(10.0));
         assertThat(robot.stands()).isTrue();
@@ -46,7 +46,7 @@ class SpeedControllerTest {
     void aTurnEndsStationaryWithinADegree(double degrees, double acceleration, int lateMs) {
         RampModel robot = new RampModel(300, 300, acceleration);
 
-        double seconds = steer(robot, SpeedProfile.turning(50, RAMPS), degrees, lateMs, false);
+        double seconds = steer(robot, degrees, lateMs, false);
 
         assertThat(robot.heading()).isCloseTo(degrees, within(1.0));
         assertThat(robot.stands()).isTrue();
@@ -54,25 +54,23 @@ class SpeedControllerTest {
     }
 
     /** Sends a rate at each SIP, which takes effect some ticks later, until the robot has been stationary for a while. */
-    private static double steer(RampModel robot, SpeedProfile approach, double target, int lateMs, boolean straight) {
+    private static double steer(RampModel robot, double amount, int lateMs, boolean straight) {
         StateTracker tracker = new StateTracker(Models.of("p3dx-sh"), Pose.START);
-        MotionTarget way = null;
-        SpeedController steering = new SpeedController(approach, target);
-        int standing = 0;
-        int sips = 0;
-        while (standing < 3 && sips < 600) {
+        PioneerState start = tracker.track(robot.sip(), 100_000_000L);
+        MotionTarget target = straight
+                ? new MotionTarget.Straight(start, amount, 300, RAMPS)
+                : new MotionTarget.Turning(start, amount, 50, RAMPS);
+        SpeedController controller = target.controller();
+        int stationary = 0;
+        int sips = 1;
+        while (stationary < 3 && sips < 600) {
             PioneerState now = tracker.track(robot.sip(), ++sips * 100_000_000L);
-            way = way == null
-                    ? straight
-                            ? new MotionTarget.Straight(now, target, approach)
-                            : new MotionTarget.Turning(now, target, approach)
-                    : way;
-            steering.reported(way.covered(now), way.rate(now), now.isMoving(), sips / 10.0);
-            double rate = steering.next(way.covered(now), way.rate(now), sips / 10.0, 0.1);
-            standing = rate == 0 && robot.stands() ? standing + 1 : 0;
+            controller.reported(target.covered(now), now.isMoving(), sips / 10.0);
+            double rate = controller.next(target.covered(now), target.rate(now), sips / 10.0, 0.1);
+            stationary = rate == 0 && robot.stands() ? stationary + 1 : 0;
             for (int tick = 0; tick < TICKS_PER_SIP; tick++) {
                 if (tick * TICK_S * 1000 >= Math.min(lateMs, 90)) {
-                    tell(robot, (int) Math.round(rate), straight);
+                    follow(robot, (int) Math.round(rate), straight);
                 }
                 robot.step(TICK_S);
             }
@@ -80,7 +78,7 @@ class SpeedControllerTest {
         return sips / 10.0;
     }
 
-    private static void tell(RampModel robot, int rate, boolean straight) {
+    private static void follow(RampModel robot, int rate, boolean straight) {
         if (straight) {
             robot.speed(rate);
         } else {

@@ -1,29 +1,72 @@
 package majic.pioneer.session;
 
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.time.TimeSource;
 
 /**
- * The speed and turn rate that were last sent to the robot. When its reports stop while it moves, both are set to zero and
- * held there until it reports again that it is stationary: it would resume any other velocity as soon as the line works
- * again. Thread-safe.
+ * The power of the motors, and the speed and turn rate that were last sent to the robot. When its reports stop while it
+ * moves, both are set to zero and held there until it reports again that it is stationary: it would resume any other velocity
+ * as soon as the line works again. For one session; thread-safe.
  */
-public final class VelocitySetpoint {
+public final class WheelMotors {
+    /** Time enough for ENABLE and the SIP that shows its effect, seconds. */
+    private static final double ON_S = 1;
+
     /** A velocity that is not renewed for so long is set to zero, seconds; drivers renew it several times as often. */
     private static final double RENEWAL_S = 1;
 
     private final ArcosLine line;
+    private final ReportedState state;
     private final TimeSource time;
+    private final Consumer<String> notice;
+    private volatile long requestedNanos;
     private long sentNanos;
     private boolean turning;
     private boolean rolling;
     private boolean held;
     private int holds;
 
-    VelocitySetpoint(ArcosLine line, TimeSource time) {
+    WheelMotors(ArcosLine line, ReportedState state, TimeSource time, Consumer<String> notice) {
         this.line = line;
+        this.state = state;
         this.time = time;
+        this.notice = notice;
+    }
+
+    /**
+     * Switches the motors on before a motion and waits until the robot reports them on: it ignores motion before that.
+     *
+     * @throws MotionFailed if they are not on within 1 s
+     */
+    public void switchOn(Motion motion) {
+        if (state.get().motorsOn()) {
+            return;
+        }
+        motion.send(this::requestPower);
+        if (!motion.await(() -> state.get().motorsOn(), ON_S) && !motion.guardReached()) {
+            throw new MotionFailed("the motors do not switch on; is the STOP button on the robot pressed?");
+        }
+    }
+
+    /** Switches the motors on without waiting, for a drive; sends the command at most once a second. */
+    void switchOnWithoutWaiting() {
+        boolean requested = requestedNanos != 0 && time.secondsSince(requestedNanos) < ON_S;
+        if (!state.get().motorsOn() && !requested) {
+            requestPower();
+        }
+    }
+
+    private void requestPower() {
+        if (state.get().stopButton()) {
+            throw new BotException("the STOP button on the robot is pressed");
+        }
+        requestedNanos = time.nanos();
+        line.send(ArcosCommand.ENABLE.packet(1));
+        notice.accept("motors on");
     }
 
     /**
@@ -52,14 +95,14 @@ public final class VelocitySetpoint {
 
     /** Sends zero velocities if others are in force, as for a robot that is stationary at its target but still has a low speed to follow. */
     synchronized void zero() {
-        if (isNonZero()) {
+        if (isMoving()) {
             stop();
         }
     }
 
     /** Stops the robot if its velocity is not renewed, as when a guard condition of a program does not return. */
     synchronized void stopIfNotRenewed() {
-        if (isNonZero() && time.secondsSince(sentNanos) > RENEWAL_S) {
+        if (isMoving() && time.secondsSince(sentNanos) > RENEWAL_S) {
             stop();
         }
     }
@@ -88,7 +131,7 @@ public final class VelocitySetpoint {
     }
 
     /** Whether the last velocity sent was not zero. */
-    public synchronized boolean isNonZero() {
+    public synchronized boolean isMoving() {
         return rolling || turning;
     }
 }
