@@ -43,7 +43,7 @@ class ClosingTest {
 
     @ParameterizedTest(name = "at packet {0}")
     @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9})
-    void endsAConnectionInGoodOrderHoweverFarItHasCome(int packet) {
+    void endsAConnectionCleanlyAtEveryStep(int packet) {
         robot.answersConfig = false;
         try (PioneerRig stage = new PioneerRig(robot, new Counting(), 3)) {
             Throwable thrown = stage.meanwhile(MajicPioneer::connect, () -> {

@@ -68,7 +68,7 @@ class ConnectingTest {
     }
 
     @Test
-    void theConfigurationIsAskedForWithoutWaitingForTheFirstData() {
+    void theConfigurationIsRequestedWithoutWaitingForTheFirstData() {
         ScriptedPioneer robot = ScriptedPioneer.robot().every(500);
         try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThat(stage.bot.get("firmware")).hasToString("S.0");

@@ -23,7 +23,7 @@ class ForeignPeerTest {
     }
 
     @Test
-    void bytesThatAreNoTextAreAskedForTheSpeed() {
+    void unreadableBytesLeadToTheQuestionAboutTheSpeed() {
         try (PioneerRig stage = facing(new byte[] {0x1C, (byte) 0xE0, 0x7F})) {
             assertThatThrownBy(stage.bot::connect)
                     .hasMessageEndingWith("is it the right port, and its speed the robot's?");

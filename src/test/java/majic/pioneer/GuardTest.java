@@ -36,7 +36,7 @@ class GuardTest {
     }
 
     @Test
-    void aGuardIsLookedAtWhenItsPacketComesAndNotWithTheNextSip() {
+    void aGuardIsTestedWhenItsPacketComesAndNotWithTheNextSip() {
         long[] sentMs = {0};
         encoders(AT_ZERO);
         stage.whenBeyond(100, () -> {
@@ -50,7 +50,7 @@ class GuardTest {
     }
 
     @Test
-    void aGuardIsNeverHeldUpByAPacketThatDoesNotComeAnyMore() {
+    void aGuardNeverWaitsForAPacketThatDoesNotComeAnyMore() {
         List<Double> waits = new ArrayList<>();
         encoders(AT_ZERO);
         Guard guard = () -> {
@@ -81,7 +81,7 @@ class GuardTest {
     }
 
     @Test
-    void aListenerThatReadsIsNotMadeToWait() {
+    void readingInAListenerDoesNotBlock() {
         List<Value> read = new ArrayList<>();
         stage.bot.addListener(new BotListener() {
             @Override
@@ -102,7 +102,7 @@ class GuardTest {
         assertThatThrownBy(() -> stage.bot.move(1000)).hasMessage("stopped");
         stage.line.pass(2);
 
-        assertThat(robot.robot.stands()).isTrue();
+        assertThat(robot.robot.isStationary()).isTrue();
         assertThat(stage.bot.isConnected()).isTrue();
     }
 }

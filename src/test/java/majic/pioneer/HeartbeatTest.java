@@ -91,7 +91,7 @@ class HeartbeatTest {
         assertThatThrownBy(() -> stage.bot.move(3000)).hasMessageStartingWith("the robot fell silent after");
         stage.line.pass(3);
 
-        assertThat(robot.robot.stands()).isTrue();
+        assertThat(robot.robot.isStationary()).isTrue();
         assertThat(stage.bot.isConnected()).isTrue();
         assertThat(PioneerRig.amount(stage.bot.move(100))).isBetween(90.0, 110.0);
     }
@@ -125,7 +125,7 @@ class HeartbeatTest {
         stage.line.pass(5);
 
         assertThat(robot.heard).noneMatch(order -> order.matches("(ENABLE|VEL|RVEL) .*"));
-        assertThat(robot.robot.stands()).isTrue();
+        assertThat(robot.robot.isStationary()).isTrue();
     }
 
     @Test

@@ -43,7 +43,7 @@ class MotionAccuracyTest {
                 assertThat(PioneerRig.amount(stage.bot.move(mm))).isCloseTo(mm, within(10.0));
 
                 assertThat(robot.robot.x()).isCloseTo(mm, within(10.0));
-                assertThat(robot.robot.stands()).isTrue();
+                assertThat(robot.robot.isStationary()).isTrue();
                 assertThat(robot.turnsBack()).isLessThanOrEqualTo(1);
             }
         }
@@ -69,14 +69,14 @@ class MotionAccuracyTest {
                 assertThat(PioneerRig.amount(stage.bot.turn(degrees))).isCloseTo(degrees, within(1.0));
 
                 assertThat(robot.robot.heading()).isCloseTo(degrees, within(1.0));
-                assertThat(robot.robot.stands()).isTrue();
+                assertThat(robot.robot.isStationary()).isTrue();
             }
         }
     }
 
     @ParameterizedTest(name = "ramps of {0} mm/s² whatever it is told")
     @ValueSource(doubles = {150, 300, 2000})
-    void rampsOfTheRobotsOwnAreCopedWith(double ramp) {
+    void motionsReachTheirTargetWithTheRobotsOwnRamps(double ramp) {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.ignoresRamps = true;
         robot.robot.ramps(ramp, ramp);
@@ -121,7 +121,7 @@ class MotionAccuracyTest {
     }
 
     @Test
-    void aRobotThatIsHeldGivesUpWithTheReason() {
+    void aMotionOfABlockedRobotFailsWithTheReason() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.held = true;
         try (PioneerRig stage = PioneerRig.connected(robot)) {
@@ -132,7 +132,7 @@ class MotionAccuracyTest {
     }
 
     @Test
-    void aRobotThatCreepsGivesUpInTime() {
+    void aMotionThatIsTooSlowFailsInTime() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         DoubleUnaryOperator slowly = speed -> Math.signum(speed) * Math.min(20, Math.abs(speed));
         robot.governor = slowly;
@@ -157,7 +157,7 @@ class MotionAccuracyTest {
 
             long stopMs = robot.heardAt.get(robot.heard.lastIndexOf("STOP 0"));
             assertThat(stopMs - atMs[0]).isLessThanOrEqualTo(2);
-            assertThat(robot.robot.stands()).isTrue();
+            assertThat(robot.robot.isStationary()).isTrue();
         }
     }
 }

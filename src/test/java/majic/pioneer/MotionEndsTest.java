@@ -102,7 +102,7 @@ class MotionEndsTest {
         Throwable failure = stage.meanwhile(bot -> bot.move(1000), () -> {
             stage.line.await(() -> beyond[0], 10);
             stage.bot.stop();
-            assertThat(robot.robot.stands()).isTrue();
+            assertThat(robot.robot.isStationary()).isTrue();
         });
 
         assertThat(failure).isInstanceOf(MotionStopped.class).hasMessage("stopped");
@@ -129,7 +129,7 @@ class MotionEndsTest {
         stage.bot.stop();
 
         assertThat(robot.heardLast("STOP 0", "VEL 0", "RVEL 0", "ESTOP 0")).isTrue();
-        assertThat(robot.robot.stands()).isTrue();
+        assertThat(robot.robot.isStationary()).isTrue();
     }
 
     @Test
@@ -181,7 +181,7 @@ class MotionEndsTest {
         stage.bot.move(600, () -> {
             if (!stood[0] && stage.bot.state().pose().xMm() > 100) {
                 stage.line.pass(2);
-                stood[0] = robot.robot.stands();
+                stood[0] = robot.robot.isStationary();
             }
             return false;
         });

@@ -81,7 +81,7 @@ class ReceivingFuzzTest {
     }
 
     @FuzzTest
-    void noPacketUpsetsTheDriver(byte[] plan) {
+    void noPacketBreaksTheDriver(byte[] plan) {
         StateTracker tracker = new StateTracker(Models.of("p3dx"), Pose.START);
         PioneerState state = tracker.track(Objects.requireNonNull(Sip.decode(GOOD)), CYCLE_NANOS);
         for (Packet packet : decode(new FrameDecoder(), packets(plan), 512)) {

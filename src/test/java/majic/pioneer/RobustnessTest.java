@@ -91,7 +91,7 @@ class RobustnessTest {
 
     @ParameterizedTest(name = "closes after {0} bytes")
     @ValueSource(ints = {1, 3, 6, 7, 12, 13, 20, 38})
-    void aPeerThatClosesAnywhereIsReportedToHaveClosed(int bytes) {
+    void aCloseAtAnyByteIsReportedAsAClose(int bytes) {
         refuses(new Impostor() {
             private int left = bytes;
 
@@ -112,7 +112,7 @@ class RobustnessTest {
     }
 
     @Test
-    void aSessionSurvivesEverySingleDamage() {
+    void aSessionSurvivesAnySingleDamagedByte() {
         try (PioneerRig stage = PioneerRig.connected(robot)) {
             byte[] sip = robot.sip();
             for (int at = 0; at < sip.length; at++) {

@@ -44,7 +44,7 @@ class SerialSpeedTest {
         Thread robot = new Thread(this::converse, "robot on a port");
         robot.setDaemon(true);
         robot.start();
-        cycle.scheduleAtFixedRate(this::say, 50, 50, TimeUnit.MILLISECONDS);
+        cycle.scheduleAtFixedRate(this::sendSip, 50, 50, TimeUnit.MILLISECONDS);
         bot.connect();
     }
 
@@ -65,7 +65,7 @@ class SerialSpeedTest {
     }
 
     @Test
-    void aRobotThatDoesNotFollowIsSpokenToAsBefore() {
+    void aRobotThatDoesNotFollowKeepsTheFormerSpeed() {
         changesSpeed = false;
         connect();
 
@@ -94,7 +94,7 @@ class SerialSpeedTest {
     }
 
     @Test
-    void theNextProgramFindsTheRobotAsSlowAsThisOneDid() {
+    void closingRestoresThePowerUpSpeed() {
         connect();
 
         bot.close();
@@ -158,7 +158,7 @@ class SerialSpeedTest {
         }
     }
 
-    private void say() {
+    private void sendSip() {
         if (open && heard.contains(1)) {
             write(Bytes.wire(0x32, new SipBytes().state(0, 0x1E).bytes()));
         }

@@ -10,7 +10,7 @@ import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.PioneerState;
 
-/** Motors, sonars, contacts and link, each shown by word and shape. For the event thread. */
+/** Motors, sonars, contacts and link, each shown as a word and a shape. For the event thread. */
 final class PioneerLights {
     private static final String LONGEST = "STOP pressed";
     private static final double SILENT_MS = 500;

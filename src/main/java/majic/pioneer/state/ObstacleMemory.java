@@ -22,7 +22,7 @@ final class ObstacleMemory {
     /** A disc without a reading for so long counts as off, seconds. */
     private static final double DISC_SILENCE_S = MEMORY_S;
 
-    /** Added to lanes for the width of the cones: a wall detected at the edge of a cone seems farther aside than it is. */
+    /** Added to the path for the width of the cones: a wall detected at the edge of a cone seems farther aside than it is. */
     private static final double MARGIN_MM = 40;
 
     private final Model model;

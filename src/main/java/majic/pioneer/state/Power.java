@@ -31,7 +31,7 @@ public record Power(
                 cells);
     }
 
-    /** Zero means that the robot does not know; so do values above 100. */
+    /** Zero and values above 100 mean that the charge is not known. */
     private static OptionalInt percent(int reported, List<Batteries.Cell> cells) {
         OptionalInt charge = reported > 0 ? OptionalInt.of(reported) : mean(cells);
         return charge.orElse(0) <= FULL_PERCENT ? charge : OptionalInt.empty();

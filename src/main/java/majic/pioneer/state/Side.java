@@ -46,11 +46,11 @@ public enum Side {
 
     /**
      * The distance from the hull to a point that is an obstacle on this side. In front and behind, obstacles are all points in
-     * the lane that the robot needs to drive and turn on the spot; left and right, those level with the hull.
+     * the path that the robot needs to drive and turn on the spot; left and right, those level with the hull.
      *
      * @param x of the point in the robot's frame, mm
      * @param y of the point in the robot's frame, mm
-     * @param margin added to the lane's width on either side, mm
+     * @param margin added to the width of the path on either side, mm
      * @return mm, not negative; infinite for a point that is no obstacle
      */
     double gapMm(Hull hull, double x, double y, double margin) {
@@ -68,8 +68,8 @@ public enum Side {
     }
 
     /** A point a little behind the edge of the hull may be right in front of a rounded corner. */
-    private static double gap(double ahead, double aside, double lane) {
-        boolean inTheWay = ahead > -CORNER_MM && aside <= lane;
+    private static double gap(double ahead, double aside, double halfWidth) {
+        boolean inTheWay = ahead > -CORNER_MM && aside <= halfWidth;
         return inTheWay ? Math.max(0, ahead) : Double.POSITIVE_INFINITY;
     }
 }

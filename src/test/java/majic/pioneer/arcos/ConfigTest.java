@@ -59,7 +59,7 @@ class ConfigTest {
     }
 
     @Test
-    void wherePacketsEndTheFieldsThatCameAreRightAndTheOthersZero() {
+    void fieldsBehindTheEndOfAPacketAreZero() {
         byte[] whole = Bytes.packet(Bytes.CONFIG).data();
         for (int length = 0; length <= whole.length; length++) {
             Config config = decode(Arrays.copyOf(whole, length));

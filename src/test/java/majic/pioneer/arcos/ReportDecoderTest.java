@@ -66,7 +66,7 @@ class ReportDecoderTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0x90, 0x98, 0xE0, 0xF0, 0xF8, 0xFA})
-    void countsThatLieReadOnlyWhatIsThere(int type) {
+    void countsBeyondTheEndOfThePacketReadOnlyWhatIsThere(int type) {
         byte[] full = new byte[12];
         Arrays.fill(full, (byte) 0xFF);
         for (int length = 0; length <= full.length; length++) {

@@ -32,7 +32,7 @@ class PioneerDrawingTest {
     private final PioneerLights lights = new PioneerLights();
 
     @BeforeEach
-    void stand() {
+    void showRobotAtStart() {
         drawing.show(scene(sip(), Connection.CONNECTED));
     }
 
@@ -49,10 +49,10 @@ class PioneerDrawingTest {
     }
 
     @Test
-    void whatWasMetStaysOnTheMapAndFades() {
-        hear(sip().sonar(0, 1000), SECOND);
+    void echoesStayOnTheMapAndFade() {
+        receive(sip().sonar(0, 1000), SECOND);
         int[] fresh = painted();
-        hear(sip().pose(0, 0, 0), 100 * SECOND);
+        receive(sip().pose(0, 0, 0), 100 * SECOND);
         int[] old = painted();
         drawing.clear();
 
@@ -61,9 +61,9 @@ class PioneerDrawingTest {
     }
 
     @Test
-    void theMapShowsTheWayAndKeepsItInSight() {
-        hear(sip(), SECOND);
-        hear(sip().pose(2000, 0, 0), 2 * SECOND);
+    void theMapShowsThePathAndKeepsItVisible() {
+        receive(sip(), SECOND);
+        receive(sip().pose(2000, 0, 0), 2 * SECOND);
 
         assertThat(drawing.pose().xMm()).isCloseTo(2000, within(1.0));
         assertThat(drawing.extent().contains(0, 0)).isTrue();
@@ -110,7 +110,7 @@ class PioneerDrawingTest {
                 .orElseThrow();
     }
 
-    private void hear(SipBytes sip, long nanos) {
+    private void receive(SipBytes sip, long nanos) {
         PioneerState state = tracker.track(sip.sip(), nanos);
         drawing.record(MODEL, state);
         drawing.show(scene(state, Connection.CONNECTED));

@@ -20,27 +20,27 @@ class FirstBytesTest {
     void theFirstLineIsQuotedHoweverTheBytesArrive(int chunkSize) {
         byte[] wire = WEB_SERVER.getBytes(StandardCharsets.US_ASCII);
         for (int at = 0; at < wire.length; at += chunkSize) {
-            hear(Arrays.copyOfRange(wire, at, Math.min(wire.length, at + chunkSize)));
+            receive(Arrays.copyOfRange(wire, at, Math.min(wire.length, at + chunkSize)));
         }
         assertThat(words.line()).isEqualTo("HTTP/1.1 400 Bad Request");
     }
 
     @Test
-    void ornamentsAreSkipped() {
-        hear("[0:start] *** **********\r\n[0:start] *** URBI Kernel version 1.0\r\n"
+    void decorationIsSkipped() {
+        receive("[0:start] *** **********\r\n[0:start] *** URBI Kernel version 1.0\r\n"
                 .getBytes(StandardCharsets.US_ASCII));
         assertThat(words.line()).isEqualTo("[0:start] *** URBI Kernel version 1.0");
     }
 
     @Test
     void aLongLineIsCut() {
-        hear("x".repeat(500).getBytes(StandardCharsets.US_ASCII));
+        receive("x".repeat(500).getBytes(StandardCharsets.US_ASCII));
         assertThat(words.line()).hasSize(80);
     }
 
     @Test
     void packetsAreNoLine() {
-        hear(SYNC0);
+        receive(SYNC0);
         assertThat(words.line()).isNull();
         assertThat(words.isEmpty()).isFalse();
     }
@@ -53,17 +53,17 @@ class FirstBytesTest {
 
     @Test
     void aTelnetNegotiationIsRecognised() {
-        hear(RFC_2217);
+        receive(RFC_2217);
         assertThat(words.isTelnet()).isTrue();
     }
 
     @Test
     void aPacketIsNoTelnetNegotiation() {
-        hear(SYNC0);
+        receive(SYNC0);
         assertThat(words.isTelnet()).isFalse();
     }
 
-    private void hear(byte[] bytes) {
+    private void receive(byte[] bytes) {
         words.received(bytes, bytes.length);
     }
 }

@@ -89,7 +89,7 @@ public final class RampModel {
         return heading;
     }
 
-    public boolean stands() {
+    public boolean isStationary() {
         return speed == 0 && rate == 0;
     }
 

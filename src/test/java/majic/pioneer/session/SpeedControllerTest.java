@@ -36,7 +36,7 @@ class SpeedControllerTest {
         double seconds = steer(robot, mm, lateMs, true);
 
         assertThat(robot.x()).isCloseTo(mm, within(10.0));
-        assertThat(robot.stands()).isTrue();
+        assertThat(robot.isStationary()).isTrue();
         assertThat(seconds).isLessThan(Math.abs(mm) / 300 * 2 + 5);
     }
 
@@ -49,7 +49,7 @@ class SpeedControllerTest {
         double seconds = steer(robot, degrees, lateMs, false);
 
         assertThat(robot.heading()).isCloseTo(degrees, within(1.0));
-        assertThat(robot.stands()).isTrue();
+        assertThat(robot.isStationary()).isTrue();
         assertThat(seconds).isLessThan(Math.abs(degrees) / 50 * 2 + 5);
     }
 
@@ -67,7 +67,7 @@ class SpeedControllerTest {
             PioneerState now = tracker.track(robot.sip(), ++sips * 100_000_000L);
             controller.reported(target.covered(now), now.isMoving(), sips / 10.0);
             double rate = controller.next(target.covered(now), target.rate(now), sips / 10.0, 0.1);
-            stationary = rate == 0 && robot.stands() ? stationary + 1 : 0;
+            stationary = rate == 0 && robot.isStationary() ? stationary + 1 : 0;
             for (int tick = 0; tick < TICKS_PER_SIP; tick++) {
                 if (tick * TICK_S * 1000 >= Math.min(lateMs, 90)) {
                     follow(robot, (int) Math.round(rate), straight);

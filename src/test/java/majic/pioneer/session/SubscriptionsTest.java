@@ -90,7 +90,7 @@ class SubscriptionsTest {
     }
 
     @Test
-    void aStreamThatEndsIsAskedForAgain() throws InterruptedException {
+    void aStreamThatEndsIsRequestedAgain() throws InterruptedException {
         Subscriptions subscriptions = on("tcp:robot");
 
         read(subscriptions, 3, true);
@@ -100,7 +100,7 @@ class SubscriptionsTest {
     }
 
     @Test
-    void aRobotThatNeverAnswersIsNotAskedForEver() throws InterruptedException {
+    void requestsEndIfTheRobotNeverAnswers() throws InterruptedException {
         Subscriptions subscriptions = on("tcp:robot");
 
         read(subscriptions, 60, false);

@@ -40,13 +40,13 @@ class ObstacleMemoryTest {
     }
 
     @Test
-    void anObstacleInTheLaneIsAheadWhicheverDiscDetectsIt() {
+    void anObstacleInThePathIsAheadWhicheverDiscDetectsIt() {
         assertThat(tracker.track(scan(0, 1, 370).sip(), SECOND).gaps().get(Side.FRONT))
                 .isBetween(100.0, 200.0);
     }
 
     @Test
-    void anObstacleBesideTheLaneIsNotAhead() {
+    void anObstacleBesideThePathIsNotAhead() {
         assertThat(tracker.track(scan(0, 1, 900).sip(), SECOND).gaps().get(Side.FRONT))
                 .isInfinite();
     }
@@ -62,7 +62,7 @@ class ObstacleMemoryTest {
     }
 
     @Test
-    void discsThatHaveGoneSilentDoNotCount() {
+    void discsWithoutRecentReadingsDoNotCount() {
         tracker.track(scan(0).sip(), SECOND);
 
         assertThat(tracker.track(new SipBytes().sip(), 4 * SECOND).gaps()).isEmpty();

@@ -88,17 +88,17 @@ class PioneerStateTest {
 
     @Test
     void encodersGoOnWhereTheRobotsOwnRollOver() {
-        hear("90", "F6 FF FF 7F 0A 00 00 80");
-        PioneerState state = hear("90", "0A 00 00 80 F6 FF FF 7F");
+        receive("90", "F6 FF FF 7F 0A 00 00 80");
+        PioneerState state = receive("90", "0A 00 00 80 F6 FF FF 7F");
 
         assertThat(state.encoders()).hasValue(new EncoderTicks(Integer.MAX_VALUE + 11L, Integer.MIN_VALUE - 10L));
     }
 
     @Test
     void packetsBesideTheSipsStayUntilTheNextOfTheirKind() {
-        hear("F8", "01 00 00 02 00 02 00 00");
-        hear("90", "01 00 00 00 02 00 00 00");
-        PioneerState state = hear("F8", "00 00 00 02 00 02 00 00");
+        receive("F8", "01 00 00 02 00 02 00 00");
+        receive("90", "01 00 00 00 02 00 00 00");
+        PioneerState state = receive("F8", "00 00 00 02 00 02 00 00");
 
         assertThat(state.joystick()).hasValue(new Joystick(false, false, 512, 512, 0));
         assertThat(state.encoders()).hasValue(new EncoderTicks(1, 2));
@@ -106,7 +106,7 @@ class PioneerStateTest {
 
     @Test
     void theIoPacketHasAllPorts() {
-        PioneerState state = hear("F0", "02 FF FE 01 00 02 00 02 FF 03");
+        PioneerState state = receive("F0", "02 FF FE 01 00 02 00 02 FF 03");
 
         assertThat(state.ports().allDigitalIn()).containsExactly(255, 254);
         assertThat(state.ports().allAnalogVolts()).hasSize(2);
@@ -115,27 +115,27 @@ class PioneerStateTest {
 
     @Test
     void batteriesWithElectronicsReportTheCharge() {
-        assertThat(hear("FA", "02 05 00 00 00 50 46 00 00 00 28 1E").power().percent())
+        assertThat(receive("FA", "02 05 00 00 00 50 46 00 00 00 28 1E").power().percent())
                 .hasValue(60);
     }
 
     @Test
     void aChargeOfMoreThanAllIsNotKnown() {
-        assertThat(hear("FA", "01 05 00 00 00 FA 00").power().percent()).isEmpty();
+        assertThat(receive("FA", "01 05 00 00 00 FA 00").power().percent()).isEmpty();
     }
 
     @Test
     void theGyroTurnsLeftBelowItsRest() {
-        assertThat(hear("98", "02 F6 01 19 F6 01 19").gyroDegPerSec().orElseThrow())
+        assertThat(receive("98", "02 F6 01 19 F6 01 19").gyroDegPerSec().orElseThrow())
                 .isCloseTo(9.54, within(0.01));
-        assertThat(hear("98", "00").gyroDegPerSec()).isEmpty();
+        assertThat(receive("98", "00").gyroDegPerSec()).isEmpty();
     }
 
     private PioneerState track(SipBytes sip) {
         return tracker.track(sip.sip(), 1);
     }
 
-    private PioneerState hear(String type, String data) {
+    private PioneerState receive(String type, String data) {
         byte[] bytes = Bytes.of(data);
         Packet packet = new Packet(Integer.parseInt(type, 16), bytes, 0, bytes.length);
         tracker.add(Objects.requireNonNull(ReportDecoder.decode(packet)));
