@@ -9,6 +9,7 @@ import majic.program.UsageException;
 import majic.program.UserFolder;
 import majic.server.LineServer;
 import majic.simulation.SimulatedLab;
+import majic.vendor.VendorLibrary;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -31,6 +32,20 @@ final class StartOptions {
             scope = ScopeType.INHERIT,
             description = "Add a robot, such as pioneer://10.0.0.5; repeatable.")
     private List<String> robots = new ArrayList<>();
+
+    @Option(
+            names = "--aria-home",
+            paramLabel = "DIR",
+            scope = ScopeType.INHERIT,
+            description = "Where MobileRobots' ARIA is installed, for pioneer+aria://10.0.0.5.")
+    private @Nullable String ariaHome;
+
+    @Option(
+            names = "--liburbi-home",
+            paramLabel = "DIR",
+            scope = ScopeType.INHERIT,
+            description = "Where liburbi-java is installed, for aibo+liburbi://192.168.1.20.")
+    private @Nullable String liburbiHome;
 
     @Option(
             names = "--listen",
@@ -69,6 +84,8 @@ final class StartOptions {
         if (!lab && choice.isGiven()) {
             throw new UsageException("the options of the simulated lab need --lab, as in majic --lab --exact");
         }
+        name(VendorLibrary.ARIA, ariaHome);
+        name(VendorLibrary.LIBURBI, liburbiHome);
         SimulatedLab simulated = lab ? SimulatedLab.scaled(choice.options(), choice.speed()) : null;
         if (simulated != null) {
             choice.tellTakenPorts(simulated.simulators().addresses());
@@ -79,6 +96,12 @@ final class StartOptions {
             tell(listen(program, address(listen)));
         }
         return program;
+    }
+
+    private static void name(VendorLibrary library, @Nullable String home) {
+        if (home != null) {
+            System.setProperty(library.property(), home);
+        }
     }
 
     private LineServer listen(Program program, InetSocketAddress address) throws IOException {
