@@ -1,12 +1,14 @@
 package majic.bot;
 
 import java.util.Locale;
+import java.util.Optional;
 
 /**
- * Where a robot is, as users type it: {@code aibo://192.168.1.20}, {@code hemisson:COM3}, {@code sim:pioneer}.
- * Immutable.
+ * Where a robot is, as users type it: {@code aibo://192.168.1.20}, {@code hemisson:COM3}, {@code sim:pioneer},
+ * {@code pioneer+aria://10.0.0.5}. Immutable.
  *
- * @param scheme the word before the first colon, in lower case: a type of robot, or {@code sim}
+ * @param scheme the word before the first colon, in lower case: a type of robot, with or without the library to drive it
+ *     by behind a plus sign, or {@code sim}
  * @param rest all behind that colon
  */
 public record BotAddress(String scheme, String rest) {
@@ -27,6 +29,26 @@ public record BotAddress(String scheme, String rest) {
                     text + ": not a robot's address; it looks like pioneer://10.0.0.5:8101, hemisson:COM3 or sim:aibo");
         }
         return new BotAddress(text.substring(0, colon).toLowerCase(Locale.ROOT), text.substring(colon + 1));
+    }
+
+    /**
+     * Returns the type of robot.
+     *
+     * @return the scheme, up to a plus sign
+     */
+    public String type() {
+        int plus = scheme.indexOf('+');
+        return plus < 0 ? scheme : scheme.substring(0, plus);
+    }
+
+    /**
+     * Returns the maker's library by which the robot is to be driven.
+     *
+     * @return what follows the plus sign in the scheme; empty for the program's own client
+     */
+    public Optional<String> library() {
+        int plus = scheme.indexOf('+');
+        return plus < 0 ? Optional.empty() : Optional.of(scheme.substring(plus + 1));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.util.List;
+import java.util.stream.Collectors;
 import majic.text.Advice;
 
 /**
@@ -62,6 +63,36 @@ public interface BotType {
      * @throws BotException if the address is invalid; the message shows a valid one
      */
     MajicBot create(String address, BotEnvironment environment);
+
+    /**
+     * Makers' libraries by which a robot of this type can be driven instead of by the driver's own client.
+     *
+     * @return their names in addresses: {@code aria} for {@code pioneer+aria://10.0.0.5}
+     */
+    default List<String> libraries() {
+        return List.of();
+    }
+
+    /**
+     * Makes the driver for a robot at an address that may name a library, without touching the robot.
+     *
+     * @param address its type is this one
+     * @param environment the clock and settings to use
+     * @return the driver, not connected
+     * @throws BotException if the address is invalid, or the library it names is not one of {@link #libraries()} or is not
+     *     installed; the message says what would be right
+     */
+    default MajicBot create(BotAddress address, BotEnvironment environment) {
+        address.library().filter(library -> !libraries().contains(library)).ifPresent(library -> {
+            throw new BotException(
+                    address + ": there is no library " + library + " for the " + label() + "; it looks like "
+                            + name() + ":" + address.rest()
+                            + libraries().stream()
+                                    .map(known -> " or " + name() + "+" + known + ":" + address.rest())
+                                    .collect(Collectors.joining()));
+        });
+        return create(address.rest(), environment);
+    }
 
     /**
      * What to try when nothing answers, for users next to the robot.

@@ -75,7 +75,7 @@ public final class BotFactory {
         if (address.scheme().equals(BotAddress.SIMULATED)) {
             return createSimulated(address);
         }
-        return type(address.scheme()).create(address.rest(), environment(TimeSource.system()));
+        return type(address.type()).create(address, environment(TimeSource.system()));
     }
 
     private MajicBot createSimulated(BotAddress address) {
@@ -86,7 +86,7 @@ public final class BotFactory {
         BotAddress real = running.address(address.rest())
                 .orElseThrow(() -> new BotException(address + ": the lab has no " + address.rest() + " (it has "
                         + String.join(", ", running.robots()) + ")"));
-        MajicBot bot = type(real.scheme()).create(real.rest(), environment(running.time()));
+        MajicBot bot = type(real.type()).create(real, environment(running.time()));
         inLab.put(bot, address.rest());
         return bot;
     }

@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 
 /** A type of robot that is made up for tests: {@code fake://anything}. */
-public final class FakeType implements BotType {
+public class FakeType implements BotType {
     private final String name;
     private final Map<String, FakeBot> made = new ConcurrentHashMap<>();
     private volatile boolean broken;

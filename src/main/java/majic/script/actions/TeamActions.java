@@ -179,7 +179,7 @@ final class TeamActions {
         literal.at().check(() -> {
             BotAddress address = BotAddress.parse(literal.unquoted());
             if (!address.scheme().equals(BotAddress.SIMULATED)) {
-                factory.type(address.scheme());
+                factory.type(address.type());
             }
         });
     }

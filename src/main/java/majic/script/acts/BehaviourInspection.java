@@ -178,7 +178,7 @@ final class BehaviourInspection extends Inspection {
     private static String type(BotAddress address) {
         return address.scheme().equals(BotAddress.SIMULATED)
                 ? address.rest().replaceFirst("\\d+$", "")
-                : address.scheme();
+                : address.type();
     }
 
     private void robots(Robots robots) {

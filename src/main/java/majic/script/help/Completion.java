@@ -9,6 +9,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
+import majic.bot.BotType;
 import majic.bot.Parameter;
 import majic.script.syntax.Cursor;
 import majic.script.syntax.LineParser;
@@ -114,7 +115,10 @@ public final class Completion {
 
     private Collection<String> addresses() {
         List<String> words = new ArrayList<>();
-        factory.types().forEach(type -> words.add(type.name() + ":"));
+        for (BotType type : factory.types()) {
+            words.add(type.name() + ":");
+            type.libraries().forEach(library -> words.add(type.name() + "+" + library + ":"));
+        }
         factory.lab().ifPresent(lab -> lab.robots().forEach(robot -> words.add(BotAddress.SIMULATED + ":" + robot)));
         return words;
     }

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import majic.bot.BotCommand;
+import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
@@ -100,10 +101,20 @@ public final class Help {
     private static List<String> robots(BotFactory factory, Team team) {
         List<String> lines = new ArrayList<>();
         factory.types()
-                .forEach(type -> lines.add(type.name() + ": " + type.make() + ", added with \"add " + type.name()
-                        + (type.defaultPort() > 0 ? "://HOST:" + type.defaultPort() : ":PORT") + "\""));
+                .forEach(type ->
+                        lines.add(type.name() + ": " + type.make() + ", added with \"add " + addresses(type) + "\""));
         lines.add(team.roll());
         return lines;
+    }
+
+    private static String addresses(BotType type) {
+        String rest = type.defaultPort() > 0 ? "://HOST:" + type.defaultPort() : ":PORT";
+        return type.name()
+                + rest
+                + type.libraries().stream()
+                        .map(library ->
+                                "\" or, by the library " + library + ", \"add " + type.name() + "+" + library + rest)
+                        .collect(Collectors.joining());
     }
 
     /** For one robot, or one parameter or command of it. */

@@ -1,0 +1,43 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class BotAddressTest {
+    @Test
+    void anAddressMayNameALibraryBehindThePlusSign() {
+        BotAddress address = BotAddress.parse("Pioneer+Aria://10.0.0.5:8101");
+
+        assertThat(address.type()).isEqualTo("pioneer");
+        assertThat(address.library()).contains("aria");
+        assertThat(address.rest()).isEqualTo("//10.0.0.5:8101");
+        assertThat(address).hasToString("pioneer+aria://10.0.0.5:8101");
+    }
+
+    @Test
+    void anAddressWithoutOneMeansTheProgramsOwnClient() {
+        BotAddress address = BotAddress.parse("hemisson:COM3");
+
+        assertThat(address.type()).isEqualTo("hemisson");
+        assertThat(address.library()).isEmpty();
+    }
+
+    @Test
+    void aLibraryThatATypeDoesNotUseIsRefusedWithThoseThatItDoes() {
+        BotType type = new FakeType() {
+            @Override
+            public List<String> libraries() {
+                return List.of("one", "two");
+            }
+        };
+        assertThatThrownBy(() -> type.create(BotAddress.parse("fake+three://a"), BotEnvironment.plain()))
+                .isInstanceOf(BotException.class)
+                .hasMessage("fake+three://a: there is no library three for the Fake; it looks like fake://a or"
+                        + " fake+one://a or fake+two://a");
+        assertThat(type.create(BotAddress.parse("fake://a"), BotEnvironment.plain()))
+                .isNotNull();
+    }
+}
