@@ -4,8 +4,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Refuses what must never reach a dog, from any source, for it makes the server unusable, ends what other programs run, or
- * takes a joint from its motor (URBI sheet 5, 9, 19 "Never send").
+ * Refuses commands that must never reach a dog, from any source: they make the server unusable, end what other programs
+ * run, or disconnect a joint from its motor (URBI sheet 5, 9, 19 "Never send").
  */
 final class CommandFilter {
     /** The longest command; a server drops what is longer than its queue of 32 KiB (URBI sheet 2). */
@@ -22,7 +22,7 @@ final class CommandFilter {
     private CommandFilter() {}
 
     /**
-     * Lets commands pass that may be sent.
+     * Checks that commands may be sent.
      *
      * @throws UrbiRefusal if they may not; nothing is to be sent then
      */

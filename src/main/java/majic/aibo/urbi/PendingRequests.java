@@ -6,11 +6,11 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** The commands of one connection that something is still expected to come back for, oldest first. Thread-safe. */
+/** The commands of one connection that still wait for an answer, oldest first. Thread-safe. */
 public final class PendingRequests {
     /**
-     * A syntax error names a place; other troubles under the same tag answer no command (URBI sheet 11). Of the two lines
-     * about a command that there was no room for the first one answers it (URBI sheet 2).
+     * A syntax error names a place; other errors under the same tag answer no command (URBI sheet 11). Of the two lines about
+     * a command that found the server's queue full, the first one answers it (URBI sheet 2).
      */
     private static final Pattern ANSWERS_A_COMMAND = Pattern.compile("\\d+\\.\\d.*|Receive buffer full.*");
 

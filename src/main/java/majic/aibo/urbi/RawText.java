@@ -6,8 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Looks at a raw command before it may go out. Beside what is harmful from anybody it refuses what would leave the
- * server waiting for the rest of it, or close connections (URBI sheet 3, 9, 12).
+ * Checks a raw command before it may be sent. Besides the commands that {@link CommandFilter} refuses, it refuses those that
+ * would leave the server waiting for the rest, and those that close connections (URBI sheet 3, 9, 12).
  */
 public final class RawText {
     private static final Pattern CLOSES = Pattern.compile("(?<![\\w.])(?:quit|disconnect|killall)(?![\\w.])");
@@ -19,10 +19,10 @@ public final class RawText {
     private RawText() {}
 
     /**
-     * Lets a text pass that is whole in itself.
+     * Checks that a text is complete in itself.
      *
-     * @return it, without what ends it
-     * @throws UrbiRefusal if the server could not make sense of it; nothing is to be sent then
+     * @return the text, without the separators at its end
+     * @throws UrbiRefusal if it is refused; nothing may be sent then
      */
     public static String checked(String text) {
         CommandFilter.check(text);

@@ -9,17 +9,17 @@ public final class Tags {
             "mj" + Integer.toString(ThreadLocalRandom.current().nextInt(36 * 36 * 36, 36 * 36 * 36 * 36), 36) + "_";
     private final AtomicInteger count = new AtomicInteger();
 
-    /** A tag never given out before. */
+    /** A tag that was not used before. */
     public String next() {
         return stem + count.incrementAndGet();
     }
 
-    /** The tag for something there is one of. */
+    /** The tag for a command that runs at most once at a time. */
     public String named(String name) {
         return stem + name;
     }
 
-    /** A name for a variable all connections share, which no other client uses. */
+    /** The name of a variable on the dog that all connections of this client share and no other client uses. */
     public String sharedVariable(String name) {
         return "majic." + stem + name;
     }

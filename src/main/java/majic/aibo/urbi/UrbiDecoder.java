@@ -50,14 +50,14 @@ public final class UrbiDecoder {
         return found;
     }
 
-    /** Whether raw bytes are still to come. */
+    /** Whether more raw bytes of a binary are expected. */
     public boolean isInBinary() {
         return binaryLeft > 0;
     }
 
     /**
-     * Gives up the binary under way if a message stands inside of what came for it, for then it was cut short; gives that
-     * message and what follows it. Otherwise it stays as it is: the link may just be slow.
+     * Discards the unfinished binary if the bytes received for it contain a message, because then it was cut short; returns
+     * that message and those after it. Otherwise keeps the binary: the link may only be slow.
      */
     public List<UrbiMessage> giveUpCutBinary() {
         int next = isInBinary() ? UrbiPrefix.find(bytes, bodyStart, length) : -1;

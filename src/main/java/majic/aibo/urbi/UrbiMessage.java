@@ -11,7 +11,7 @@ public record UrbiMessage(long timeMs, String tag, Body body) {
     /** The tag of answers to commands that had none. */
     static final String NO_TAG = "notag";
 
-    /** Whether it stands under the tag of syntax errors and of the server's own troubles (URBI sheet 11). */
+    /** Whether it has the tag of syntax errors and of the server's own errors (URBI sheet 11). */
     boolean isError() {
         return tag.equals("error");
     }

@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What stands before each message: {@code [00012345:tag] } on 1.0, {@code [00012345] } on 1.5 (URBI sheet 4).
+ * The prefix of each message: {@code [00012345:tag] } on 1.0, {@code [00012345] } on 1.5 (URBI sheet 4).
  *
  * @param timeMs the server's clock
  * @param tag whose message it is
@@ -18,11 +18,11 @@ record UrbiPrefix(long timeMs, String tag) {
     private static final Pattern SHAPE = Pattern.compile("\\[(\\d{1,18})(?::([^\\]]*))?\\]");
 
     /** As servers print it: at least eight digits. */
-    private static final Pattern IN_THE_MIDST = Pattern.compile("\\[\\d{8,18}(?::[\\w.]{1,64})?\\] ?");
+    private static final Pattern WITHIN_BYTES = Pattern.compile("\\[\\d{8,18}(?::[\\w.]{1,64})?\\] ?");
 
-    /** Where the first prefix stands within bytes that were taken for something else; −1 if there is none. */
+    /** The index of the first prefix within bytes that were taken for something else; −1 if there is none. */
     static int find(byte[] bytes, int from, int to) {
-        Matcher prefix = IN_THE_MIDST.matcher(new String(bytes, from, to - from, StandardCharsets.ISO_8859_1));
+        Matcher prefix = WITHIN_BYTES.matcher(new String(bytes, from, to - from, StandardCharsets.ISO_8859_1));
         return prefix.find() ? from + prefix.start() : -1;
     }
 

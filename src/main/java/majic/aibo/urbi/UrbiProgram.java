@@ -1,8 +1,8 @@
 package majic.aibo.urbi;
 
 /**
- * What of commands is program: comments are left out, and so is what stands in quotes, as the server's splitter sees it
- * (URBI sheet 3). A comment begins nowhere in quotes, and a quote nowhere in a comment, so both are looked for at once.
+ * The program text of commands, without comments and quoted texts, as the server's splitter sees it (URBI sheet 3). No
+ * comment begins inside quotes and no quote inside a comment, so both are found in one pass.
  */
 final class UrbiProgram {
     private final String commands;

@@ -3,8 +3,7 @@ package majic.aibo.urbi;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A command that something is expected to come back for. Filled in by the reader of its connection; safe to look at
- * from any thread.
+ * A command that waits for an answer, and the answer. Set by the reader thread of its connection; read by any thread.
  */
 public final class UrbiRequest {
     /** What makes a command answered. */
@@ -49,7 +48,7 @@ public final class UrbiRequest {
         return expects == Expects.PONG;
     }
 
-    /** Takes a message under its tag. */
+    /** Records a message with its tag. */
     void accept(UrbiMessage message) {
         if (message.body() instanceof UrbiMessage.Failure wrong) {
             fail(wrong.text(), message.timeMs());
@@ -60,8 +59,8 @@ public final class UrbiRequest {
         }
     }
 
-    private void acceptValue(UrbiValue told, long timeMs) {
-        value = told;
+    private void acceptValue(UrbiValue answer, long timeMs) {
+        value = answer;
         if (expects == Expects.VALUE) {
             finish(timeMs);
         }

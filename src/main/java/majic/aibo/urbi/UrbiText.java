@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** How answers of the dog are shown to people. */
+/** Formats answers of the dog for the user. */
 public final class UrbiText {
     private UrbiText() {}
 

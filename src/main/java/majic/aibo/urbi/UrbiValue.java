@@ -32,7 +32,7 @@ public sealed interface UrbiValue {
     }
 
     /**
-     * Raw bytes with what the server says of them.
+     * Raw bytes with the server's description of them.
      *
      * @param words type and parameters as printed, such as {@code jpeg 208 160}; servers may repeat the last one
      * @param bytes the content; not to be changed
