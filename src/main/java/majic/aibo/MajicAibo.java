@@ -23,7 +23,6 @@ import majic.aibo.sound.Speaker;
 import majic.aibo.sound.Volume;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiVersion;
-import majic.aibo.urbi.Waiting;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
@@ -33,6 +32,7 @@ import majic.bot.Motion;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.CalibrateCommand;
+import majic.driver.RobotWait;
 import majic.link.Link;
 import majic.link.Links;
 import org.jspecify.annotations.Nullable;
@@ -129,7 +129,7 @@ public final class MajicAibo extends MajicBot {
     protected void open() {
         lostBecause = null;
         dog.forgetReadings();
-        AiboSession opening = new AiboSession(this::link, new Waiting(time(), changes()), dog, new Voice());
+        AiboSession opening = new AiboSession(this::link, new RobotWait(time(), changes()), dog, new Voice());
         session = opening;
         try {
             opening.open();
@@ -204,7 +204,7 @@ public final class MajicAibo extends MajicBot {
 
     /** Makes what asks the dog for pictures and LEDs, not asking yet. */
     PanelPoller poller(PanelPoller.Audience audience) {
-        return new PanelPoller(new Waiting(time(), changes()), this::openSensors, audience);
+        return new PanelPoller(new RobotWait(time(), changes()), this::openSensors, audience);
     }
 
     private @Nullable UrbiConnection openSensors() {

@@ -23,13 +23,13 @@ final class HemissonScenes {
 
     private final MajicBot bot;
     private final CurrentSession sessions;
-    private final RobotMonitor overseer;
+    private final RobotMonitor monitor;
     private final LedsAndBuzzer lamps;
 
-    HemissonScenes(MajicBot bot, CurrentSession sessions, RobotMonitor overseer, LedsAndBuzzer lamps) {
+    HemissonScenes(MajicBot bot, CurrentSession sessions, RobotMonitor monitor, LedsAndBuzzer lamps) {
         this.bot = bot;
         this.sessions = sessions;
-        this.overseer = overseer;
+        this.monitor = monitor;
         this.lamps = lamps;
     }
 
@@ -37,13 +37,13 @@ final class HemissonScenes {
     HemissonScene now() {
         return new HemissonScene(
                 line(),
-                overseer.seen(),
+                monitor.seen(),
                 freshLight(),
-                overseer.reckoning().track().wheels(),
+                monitor.reckoning().track().wheels(),
                 bot.state(),
                 lamps.leds(),
                 lamps.isBuzzing(),
-                overseer.identity(),
+                monitor.identity(),
                 switches());
     }
 
@@ -67,7 +67,7 @@ final class HemissonScenes {
 
     /** The light on the eight sensors, 0 bright to 255 dark; null before the first reading and when it is old. */
     private @Nullable List<Integer> freshLight() {
-        PolledAnswers.Heard heard = overseer.senses().heard(Question.LIGHT);
+        PolledAnswers.Heard heard = monitor.senses().heard(Question.LIGHT);
         return heard != null && bot.time().nanos() - heard.nanos() < FRESH_S * 1e9
                 ? heard.reply().numbers()
                 : null;
@@ -75,7 +75,7 @@ final class HemissonScenes {
 
     /** The switches as they are now; those of the time of connecting before the first reading. */
     private List<Integer> switches() {
-        PolledAnswers.Heard heard = overseer.senses().heard(Question.SWITCHES);
-        return heard == null ? overseer.identity().switches() : heard.reply().numbers();
+        PolledAnswers.Heard heard = monitor.senses().heard(Question.SWITCHES);
+        return heard == null ? monitor.identity().switches() : heard.reply().numbers();
     }
 }

@@ -10,6 +10,7 @@ import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.Value;
 import majic.driver.CalibrateCommand;
+import majic.driver.RobotWait;
 import majic.hemisson.line.BlockingConversation;
 import majic.hemisson.line.CurrentSession;
 import majic.hemisson.line.Handshake;
@@ -46,9 +47,9 @@ public final class MajicHemisson extends MajicBot {
 
     private final Pins pins = new Pins();
     private final CurrentSession sessions;
-    private final RobotMonitor overseer;
+    private final RobotMonitor monitor;
     private final SpeedCalibration calibration;
-    private final StopConfirmation standstill;
+    private final StopConfirmation stopConfirmation;
     private final RobotReadings access;
     private final MotionRunner motions;
     private final LedsAndBuzzer lamps;
@@ -76,13 +77,14 @@ public final class MajicHemisson extends MajicBot {
         super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
         this.sessions = new CurrentSession(address, time());
         this.calibration = new SpeedCalibration(settings(), address, this::use);
-        this.overseer = new RobotMonitor(new Owner(), time(), changes(), calibration.table());
-        BlockingConversation answers = new BlockingConversation(sessions, changes(), this::isConnected);
-        this.standstill = new StopConfirmation(sessions, changes(), this::isLost, overseer.wheels()::found);
-        this.motions = new MotionRunner(sessions, answers, standstill, overseer, time());
-        this.access = new RobotReadings(overseer.senses(), answers, time());
+        this.monitor = new RobotMonitor(new Owner(), time(), changes(), calibration.table());
+        RobotWait waiting = new RobotWait(time(), changes());
+        BlockingConversation answers = new BlockingConversation(sessions, waiting, this::isConnected);
+        this.stopConfirmation = new StopConfirmation(sessions, waiting, this::isLost, monitor.wheels()::found);
+        this.motions = new MotionRunner(sessions, answers, stopConfirmation, monitor, time());
+        this.access = new RobotReadings(monitor.senses(), answers, time());
         this.lamps = new LedsAndBuzzer(answers);
-        this.views = new HemissonScenes(this, sessions, overseer, lamps);
+        this.views = new HemissonScenes(this, sessions, monitor, lamps);
         profile(HemissonProfile.of(calibration.table()));
         new HemissonParameters(access, lamps, pins, calibration, new Known()).describe(table());
         add(CalibrateCommand.of(new SpeedCalibrationRun(calibration, motions, new Cruise())));
@@ -90,26 +92,26 @@ public final class MajicHemisson extends MajicBot {
     }
 
     private void use(SpeedTable better) {
-        overseer.reckoning().use(better);
+        monitor.reckoning().use(better);
         profile(HemissonProfile.of(better));
     }
 
     @Override
     protected void open() {
-        HemissonSession opened = sessions.open(overseer);
-        overseer.begin(opened);
+        HemissonSession opened = sessions.open(monitor);
+        monitor.begin(opened);
         opened.start();
-        every("hemisson line", TICK_S, overseer::tick);
+        every("hemisson line", TICK_S, monitor::tick);
         try {
-            Handshake handshake = new Handshake(opened, changes());
-            overseer.identified(handshake.run());
+            Handshake handshake = new Handshake(opened, new RobotWait(time(), changes()));
+            monitor.identified(handshake.run());
             Reply scan = handshake.scan();
             equip(scan == null ? Modules.NONE : Modules.of(scan));
         } catch (BotException e) {
             sessions.end();
             throw e;
         }
-        overseer.watch();
+        monitor.watch();
     }
 
     /** Describes the modules that are plugged in. */
@@ -122,7 +124,7 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected void shut() {
-        String unsettled = standstill.end();
+        String unsettled = stopConfirmation.end();
         if (unsettled != null) {
             notice(unsettled);
         }
@@ -151,12 +153,12 @@ public final class MajicHemisson extends MajicBot {
 
     @Override
     protected void halt() {
-        standstill.order();
+        stopConfirmation.send();
     }
 
     @Override
     public void confirmHalt() {
-        standstill.confirm();
+        stopConfirmation.confirm();
     }
 
     @Override
@@ -209,7 +211,7 @@ public final class MajicHemisson extends MajicBot {
     private final class Known implements RobotParameters.Source {
         @Override
         public Identity identity() {
-            return overseer.identity();
+            return monitor.identity();
         }
 
         @Override

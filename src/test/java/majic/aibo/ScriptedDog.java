@@ -11,9 +11,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.TestClock;
-import majic.aibo.urbi.Waiting;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
+import majic.driver.RobotWait;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import majicsim.net.LineCount;
@@ -152,8 +152,8 @@ public final class ScriptedDog implements AutoCloseable {
     }
 
     /** Where a part of a driver waits that lives by its clock. */
-    public Waiting waiting() {
-        return new Waiting(time, time.signal());
+    public RobotWait waiting() {
+        return new RobotWait(time, time.signal());
     }
 
     public TestClock clock() {

@@ -13,8 +13,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiRefusal;
-import majic.aibo.urbi.Waiting;
 import majic.bot.LinkLost;
+import majic.driver.RobotWait;
 import majic.link.Links;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
@@ -38,14 +38,14 @@ class UploadTest {
                 Links.of("//127.0.0.1:" + server.getLocalPort(), AiboType.PORT, 0),
                 new UrbiConnection.Owner() {
                     @Override
-                    public void heard(UrbiMessage message) {}
+                    public void received(UrbiMessage message) {}
 
                     @Override
                     public void broken(UrbiConnection from, String why) {
                         broken.add(why);
                     }
                 },
-                new Waiting(TimeSource.system(), TimeSource.system().signal()));
+                new RobotWait(TimeSource.system(), TimeSource.system().signal()));
         connection.open(1000);
         peer = server.accept();
     }

@@ -10,6 +10,7 @@ import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
 import majic.StandingRobot;
 import majic.aibo.AiboType;
+import majic.driver.RobotWait;
 import majic.link.Links;
 import majic.time.TimeSource;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -88,12 +89,12 @@ public class CameraStreamBenchmark {
                     "pictures",
                     Links.of("//127.0.0.1:" + camera.dog.port(), AiboType.PORT, 0),
                     this,
-                    new Waiting(time, time.signal()));
+                    new RobotWait(time, time.signal()));
             connection.open(CONNECT_MS);
         }
 
         @Override
-        public void heard(UrbiMessage message) {
+        public void received(UrbiMessage message) {
             arrived.release();
         }
 

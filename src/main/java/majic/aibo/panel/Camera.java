@@ -7,20 +7,20 @@ import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Waiting;
+import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /** Asks for pictures, one at a time: none is asked for while an earlier one may still be on its way. Thread-safe. */
 final class Camera {
     static final double LONGEST_S = 4;
 
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final Tags tags = new Tags();
     private final AtomicReference<@Nullable Request> pending = new AtomicReference<>();
 
     private record Request(UrbiConnection on, UrbiRequest ask) {}
 
-    Camera(Waiting waiting) {
+    Camera(RobotWait waiting) {
         this.waiting = waiting;
     }
 

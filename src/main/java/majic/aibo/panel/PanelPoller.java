@@ -6,8 +6,8 @@ import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Waiting;
 import majic.bot.BotException;
+import majic.driver.RobotWait;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
@@ -29,7 +29,7 @@ public final class PanelPoller {
         void miss(String why);
     }
 
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final Supplier<@Nullable UrbiConnection> connection;
     private final Audience audience;
     private final Camera camera;
@@ -41,7 +41,7 @@ public final class PanelPoller {
      *
      * @param connection the one for sensors and settings that is open now; null while none is
      */
-    public PanelPoller(Waiting waiting, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
+    public PanelPoller(RobotWait waiting, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
         this.waiting = waiting;
         this.connection = connection;
         this.audience = audience;

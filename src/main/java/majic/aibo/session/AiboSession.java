@@ -13,11 +13,11 @@ import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Waiting;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
+import majic.driver.RobotWait;
 import majic.link.Link;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
@@ -41,7 +41,7 @@ public final class AiboSession {
         void lost(LinkLost cause);
     }
 
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final DogState dog;
     private final Robot robot;
     private final Tags tags = new Tags();
@@ -58,7 +58,7 @@ public final class AiboSession {
     private final AiboDrive driving;
     private volatile @Nullable ConnectionMonitor monitor;
 
-    public AiboSession(Supplier<Link> link, Waiting waiting, DogState dog, Robot robot) {
+    public AiboSession(Supplier<Link> link, RobotWait waiting, DogState dog, Robot robot) {
         this.waiting = waiting;
         this.dog = dog;
         this.robot = robot;
@@ -98,7 +98,7 @@ public final class AiboSession {
         for (Sensor.Rate rate : Sensor.Rate.values()) {
             connections.sensors().send(poll.order(rate, connections.sensors().version()));
         }
-        boolean all = waiting.await(() -> router.answered() == Sensor.values().length, FIRST_READINGS_S);
+        boolean all = waiting.awaitConnecting(() -> router.answered() == Sensor.values().length, FIRST_READINGS_S);
         if (!all && router.answered() == 0) {
             throw new BotException("the dog lets itself be connected but tells no reading within "
                     + (int) FIRST_READINGS_S + " s; restart the dog");
@@ -106,7 +106,7 @@ public final class AiboSession {
         router.listenAnew();
     }
 
-    public Waiting waiting() {
+    public RobotWait waiting() {
         return waiting;
     }
 

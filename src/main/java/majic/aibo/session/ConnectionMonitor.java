@@ -5,7 +5,7 @@ import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.PingProbe;
 import majic.aibo.urbi.Tags;
-import majic.aibo.urbi.Waiting;
+import majic.driver.RobotWait;
 
 /** Detects a dog that no longer reports or no longer receives. Used by the robot's timer thread. */
 final class ConnectionMonitor {
@@ -20,7 +20,7 @@ final class ConnectionMonitor {
     private boolean told;
 
     /** Begins to watch links that are open. */
-    ConnectionMonitor(AiboConnections connections, MessageRouter router, Tags tags, Waiting waiting, DogClock clock) {
+    ConnectionMonitor(AiboConnections connections, MessageRouter router, Tags tags, RobotWait waiting, DogClock clock) {
         this.connections = connections;
         this.router = router;
         this.probes = List.of(
@@ -34,7 +34,7 @@ final class ConnectionMonitor {
             connections.broken(connections.sensors(), "no word from the dog for " + (int) LOST_S + " s");
         }
         for (PingProbe probe : probes) {
-            if (!probe.beats()) {
+            if (!probe.check()) {
                 connections.broken(probe.connection(), PingProbe.silence());
             }
         }

@@ -8,7 +8,7 @@ import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Waiting;
+import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,7 +29,7 @@ public final class DogGuard {
 
     private final AiboConnections connections;
     private final Tags tags;
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final DogClock clock;
     private final String alive;
     private final String tag;
@@ -38,7 +38,7 @@ public final class DogGuard {
     private boolean armed;
     private long renewedNanos;
 
-    DogGuard(AiboConnections connections, Tags tags, Waiting waiting, DogClock clock) {
+    DogGuard(AiboConnections connections, Tags tags, RobotWait waiting, DogClock clock) {
         this.connections = connections;
         this.tags = tags;
         this.waiting = waiting;
@@ -58,7 +58,7 @@ public final class DogGuard {
                 alive + " = " + FAR_AHEAD + "; " + tag + ": every(200) { if (time() - " + alive + " > " + PATIENCE_MS
                         + ") { stop walk & stop turn } },");
         UrbiRequest pong = motion.ping(tags);
-        waiting.await(() -> pong.isDone() || motion.isEnded(), ANSWER_S);
+        waiting.awaitConnecting(() -> pong.isDone() || motion.isEnded(), ANSWER_S);
         motion.forget(guard);
         if (guard.failure() == null && time.value() instanceof UrbiValue.Num serverMs) {
             stampAheadMs = time.doneMs() - serverMs.amount();

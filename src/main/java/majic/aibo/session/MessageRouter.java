@@ -13,14 +13,14 @@ import majic.aibo.body.Sensor;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
-import majic.aibo.urbi.Waiting;
+import majic.driver.RobotWait;
 
 /** Routes messages that answer no request: readings, battery lines, the rest. Called on the readers' threads. */
 final class MessageRouter {
     private static final Logger LOG = System.getLogger(MessageRouter.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
 
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final DogState dog;
     private final PollCommands poll;
     private final DogClock clock;
@@ -31,7 +31,7 @@ final class MessageRouter {
 
     /** Calls the last argument when a set of readings is in. */
     MessageRouter(
-            Waiting waiting,
+            RobotWait waiting,
             DogState dog,
             PollCommands poll,
             DogClock clock,
@@ -91,7 +91,7 @@ final class MessageRouter {
 
     private void sensed(Sensor sensor, UrbiMessage message) {
         listenAnew();
-        clock.heard(message.timeMs());
+        clock.received(message.timeMs());
         if (message.body() instanceof UrbiMessage.Result result) {
             sensed(sensor, result.value(), message.timeMs());
         } else if (message.body() instanceof UrbiMessage.Failure failure) {

@@ -11,9 +11,9 @@ import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRequest;
-import majic.aibo.urbi.Waiting;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,13 +26,13 @@ public final class MotionExecutor {
 
     private final AiboConnections connections;
     private final Tags tags;
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final DogState dog;
     private final Runnable whenOver;
     private final AtomicReference<@Nullable RunningMotion> current = new AtomicReference<>();
 
     /** Calls the last argument at each end, on the thread that notices it. */
-    MotionExecutor(AiboConnections connections, Tags tags, Waiting waiting, DogState dog, Runnable whenOver) {
+    MotionExecutor(AiboConnections connections, Tags tags, RobotWait waiting, DogState dog, Runnable whenOver) {
         this.connections = connections;
         this.tags = tags;
         this.waiting = waiting;

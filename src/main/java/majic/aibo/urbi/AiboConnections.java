@@ -10,21 +10,22 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.driver.RobotWait;
 import majic.link.Link;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The three connections to one dog: one for motion, one for sensors and settings, one for stopping alone, so that a stop
- * never waits behind anything. If one breaks, all end: what has not gone out is thrown away, lest a walk reach the dog
- * late, and a stop is sent over what is left.
+ * The three connections to one dog: for motion, for sensors and settings, and for stops only, so that a stop never waits
+ * behind another command. If one breaks, all end: commands that are not yet sent are discarded, so that no walk reaches
+ * the dog late, and a stop is sent over a remaining connection.
  */
 public final class AiboConnections implements UrbiConnection.Owner {
     private static final Logger LOG = System.getLogger(AiboConnections.class.getName());
     private static final int OPEN_TIMEOUT_MS = 4000;
     private static final double IDENT_TIMEOUT_S = 4;
-    private static final double GOODBYE_S = 1;
+    private static final double CLOSING_S = 1;
 
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final UrbiConnection motion;
     private final UrbiConnection sensors;
     private final UrbiConnection stop;
@@ -34,7 +35,7 @@ public final class AiboConnections implements UrbiConnection.Owner {
     private boolean opened;
 
     public AiboConnections(
-            Supplier<Link> link, Waiting waiting, Consumer<UrbiMessage> listener, Consumer<LinkLost> whenLost) {
+            Supplier<Link> link, RobotWait waiting, Consumer<UrbiMessage> listener, Consumer<LinkLost> whenLost) {
         this.waiting = waiting;
         this.listener = listener;
         this.whenLost = whenLost;
@@ -56,7 +57,7 @@ public final class AiboConnections implements UrbiConnection.Owner {
         return stop;
     }
 
-    /** Opens all three and waits until the dog has introduced itself on each. Leaves nothing open when it throws. */
+    /** Opens all three and waits until the dog has identified itself on each. Leaves nothing open when it throws. */
     public void open() {
         try {
             for (UrbiConnection connection : all()) {
@@ -71,7 +72,7 @@ public final class AiboConnections implements UrbiConnection.Owner {
     private void open(UrbiConnection connection) {
         try {
             connection.open(OPEN_TIMEOUT_MS);
-            waiting.await(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
+            waiting.awaitConnecting(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
         } catch (IOException e) {
             throw new BotException(
                     refusal(e.getMessage() + "; is the dog on, in the network, and URBI on its stick?"), e);
@@ -86,7 +87,7 @@ public final class AiboConnections implements UrbiConnection.Owner {
         }
     }
 
-    /** A dog that has introduced itself before is no wrong address: it has too little room. */
+    /** If the dog has identified itself on one connection, the address is right, but the dog has no room for another client. */
     private String refusal(String otherwise) {
         long granted = all().stream().filter(UrbiConnection::isIdentified).count();
         return granted == 0
@@ -95,7 +96,11 @@ public final class AiboConnections implements UrbiConnection.Owner {
                         + "end other programs that use it, or restart it";
     }
 
-    /** From now on a broken connection is news; one that broke before is an error here. */
+    /**
+     * Reports a broken connection to the listener from now on.
+     *
+     * @throws BotException if one has broken before
+     */
     public void announceOpened() {
         synchronized (this) {
             opened = brokenBecause == null;
@@ -106,28 +111,28 @@ public final class AiboConnections implements UrbiConnection.Owner {
     }
 
     @Override
-    public void heard(UrbiMessage message) {
+    public void received(UrbiMessage message) {
         listener.accept(message);
     }
 
     @Override
     public void broken(UrbiConnection connection, String why) {
-        boolean tell;
+        boolean report;
         synchronized (this) {
             if (brokenBecause != null) {
                 return;
             }
             brokenBecause = why;
-            tell = opened;
+            report = opened;
         }
         stopQuietly(connection == stop ? sensors : stop);
-        if (tell) {
+        if (report) {
             whenLost.accept(new LinkLost("connection lost: " + why));
         }
         waiting.changes().raise();
     }
 
-    /** Throws away what has not gone out yet but where a stop may still reach the dog, and sends that. */
+    /** Discards what is not yet sent, and sends a stop over the one connection that may still reach the dog. */
     private void stopQuietly(UrbiConnection last) {
         all().stream().filter(connection -> connection != last).forEach(UrbiConnection::abort);
         try {
@@ -144,37 +149,29 @@ public final class AiboConnections implements UrbiConnection.Owner {
     }
 
     /** Sends the closing commands on the stop connection, quits on all, and closes; takes 1 s at most. */
-    public void close(String lastWords) {
-        all().forEach(UrbiConnection::leave);
+    public void close(String closingCommands) {
+        all().forEach(UrbiConnection::expectEnd);
         AtomicInteger left = new AtomicInteger(all().size());
         for (UrbiConnection connection : all()) {
-            String words = connection == stop ? lastWords + " quit;" : "quit;";
+            String commands = connection == stop ? closingCommands + " quit;" : "quit;";
             waiting.time()
-                    .thread("aibo goodbye", () -> sayGoodbye(connection, words, left))
+                    .thread("aibo closing", () -> sendAndClose(connection, commands, left))
                     .start();
         }
-        try {
-            waiting.await(() -> left.get() == 0, GOODBYE_S);
-        } finally {
-            abortUnless(left.get() == 0);
+        if (!waiting.awaitClosing(() -> left.get() == 0, CLOSING_S)) {
+            abort();
         }
     }
 
-    private void sayGoodbye(UrbiConnection connection, String words, AtomicInteger left) {
+    private void sendAndClose(UrbiConnection connection, String commands, AtomicInteger left) {
         try {
-            connection.send(words);
+            connection.send(commands);
         } catch (LinkLost e) {
-            LOG.log(Level.DEBUG, "no goodbye over a broken connection", e);
+            LOG.log(Level.DEBUG, "no closing commands over a broken connection", e);
         } finally {
             connection.close();
             left.decrementAndGet();
             waiting.changes().raise();
-        }
-    }
-
-    private void abortUnless(boolean allClosed) {
-        if (!allClosed) {
-            abort();
         }
     }
 

@@ -1,28 +1,30 @@
 package majic.aibo.urbi;
 
+import majic.driver.RobotWait;
+
 /**
- * What the dog's clock shows now, as far as can be told from here. A word from the dog was said before it was heard, and
- * a question was answered after it was asked; so its clock stands between two bounds, and this takes their middle. It is
- * wrong by no more than half of the shortest round trip of late, however slowly the dog answers. Thread-safe.
+ * Estimates what the dog's clock shows now. A message was sent before it was received, and an answer was sent after its
+ * question; so the offset of the dog's clock lies between two bounds, and the estimate is the middle. Its error is at most
+ * half of the shortest recent round trip, however slowly the dog answers. Thread-safe.
  */
 public final class DogClock {
-    /** Bounds are forgotten after one to two of these, for clocks drift. */
+    /** Bounds are discarded after one to two of these, because clocks drift. */
     private static final double KEPT_S = 10;
 
-    /** A bound that contradicts the other one by more than this was garbled on its way, ms. */
+    /** A bound that contradicts the other one by more than this comes from a damaged time stamp, ms. */
     private static final double DOUBTFUL_MS = 500;
 
-    /** Where so many in a row contradict a bound, it was the bound that was garbled. */
+    /** If so many in a row contradict a bound, the bound comes from a damaged time stamp. */
     private static final int ENOUGH_AGAINST_IT = 3;
 
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private Bounds now = Bounds.NONE;
     private Bounds before = Bounds.NONE;
     private long renewedNanos;
-    private int wordsAgainst;
+    private int messagesAgainst;
     private int answersAgainst;
 
-    /** What the dog's clock is ahead of ours, ms: at least and at most. */
+    /** By how much the dog's clock is ahead of this computer's, ms: at least and at most. */
     private record Bounds(double leastMs, double mostMs) {
         static final Bounds NONE = new Bounds(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 
@@ -31,7 +33,7 @@ public final class DogClock {
         }
     }
 
-    public DogClock(Waiting waiting) {
+    public DogClock(RobotWait waiting) {
         this.waiting = waiting;
         this.renewedNanos = waiting.time().nanos();
     }
@@ -40,20 +42,20 @@ public final class DogClock {
         return waiting.time().nanos() / 1e6;
     }
 
-    /** Something with this time stamp has just come in. */
-    public synchronized void heard(long stampMs) {
+    /** Records that a message with this time stamp was received now. */
+    public synchronized void received(long stampMs) {
         renew();
         double aheadMs = stampMs - nowMs();
         boolean fits = aheadMs < known().mostMs() + DOUBTFUL_MS;
-        wordsAgainst = fits ? 0 : wordsAgainst + 1;
-        if (fits || startsOver(wordsAgainst)) {
+        messagesAgainst = fits ? 0 : messagesAgainst + 1;
+        if (fits || startsOver(messagesAgainst)) {
             now = now.and(aheadMs, Double.POSITIVE_INFINITY);
         }
     }
 
-    /** The answer to a question that went out at a time of our clock carries this time stamp. */
+    /** Records the time stamp of the answer to a question that was sent at a time of this computer's clock. */
     public synchronized void answered(long stampMs, long askedNanos) {
-        heard(stampMs);
+        received(stampMs);
         double aheadMs = stampMs - askedNanos / 1e6;
         boolean fits = aheadMs > known().leastMs() - DOUBTFUL_MS;
         answersAgainst = fits ? 0 : answersAgainst + 1;
@@ -64,14 +66,14 @@ public final class DogClock {
         }
     }
 
-    /** Forgets the bounds if enough messages contradict them. */
+    /** Discards the bounds if enough messages contradict them. */
     private boolean startsOver(int against) {
         if (against < ENOUGH_AGAINST_IT) {
             return false;
         }
         now = Bounds.NONE;
         before = Bounds.NONE;
-        wordsAgainst = 0;
+        messagesAgainst = 0;
         answersAgainst = 0;
         return true;
     }

@@ -1,25 +1,26 @@
 package majic.aibo.urbi;
 
+import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Checks with pings that a connection without regular reports still reaches the dog, so that a stop connection that died
- * in silence is not noticed by the stop that needed it. One ping at a time (URBI sheet 9). Used by the keeper's thread.
+ * Checks with pings that a connection without regular reports still reaches the dog, so that a dead stop connection is
+ * noticed before a stop needs it. One ping at a time (URBI sheet 9). Used by the robot's timer thread.
  */
 public final class PingProbe {
     private static final double PERIOD_S = 1;
 
     /** An engine that takes two seconds to answer is slow, not dead. */
-    private static final double PATIENCE_S = 5;
+    private static final double TIMEOUT_S = 5;
 
     private final UrbiConnection connection;
     private final Tags tags;
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final DogClock clock;
     private @Nullable UrbiRequest ping;
     private long sentNanos;
 
-    public PingProbe(UrbiConnection connection, Tags tags, Waiting waiting, DogClock clock) {
+    public PingProbe(UrbiConnection connection, Tags tags, RobotWait waiting, DogClock clock) {
         this.connection = connection;
         this.tags = tags;
         this.waiting = waiting;
@@ -31,12 +32,12 @@ public final class PingProbe {
         return connection;
     }
 
-    /** Pings when it is time; false when the dog has owed an answer for too long. */
-    public boolean beats() {
+    /** Sends a ping when it is due; returns false when the answer to the last one is overdue. */
+    public boolean check() {
         double seconds = waiting.time().secondsSince(sentNanos);
         UrbiRequest open = ping;
         if (open != null && !open.isDone()) {
-            return seconds <= PATIENCE_S;
+            return seconds <= TIMEOUT_S;
         }
         if (open != null && open.failure() == null) {
             clock.answered(open.doneMs(), sentNanos);
@@ -48,8 +49,8 @@ public final class PingProbe {
         return true;
     }
 
-    /** Why the connection counts as dead. */
+    /** The reason to report when {@link #check} has returned false. */
     public static String silence() {
-        return "no answer from the dog for " + (int) PATIENCE_S + " s";
+        return "no answer from the dog for " + (int) TIMEOUT_S + " s";
     }
 }

@@ -9,11 +9,12 @@ import java.util.function.Consumer;
 import majic.bot.LinkLost;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
+import majic.driver.RobotWait;
 import majic.link.Link;
 
 /**
- * One connection to an URBI server: writes commands, passes each answer to the request it belongs to, and everything else to its
- * owner. Commands of one connection run in order, so each purpose has its own. Safe from any thread.
+ * One connection to an URBI server: writes commands, passes each answer to its request, and all other messages to the
+ * owner. The server runs the commands of one connection in order, so each purpose has its own. Thread-safe.
  */
 public final class UrbiConnection {
     private static final Logger LOG = System.getLogger(UrbiConnection.class.getName());
@@ -21,34 +22,34 @@ public final class UrbiConnection {
     /** The largest binary that fits with its header into the server's queue of 32 KiB (URBI sheet 2). */
     public static final int LARGEST_BINARY = 24 * 1024;
 
-    /** Receives what answers no request. Called on the reader's thread. */
+    /** Receives the messages that answer no request. Called on the reader thread. */
     public interface Owner {
-        /** A message that answers no command. */
-        void heard(UrbiMessage message);
+        /** Takes a message that answers no request. */
+        void received(UrbiMessage message);
 
-        /** The connection broke; called once, never after {@link #leave}. */
+        /** The connection broke; called once, never after {@link #expectEnd}. */
         void broken(UrbiConnection connection, String why);
     }
 
     private final String purpose;
     private final Link link;
     private final Owner owner;
-    private final Waiting waiting;
+    private final RobotWait waiting;
     private final PendingRequests pending = new PendingRequests();
     private volatile boolean identified;
     private volatile boolean ended;
-    private volatile boolean leaving;
+    private volatile boolean endExpected;
     private volatile UrbiVersion version = UrbiVersion.V1_0;
     private volatile long lastTimeMs;
 
-    public UrbiConnection(String purpose, Link link, Owner owner, Waiting waiting) {
+    public UrbiConnection(String purpose, Link link, Owner owner, RobotWait waiting) {
         this.purpose = purpose;
         this.link = link;
         this.owner = owner;
         this.waiting = waiting;
     }
 
-    /** Opens the link and starts to listen. */
+    /** Opens the link and starts its reader thread. */
     public void open(int timeoutMs) throws IOException {
         link.open(timeoutMs);
         new LinkReader<>(link, "the dog closed it", new Messages()).start("aibo " + purpose + " reader");
@@ -94,7 +95,7 @@ public final class UrbiConnection {
         if (message.tag().equals("start") && message.body() instanceof UrbiMessage.Info line) {
             version = UrbiVersion.of(line.text(), version);
         }
-        owner.heard(message);
+        owner.received(message);
     }
 
     private void raiseIfDone(UrbiRequest ask) {
@@ -103,7 +104,7 @@ public final class UrbiConnection {
         }
     }
 
-    /** Expects nothing more for a command. */
+    /** Stops waiting for the answer to a request. */
     public void forget(UrbiRequest ask) {
         pending.remove(ask);
     }
@@ -125,8 +126,8 @@ public final class UrbiConnection {
     }
 
     /**
-     * Assigns a binary to a variable. It has neither tag nor flag, and its bytes follow the separator at once, for
-     * anything else makes the server read them as a program (URBI sheet 12). No message reports its end.
+     * Assigns a binary to a variable. The command has neither tag nor flag, and the bytes follow its separator at once;
+     * otherwise the server would read them as a program (URBI sheet 12). No message reports its end.
      *
      * @param variable such as {@code speaker.val}
      * @param format the description of the bytes for the server, such as {@code raw 1 16000 16 1}
@@ -169,7 +170,7 @@ public final class UrbiConnection {
         return ask;
     }
 
-    /** Asks for a value; it comes under a tag of its own. Throws as {@link #send} does. */
+    /** Asks for a value, with a new tag for the answer. Throws as {@link #send} does. */
     public UrbiRequest ask(Tags tags, String expression) {
         UrbiRequest ask = new UrbiRequest(tags.next(), UrbiRequest.Expects.VALUE);
         return send(ask, version.labelled(ask.tag(), expression) + ";");
@@ -184,8 +185,8 @@ public final class UrbiConnection {
     private void breakDown(String why) {
         boolean first;
         synchronized (this) {
-            first = !leaving;
-            leaving = true;
+            first = !endExpected;
+            endExpected = true;
         }
         if (first) {
             owner.broken(this, why);
@@ -193,18 +194,18 @@ public final class UrbiConnection {
     }
 
     /** Marks the end of this connection as expected: it is not reported as broken. */
-    synchronized void leave() {
-        leaving = true;
+    synchronized void expectEnd() {
+        endExpected = true;
     }
 
     void close() {
-        leave();
+        expectEnd();
         link.close();
     }
 
-    /** Closes and throws away what has not gone out yet, so that no command reaches the dog late. */
+    /** Closes at once and discards what is not yet sent, so that no command reaches the dog late. */
     public void abort() {
-        leave();
+        expectEnd();
         link.abort();
     }
 

@@ -2,8 +2,7 @@ package majic.hemisson.line;
 
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
-import majic.bot.MotionStopped;
-import majic.time.Signal;
+import majic.driver.RobotWait;
 import majic.time.WaitPolicy;
 
 /** Sends questions and blocks until they are answered, never longer than an answer can take. Thread-safe. */
@@ -12,12 +11,12 @@ public final class BlockingConversation {
     private static final double LONGEST_S = 4;
 
     private final CurrentSession sessions;
-    private final Signal changes;
+    private final RobotWait waiting;
     private final BooleanSupplier connected;
 
-    public BlockingConversation(CurrentSession sessions, Signal changes, BooleanSupplier connected) {
+    public BlockingConversation(CurrentSession sessions, RobotWait waiting, BooleanSupplier connected) {
         this.sessions = sessions;
-        this.changes = changes;
+        this.waiting = waiting;
         this.connected = connected;
     }
 
@@ -68,11 +67,6 @@ public final class BlockingConversation {
     }
 
     private void await(BooleanSupplier condition, double seconds) {
-        try {
-            changes.await(() -> condition.getAsBoolean() || !connected.getAsBoolean(), seconds);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new MotionStopped("interrupted");
-        }
+        waiting.await(() -> condition.getAsBoolean() || !connected.getAsBoolean(), seconds);
     }
 }

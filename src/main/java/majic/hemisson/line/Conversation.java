@@ -78,9 +78,9 @@ public final class Conversation {
     }
 
     /** Whether the running mode sets speeds, and has done so after a stop. */
-    public boolean isContrary() {
+    public boolean isOverridden() {
         synchronized (lock) {
-            return state.motion().isContrary();
+            return state.motion().isOverridden();
         }
     }
 
@@ -99,9 +99,9 @@ public final class Conversation {
     }
 
     /** Whether a stop is confirmed and nothing was sent since that could move the robot. */
-    public boolean isStanding() {
+    public boolean isStopped() {
         synchronized (lock) {
-            return state.isStanding();
+            return state.isStopped();
         }
     }
 

@@ -69,7 +69,7 @@ final class ConversationState {
     }
 
     /** Whether a stop is confirmed and nothing was sent since that could move the robot. */
-    boolean isStanding() {
+    boolean isStopped() {
         return !motion.mayMove() && !isStopping() && !endedInStop;
     }
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import majic.bot.BotException;
-import majic.time.Signal;
+import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,11 +15,11 @@ public final class Handshake {
     private static final double LONGEST_GREETING_S = 1;
 
     private final HemissonSession session;
-    private final Signal changes;
+    private final RobotWait waiting;
 
-    public Handshake(HemissonSession session, Signal changes) {
+    public Handshake(HemissonSession session, RobotWait waiting) {
         this.session = session;
-        this.changes = changes;
+        this.waiting = waiting;
     }
 
     /**
@@ -86,18 +86,18 @@ public final class Handshake {
 
     private void stop() {
         session.conversation().stop();
-        if (!await(() -> session.conversation().isStanding())) {
+        if (!await(() -> session.conversation().isStopped())) {
             throw new BotException("it answers, but does not confirm a stop within " + patience()
                     + " s; lift it, switch it off, wait 5 s and switch it on again");
         }
     }
 
     private void waitForQuiet() {
-        await(() -> session.conversation().isQuiet(), LineRecovery.QUIET_NANOS / 1e9);
+        waiting.awaitConnecting(() -> session.conversation().isQuiet(), LineRecovery.QUIET_NANOS / 1e9);
         double waited = 0;
         while (!session.conversation().isQuiet() && waited < LONGEST_GREETING_S) {
             waited += LineRecovery.QUIET_NANOS / 1e9;
-            await(() -> session.conversation().isQuiet(), LineRecovery.QUIET_NANOS / 1e9);
+            waiting.awaitConnecting(() -> session.conversation().isQuiet(), LineRecovery.QUIET_NANOS / 1e9);
         }
     }
 
@@ -130,20 +130,12 @@ public final class Handshake {
     }
 
     private boolean await(BooleanSupplier condition) {
-        return await(() -> condition.getAsBoolean() || session.isClosed() || session.isTelnet(), patience());
+        return waiting.awaitConnecting(
+                () -> condition.getAsBoolean() || session.isClosed() || session.isTelnet(), patience());
     }
 
     /** Long enough for both tries and the pause between them, seconds. */
     private double patience() {
         return 3 * session.timeoutSeconds() + 0.5;
-    }
-
-    private boolean await(BooleanSupplier condition, double seconds) {
-        try {
-            return changes.await(condition, seconds);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new BotException("connecting was interrupted");
-        }
     }
 }

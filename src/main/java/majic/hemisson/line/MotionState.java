@@ -66,7 +66,7 @@ final class MotionState {
     }
 
     /** Whether its running mode has set speeds again after a stop. */
-    boolean isContrary() {
+    boolean isOverridden() {
         return ownSpeeds && disobeyed > 1;
     }
 

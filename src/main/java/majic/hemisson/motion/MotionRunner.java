@@ -21,21 +21,21 @@ import org.jspecify.annotations.Nullable;
 public final class MotionRunner {
     private final CurrentSession sessions;
     private final BlockingConversation answers;
-    private final StopConfirmation standstill;
-    private final RobotMonitor overseer;
+    private final StopConfirmation stopConfirmation;
+    private final RobotMonitor monitor;
     private final TimeSource time;
     private volatile MotorValues driven = MotorValues.STILL;
 
     public MotionRunner(
             CurrentSession sessions,
             BlockingConversation answers,
-            StopConfirmation standstill,
-            RobotMonitor overseer,
+            StopConfirmation stopConfirmation,
+            RobotMonitor monitor,
             TimeSource time) {
         this.sessions = sessions;
         this.answers = answers;
-        this.standstill = standstill;
-        this.overseer = overseer;
+        this.stopConfirmation = stopConfirmation;
+        this.monitor = monitor;
         this.time = time;
     }
 
@@ -54,8 +54,8 @@ public final class MotionRunner {
      * @throws MotionFailed if the robot cannot be driven now; the message says why
      */
     public void drive(MotorValues wheels) {
-        refuseContrary();
-        overseer.motion().drives(time.nanos());
+        refuseOverridden();
+        monitor.motion().drives(time.nanos());
         driven = wheels;
         failOn(conversation().ask(Question.wheels(wheels)).failure());
     }
@@ -66,9 +66,9 @@ public final class MotionRunner {
     }
 
     /** Refuses to move a robot that has set its own speeds after a stop. */
-    private void refuseContrary() {
-        String found = overseer.wheels().found();
-        if (found != null && conversation().isContrary()) {
+    private void refuseOverridden() {
+        String found = monitor.wheels().found();
+        if (found != null && conversation().isOverridden()) {
             throw new MotionFailed(found);
         }
     }
@@ -91,7 +91,7 @@ public final class MotionRunner {
     private final class Run {
         private final TimedMotion leg;
         private final Motion motion;
-        private final MotionWatch watch = overseer.motion();
+        private final MotionWatch watch = monitor.motion();
 
         Run(TimedMotion leg, Motion motion) {
             this.leg = leg;
@@ -106,18 +106,18 @@ public final class MotionRunner {
             long due = start.middleNanos() + nanos(leg.seconds()) - start.roundTripNanos() / 2;
             watch.ends(due);
             goOn(start.middleNanos(), due);
-            motion.send(standstill::order);
-            standstill.confirm();
+            motion.send(stopConfirmation::send);
+            stopConfirmation.confirm();
             failOn(watch.trouble());
-            return leg.covered((overseer.reckoning().track().sinceNanos() - start.middleNanos()) / 1e9);
+            return leg.covered((monitor.reckoning().track().sinceNanos() - start.middleNanos()) / 1e9);
         }
 
         /** Reads the sensors once more, so that a guard condition that holds already prevents the motion. */
         private boolean mayBegin() {
-            refuseContrary();
-            Proximity before = overseer.seen();
+            refuseOverridden();
+            Proximity before = monitor.seen();
             Exchange look = conversation().ask(Question.PROXIMITY);
-            answers.await(() -> look.failure() != null || (look.isDone() && overseer.seen() != before));
+            answers.await(() -> look.failure() != null || (look.isDone() && monitor.seen() != before));
             motion.check();
             failOn(look.failure());
             return motion.pause(0);

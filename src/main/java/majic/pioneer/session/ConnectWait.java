@@ -2,21 +2,21 @@ package majic.pioneer.session;
 
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
-import majic.time.Signal;
+import majic.driver.RobotWait;
 
 /** Waits of the thread that connects; they end as soon as the connection attempt is canceled. */
 final class ConnectWait {
-    private final Signal changes;
+    private final RobotWait waiting;
     private final BooleanSupplier canceled;
 
     /**
      * Creates the waits of one session.
      *
-     * @param changes raised when a condition may have changed, and at cancellation
+     * @param waiting woken when a condition may have changed, and at cancellation
      * @param canceled whether the connection attempt is canceled
      */
-    ConnectWait(Signal changes, BooleanSupplier canceled) {
-        this.changes = changes;
+    ConnectWait(RobotWait waiting, BooleanSupplier canceled) {
+        this.waiting = waiting;
         this.canceled = canceled;
     }
 
@@ -27,12 +27,7 @@ final class ConnectWait {
      * @throws BotException if the attempt is canceled, or the thread is interrupted
      */
     boolean await(BooleanSupplier condition, double seconds) {
-        try {
-            changes.await(() -> condition.getAsBoolean() || canceled.getAsBoolean(), seconds);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new BotException("interrupted while connecting", e);
-        }
+        waiting.awaitConnecting(() -> condition.getAsBoolean() || canceled.getAsBoolean(), seconds);
         if (canceled.getAsBoolean()) {
             throw new BotException("closed while connecting");
         }
@@ -41,6 +36,6 @@ final class ConnectWait {
 
     /** Wakes the waiting thread to test its condition again. */
     void raise() {
-        changes.raise();
+        waiting.changes().raise();
     }
 }

@@ -3,6 +3,7 @@ package majic.pioneer.session;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Pose;
+import majic.driver.RobotWait;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
@@ -64,7 +65,8 @@ public final class PioneerSession implements ArcosLine.Listener {
 
     public PioneerSession(ArcosLine line, TimeSource time, Signal changes, Listener listener) {
         this.line = line;
-        this.reported = new ReportedState(line, changes);
+        RobotWait waiting = new RobotWait(time, changes);
+        this.reported = new ReportedState(line, waiting);
         this.motors = new WheelMotors(line, reported, time, listener::notice);
         this.time = time;
         this.changes = changes;
@@ -72,7 +74,7 @@ public final class PioneerSession implements ArcosLine.Listener {
         this.watch = new LinkWatch(line, motors, time, changes);
         this.driving = new ContinuousDrive(motors, reported, this::equipment, time, listener::notice);
         this.subscriptions = new Subscriptions(line, time);
-        this.connecting = new ConnectWait(changes, listener::isCanceled);
+        this.connecting = new ConnectWait(waiting, listener::isCanceled);
         this.inbox = new PacketInbox(connecting);
         this.autobaud = new Autobaud(line, reported);
     }
@@ -183,7 +185,7 @@ public final class PioneerSession implements ArcosLine.Listener {
     /** Stops the robot, switches its motors off, closes its session and the link; takes little over a second at most. */
     public void close() {
         if (hasBegun()) {
-            new SessionClosing(line, autobaud, changes).run();
+            new SessionClosing(line, autobaud, new RobotWait(time, changes)).run();
         }
         line.close();
     }

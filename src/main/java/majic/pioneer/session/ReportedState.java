@@ -5,9 +5,9 @@ import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionStopped;
+import majic.driver.RobotWait;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.PioneerState;
-import majic.time.Signal;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
@@ -17,17 +17,17 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ReportedState {
     private final ArcosLine line;
-    private final Signal changes;
+    private final RobotWait waiting;
     private volatile @Nullable PioneerState last;
 
     /**
      * Creates one without a state.
      *
-     * @param changes raised after each report, and when the line ends
+     * @param waiting woken after each report, and when the line ends
      */
-    ReportedState(ArcosLine line, Signal changes) {
+    ReportedState(ArcosLine line, RobotWait waiting) {
         this.line = line;
-        this.changes = changes;
+        this.waiting = waiting;
     }
 
     void set(PioneerState state) {
@@ -71,12 +71,7 @@ public final class ReportedState {
             PioneerState now = last;
             return now != null && condition.test(now);
         };
-        try {
-            changes.await(() -> line.hasEnded() || met.getAsBoolean(), WaitPolicy.isAllowed() ? seconds : 0);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new MotionStopped("interrupted");
-        }
+        waiting.await(() -> line.hasEnded() || met.getAsBoolean(), WaitPolicy.isAllowed() ? seconds : 0);
         return met.getAsBoolean();
     }
 

@@ -1,7 +1,7 @@
 package majic.pioneer.session;
 
+import majic.driver.RobotWait;
 import majic.pioneer.arcos.ArcosCommand;
-import majic.time.Signal;
 
 /** Closes a session as the protocol demands (ARCOS sheet 13.1), on any thread; takes little over a second at most. */
 final class SessionClosing {
@@ -9,12 +9,12 @@ final class SessionClosing {
 
     private final ArcosLine line;
     private final Autobaud autobaud;
-    private final Signal changes;
+    private final RobotWait waiting;
 
-    SessionClosing(ArcosLine line, Autobaud autobaud, Signal changes) {
+    SessionClosing(ArcosLine line, Autobaud autobaud, RobotWait waiting) {
         this.line = line;
         this.autobaud = autobaud;
-        this.changes = changes;
+        this.waiting = waiting;
     }
 
     /** Stops the robot, switches its motors off and closes its session, as far as the line still works. */
@@ -32,10 +32,6 @@ final class SessionClosing {
 
     /** Gives the robot time to act, or to close the connection. */
     private void pause() {
-        try {
-            changes.await(line::hasEnded, PAUSE_S);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        waiting.awaitClosing(line::hasEnded, PAUSE_S);
     }
 }

@@ -10,7 +10,7 @@ import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiRequest;
-import majic.aibo.urbi.Waiting;
+import majic.driver.RobotWait;
 import majic.link.Links;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -23,7 +23,7 @@ class DogGuardTest {
     private static final String DISARMED = "1000000000000";
 
     private ScriptedDog dog;
-    private Waiting waiting;
+    private RobotWait waiting;
     private AiboConnections connections;
     private DogGuard guard;
 

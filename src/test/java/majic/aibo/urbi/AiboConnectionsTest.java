@@ -7,6 +7,7 @@ import java.io.IOException;
 import majic.aibo.AiboType;
 import majic.aibo.ScriptedDog;
 import majic.bot.BotException;
+import majic.driver.RobotWait;
 import majic.link.Links;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -16,7 +17,7 @@ class AiboConnectionsTest {
     @Test
     void whatIsClosedWhileItConnectsConnectsNoFurther() throws IOException {
         try (ScriptedDog dog = new ScriptedDog()) {
-            Waiting waiting = dog.waiting();
+            RobotWait waiting = dog.waiting();
             AiboConnections connections = new AiboConnections(
                     () -> Links.of(dog.address(), AiboType.PORT, 0), waiting, said -> {}, lost -> {});
 

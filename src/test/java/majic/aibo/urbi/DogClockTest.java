@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import majic.TestClock;
+import majic.driver.RobotWait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -14,7 +15,7 @@ class DogClockTest {
 
     private final TestClock time = new TestClock();
     private final DogClock clock =
-            new DogClock(new Waiting(time.time(), time.time().signal()));
+            new DogClock(new RobotWait(time.time(), time.time().signal()));
 
     @AfterEach
     void stop() {
@@ -23,7 +24,7 @@ class DogClockTest {
 
     @Test
     void aWordIsNoNewerThanItsTimeStamp() throws InterruptedException {
-        clock.heard(AHEAD_MS + nowMs());
+        clock.received(AHEAD_MS + nowMs());
         time.time().sleep(1);
 
         assertThat(clock.estimateMs()).isCloseTo(AHEAD_MS + nowMs(), within(1.0));
@@ -35,7 +36,7 @@ class DogClockTest {
         long askedNanos = time.time().nanos();
         long saidMs = AHEAD_MS + nowMs();
         time.time().sleep(2);
-        clock.heard(saidMs);
+        clock.received(saidMs);
         clock.answered(saidMs, askedNanos);
 
         assertThat(clock.estimateMs()).isCloseTo(AHEAD_MS + nowMs(), within(1001.0));
@@ -55,7 +56,7 @@ class DogClockTest {
     void aTimeStampThatCannotBeIsLeftOut() throws InterruptedException {
         exchange(0.01);
 
-        clock.heard(10 * AHEAD_MS);
+        clock.received(10 * AHEAD_MS);
         clock.answered(7, time.time().nanos());
 
         assertThat(clock.estimateMs()).isCloseTo(AHEAD_MS + nowMs(), within(10.0));
@@ -63,7 +64,7 @@ class DogClockTest {
 
     @Test
     void aFirstTimeStampThatWasGarbledMisleadsForThreeAnswersAtMost() throws InterruptedException {
-        clock.heard(10 * AHEAD_MS);
+        clock.received(10 * AHEAD_MS);
 
         exchange(0.01);
         exchange(0.01);
@@ -79,7 +80,7 @@ class DogClockTest {
         time.time().sleep(0.1);
 
         for (int word = 0; word < 3; word++) {
-            clock.heard(AHEAD_MS + nowMs());
+            clock.received(AHEAD_MS + nowMs());
         }
 
         assertThat(clock.estimateMs()).isCloseTo(AHEAD_MS + nowMs(), within(10.0));
@@ -100,7 +101,7 @@ class DogClockTest {
         long askedNanos = time.time().nanos();
         time.time().sleep(seconds);
         long saidMs = AHEAD_MS + nowMs();
-        clock.heard(saidMs);
+        clock.received(saidMs);
         clock.answered(saidMs, askedNanos);
     }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import majic.driver.ReplayLink;
+import majic.driver.RobotWait;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -23,7 +24,7 @@ class ErrorsInMessagesTest {
         ReplayLink link = new ReplayLink(line("[1:a] 1.000000"), line("[2:b] 2.000000"), line("[3:c] 3.000000"));
         TimeSource time = TimeSource.system();
 
-        new UrbiConnection("sensors", link, new Failing(), new Waiting(time, time.signal())).open(1000);
+        new UrbiConnection("sensors", link, new Failing(), new RobotWait(time, time.signal())).open(1000);
         ended.await();
 
         assertThat(tags).containsExactly("a", "b", "c");
@@ -37,7 +38,7 @@ class ErrorsInMessagesTest {
     /** Fails over every message. */
     private final class Failing implements UrbiConnection.Owner {
         @Override
-        public void heard(UrbiMessage message) {
+        public void received(UrbiMessage message) {
             tags.add(message.tag());
             if (message.tag().equals("a")) {
                 throw new IllegalStateException("made up");

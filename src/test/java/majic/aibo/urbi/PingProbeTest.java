@@ -6,6 +6,7 @@ import java.io.IOException;
 import majic.TestClock;
 import majic.aibo.AiboType;
 import majic.aibo.ScriptedDog;
+import majic.driver.RobotWait;
 import majic.link.Links;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
@@ -18,8 +19,8 @@ class PingProbeTest {
     private static final int STOP = 0;
 
     private final TestClock clock = new TestClock();
-    private final Waiting waiting =
-            new Waiting(TimeSource.system(), TimeSource.system().signal());
+    private final RobotWait waiting =
+            new RobotWait(TimeSource.system(), TimeSource.system().signal());
     private ScriptedDog dog;
     private AiboConnections connections;
     private PingProbe probe;
@@ -30,7 +31,7 @@ class PingProbeTest {
         connections =
                 new AiboConnections(() -> Links.of(dog.address(), AiboType.PORT, 0), waiting, said -> {}, lost -> {});
         connections.open();
-        Waiting stepped = new Waiting(clock.time(), clock.time().signal());
+        RobotWait stepped = new RobotWait(clock.time(), clock.time().signal());
         probe = new PingProbe(connections.stop(), new Tags(), stepped, new DogClock(stepped));
     }
 
@@ -47,20 +48,20 @@ class PingProbeTest {
         dog.awaitReceived("x = 1");
         dog.stopReading(STOP);
 
-        assertThat(probe.beats()).isTrue();
+        assertThat(probe.check()).isTrue();
         clock.time().sleep(1);
-        assertThat(probe.beats()).isTrue();
+        assertThat(probe.check()).isTrue();
         clock.time().sleep(4.9);
-        assertThat(probe.beats()).isTrue();
+        assertThat(probe.check()).isTrue();
         clock.time().sleep(0.2);
-        assertThat(probe.beats()).isFalse();
+        assertThat(probe.check()).isFalse();
     }
 
     @Test
     void oneThatAnswersIsPingedOnceASecond() throws InterruptedException {
         clock.time().sleep(1);
-        assertThat(probe.beats()).isTrue();
-        assertThat(probe.beats()).isTrue();
+        assertThat(probe.check()).isTrue();
+        assertThat(probe.check()).isTrue();
 
         dog.awaitReceived("ping");
         assertThat(dog.received("ping")).hasSize(1);

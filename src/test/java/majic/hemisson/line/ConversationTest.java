@@ -72,9 +72,9 @@ class ConversationTest {
         assertThat(link.commands()).containsExactly("D,0,0", "D,0,0", "D,0,0");
 
         hear("d");
-        assertThat(conversation.isStanding()).isFalse();
+        assertThat(conversation.isStopped()).isFalse();
         hear("e,00,00");
-        assertThat(conversation.isStanding()).isTrue();
+        assertThat(conversation.isStopped()).isTrue();
     }
 
     @Test
@@ -95,10 +95,10 @@ class ConversationTest {
 
         conversation.stop();
         hear("d");
-        assertThat(conversation.isStanding()).isFalse();
+        assertThat(conversation.isStopped()).isFalse();
         hear("e,00,00");
 
-        assertThat(conversation.isStanding()).isTrue();
+        assertThat(conversation.isStopped()).isTrue();
     }
 
     @Test
@@ -121,7 +121,7 @@ class ConversationTest {
         link.answeredBy(command -> hear(command.equals("E") ? "e,00,00" : "d"));
         pass(0.3);
 
-        assertThat(conversation.isStanding()).isTrue();
+        assertThat(conversation.isStopped()).isTrue();
         assertThat(told.all()).contains("missed N in motion");
     }
 
@@ -252,7 +252,7 @@ class ConversationTest {
         hear("d");
         pass(0.3);
 
-        assertThat(conversation.isStanding()).isFalse();
+        assertThat(conversation.isStopped()).isFalse();
         assertThat(link.commands()).containsExactly("D,0,0", "E", "D,0,0");
     }
 
@@ -275,7 +275,7 @@ class ConversationTest {
         hear("d");
         hear("Unknown Command ?!");
 
-        assertThat(conversation.isStanding()).isTrue();
+        assertThat(conversation.isStopped()).isTrue();
     }
 
     @Test
@@ -289,7 +289,7 @@ class ConversationTest {
 
         conversation.stop();
 
-        assertThat(conversation.isStanding()).isTrue();
+        assertThat(conversation.isStopped()).isTrue();
     }
 
     @Test
@@ -299,16 +299,16 @@ class ConversationTest {
         hear("d");
         pass(0.1);
         hear("e,00,00");
-        assertThat(conversation.isStanding()).isFalse();
+        assertThat(conversation.isStopped()).isFalse();
 
         for (int look = 0; look < 8; look++) {
             pass(0.1);
             hear("e,00,00");
         }
-        assertThat(conversation.isStanding()).isFalse();
+        assertThat(conversation.isStopped()).isFalse();
         pass(0.1);
         hear("e,00,00");
-        assertThat(conversation.isStanding()).isTrue();
+        assertThat(conversation.isStopped()).isTrue();
     }
 
     @Test
@@ -351,7 +351,7 @@ class ConversationTest {
         assertThat(link.commands()).hasSize(3);
         hear("d");
         hear("e,00,00");
-        assertThat(conversation.isStanding()).isTrue();
+        assertThat(conversation.isStopped()).isTrue();
     }
 
     @Test
