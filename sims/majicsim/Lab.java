@@ -26,8 +26,8 @@ import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The simulated lab: one room, its robots, and their ports on loopback. Clients are answered as soon as it is open; its clock
- * stands until {@link #step()} or {@link #run} moves it. All methods may be called from any thread.
+ * The simulated lab: one room, its robots, and their ports on loopback. It answers clients as soon as it is open; its clock
+ * advances only in {@link #step()} and {@link #run}. All methods may be called from any thread.
  */
 public final class Lab implements AutoCloseable {
     /** Lab time of one step. */
@@ -37,28 +37,28 @@ public final class Lab implements AutoCloseable {
 
     private final ReentrantLock lock;
     private final World world;
-    private final List<Station> stations;
+    private final List<LabRobot> robots;
     private volatile long nanos;
     private @Nullable Pacer pacer;
 
-    private Lab(ReentrantLock lock, World world, List<Station> stations) {
+    private Lab(ReentrantLock lock, World world, List<LabRobot> robots) {
         this.lock = lock;
         this.world = world;
-        this.stations = stations;
+        this.robots = robots;
     }
 
     /**
      * Puts the robots into the room and opens their ports.
      *
      * @param options room, noise and ports
-     * @return the open lab, its clock standing at 0
+     * @return the open lab, at time 0
      * @throws IOException if a requested port is taken or the room has no place for a robot; the message names it, and nothing
      *     stays open
      */
     public static Lab open(LabOptions options) throws IOException {
         World world = new World(options.room());
         ReentrantLock lock = new ReentrantLock(true);
-        return new Lab(lock, world, new Furnisher(options, world, lock).furnish());
+        return new Lab(lock, world, new LabSetup(options, world, lock).open());
     }
 
     /** One step: the world, then each robot's firmware and what is due on its lines. */
@@ -67,7 +67,7 @@ public final class Lab implements AutoCloseable {
         try {
             world.step(STEP_SECONDS);
             nanos += STEP_NANOS;
-            stations.forEach(station -> station.step(STEP_SECONDS, nanos));
+            robots.forEach(robot -> robot.step(STEP_SECONDS, nanos));
         } finally {
             lock.unlock();
         }
@@ -83,9 +83,9 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * Lets the lab's clock run on a daemon thread until it is closed; called again, at the new speed.
+     * Runs the lab's clock on a daemon thread until the lab is closed. A further call changes the speed.
      *
-     * @param speed lab seconds in a real second, above 0; what the machine cannot keep up with gets slower
+     * @param speed lab seconds per real second, above 0; a computer that is too slow runs it at a lower speed
      * @throws IllegalArgumentException if the speed is not above 0 and finite; the clock goes on as before
      */
     public synchronized void run(double speed) {
@@ -105,10 +105,10 @@ public final class Lab implements AutoCloseable {
      */
     public Map<String, String> addresses() {
         Map<String, String> addresses = new LinkedHashMap<>();
-        for (Station station : stations) {
+        for (LabRobot robot : robots) {
             String suffix = "";
-            for (Port port : station.ports()) {
-                addresses.put(station.name() + suffix, port.address());
+            for (Port port : robot.ports()) {
+                addresses.put(robot.name() + suffix, port.address());
                 suffix = "-pty";
             }
         }
@@ -121,7 +121,7 @@ public final class Lab implements AutoCloseable {
      * @return poses by robot, in the order of their numbers
      */
     public Map<String, Pose> truePoses() {
-        return ofEach(station -> station.body().pose());
+        return ofEach(robot -> robot.body().pose());
     }
 
     /**
@@ -130,16 +130,16 @@ public final class Lab implements AutoCloseable {
      * @return since the lab was opened
      */
     public Map<String, Integer> bumps() {
-        return ofEach(station -> station.body().bumps());
+        return ofEach(robot -> robot.body().bumps());
     }
 
     /**
-     * The robots' outlines as they stand, for a drawing.
+     * The present outlines of the robots, for a drawing.
      *
      * @return corners in room coordinates by robot
      */
     public Map<String, List<Point>> outlines() {
-        return ofEach(station -> station.body().outline());
+        return ofEach(robot -> robot.body().outline());
     }
 
     /**
@@ -152,7 +152,7 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * The room with all that stays where it is.
+     * The room with everything that does not move.
      *
      * @return the same at every call
      */
@@ -168,9 +168,9 @@ public final class Lab implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such robot or it does not fit there; it stays where it was
      */
     public void place(String robot, Pose p) {
-        Station station = station(robot);
+        LabRobot one = named(robot);
         locked(() -> {
-            station.body().place(p);
+            one.body().place(p);
             return p;
         });
     }
@@ -183,7 +183,7 @@ public final class Lab implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such robot
      */
     public Faults faults(String robot) {
-        return station(robot).wiring().faults();
+        return named(robot).wiring().faults();
     }
 
     /**
@@ -216,13 +216,13 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * How far every line has got. Cheap and without a lock, for a clock that steps when nothing is in flight.
+     * The progress of every line. Cheap and without a lock, for a clock that advances when no data is in transit.
      *
      * @return one entry a line
      */
     public List<LineCount> lines() {
-        return stations.stream()
-                .flatMap(station -> station.ports().stream())
+        return robots.stream()
+                .flatMap(robot -> robot.ports().stream())
                 .flatMap(port -> port.lines().stream())
                 .toList();
     }
@@ -231,7 +231,7 @@ public final class Lab implements AutoCloseable {
     @Override
     public synchronized void close() {
         endPacer();
-        stations.forEach(Station::close);
+        robots.forEach(LabRobot::close);
     }
 
     private void endPacer() {
@@ -241,30 +241,30 @@ public final class Lab implements AutoCloseable {
         }
     }
 
-    private Station station(String robot) {
-        return stations.stream()
-                .filter(station -> station.name().equals(robot))
+    private LabRobot named(String robot) {
+        return robots.stream()
+                .filter(one -> one.name().equals(robot))
                 .findFirst()
                 .orElseThrow(
                         () -> new IllegalArgumentException("the lab has no robot " + robot + "; it has " + names()));
     }
 
     private String names() {
-        return stations.stream().map(Station::name).collect(Collectors.joining(", "));
+        return robots.stream().map(LabRobot::name).collect(Collectors.joining(", "));
     }
 
-    private <T> Map<String, T> ofEach(Function<Station, T> what) {
+    private <T> Map<String, T> ofEach(Function<LabRobot, T> what) {
         return locked(() -> {
             Map<String, T> all = new LinkedHashMap<>();
-            stations.forEach(station -> all.put(station.name(), what.apply(station)));
+            robots.forEach(robot -> all.put(robot.name(), what.apply(robot)));
             return all;
         });
     }
 
     private <R> void beside(Class<R> robot, Consumer<R> action) {
         locked(() -> {
-            stations.stream()
-                    .map(station -> station.wiring().firmware())
+            robots.stream()
+                    .map(one -> one.wiring().firmware())
                     .filter(robot::isInstance)
                     .map(robot::cast)
                     .forEach(action);

@@ -7,14 +7,14 @@ import majicsim.world.Room;
 /**
  * What kind of lab to open.
  *
- * @param room where the robots drive
- * @param exact whether all noise is off, jitter and the slowness of serial lines too
+ * @param room the room in which the robots drive
+ * @param exact whether all noise is off, including jitter and the transmission times of serial lines
  * @param seed of the noise
- * @param ports where the robots listen
+ * @param ports the ports at which the robots listen
  * @param jitter whether exchanges take 5 to 50 ms, and the Hemisson's line has its true speed; without effect in an exact lab
- * @param pioneerModel which Pioneer stands in it, a name as {@link PioneerRobot#modelNamed} gives it back
- * @param hemisson which Hemisson stands in it
- * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; where there are more, they stand behind the others
+ * @param pioneerModel the model of the Pioneers, a name as {@link PioneerRobot#modelNamed} returns it
+ * @param hemisson the kind of Hemisson
+ * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; the further ones start behind the other robots
  */
 public record LabOptions(
         Room room,
@@ -31,7 +31,7 @@ public record LabOptions(
     /**
      * Checks the model and the number.
      *
-     * @throws IllegalArgumentException if there is no such Pioneer, or not that many; the message lists those there are
+     * @throws IllegalArgumentException if there is no such Pioneer, or not that many; the message lists the models
      */
     public LabOptions {
         if (pioneers < 1 || pioneers > MOST_PIONEERS) {
@@ -50,7 +50,7 @@ public record LabOptions(
     }
 
     /**
-     * The standard room without noise, on free ports, so that many labs run side by side.
+     * The standard room without noise, on free ports, so that many labs can run side by side.
      *
      * @return the options
      */
@@ -93,7 +93,7 @@ public record LabOptions(
      *
      * @param newModel a name as {@link PioneerRobot#modelNamed} takes it
      * @return the options
-     * @throws IllegalArgumentException if there is no such Pioneer; the message lists those there are
+     * @throws IllegalArgumentException if there is no such Pioneer; the message lists the models
      */
     public LabOptions withPioneer(String newModel) {
         return new LabOptions(room, exact, seed, ports, jitter, newModel, hemisson, pioneers);
@@ -102,7 +102,7 @@ public record LabOptions(
     /**
      * The same lab with another Hemisson.
      *
-     * @param newHemisson its firmware, switches and modules, and how forgiving it is
+     * @param newHemisson its firmware, switches and modules, and which weaknesses of the real robot it has
      * @return the options
      */
     public LabOptions withHemisson(HemissonOptions newHemisson) {

@@ -14,10 +14,10 @@ public record LabPorts(int aibo, int pioneer, int hemisson) {
     /** Where a Pioneer listens. */
     public static final int PIONEER = 8101;
 
-    /** Where robots of their kind usually listen; the Hemisson, a serial robot, has no such place and takes a free one. */
+    /** The usual ports of these robots; the Hemisson, a serial robot, has none and takes a free port. */
     public static final LabPorts USUAL = new LabPorts(AIBO, PIONEER, 0);
 
-    /** Free ones for all, so that many labs run side by side. */
+    /** Free ports for all robots, so that many labs run side by side. */
     public static final LabPorts FREE = new LabPorts(0, 0, 0);
 
     /**

@@ -2,7 +2,7 @@ package majicsim;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** Steps a lab at a multiple of real time, on a daemon thread. A lab that cannot keep up gets slower; it never rushes to catch up. */
+/** Steps a lab at a multiple of real time, on a daemon thread. If the computer is too slow, lab time falls behind and is not made up. */
 final class Pacer {
     private static final long MOST_LAG_NANOS = 100_000_000;
     private static final int JOIN_MS = 1000;

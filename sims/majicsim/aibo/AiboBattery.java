@@ -1,6 +1,6 @@
 package majicsim.aibo;
 
-/** The charge of the dog: an hour and a half from full to empty. */
+/** The charge of the dog's battery, which lasts an hour and a half. */
 final class AiboBattery {
     private static final double FIRST = 0.878;
     private static final double LASTS_SEC = 5400;
@@ -11,12 +11,12 @@ final class AiboBattery {
         return (int) Math.floor(charge * 100 + 1e-9);
     }
 
-    /** Once it is empty, nothing in the dog runs. */
+    /** Whether it is empty; then nothing in the dog runs. */
     boolean isEmpty() {
         return charge <= 0;
     }
 
-    /** Puts another one in. */
+    /** Replaces the battery. */
     void replace(double newCharge) {
         charge = newCharge;
     }

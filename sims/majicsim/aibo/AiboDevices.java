@@ -52,7 +52,7 @@ final class AiboDevices {
         return Objects.requireNonNull(joints.get(name), name);
     }
 
-    /** A lamp that can be dimmed: it shows the assigned brightness, within 0 to 1. */
+    /** An LED that can be dimmed: it has the assigned brightness, 0 to 1. */
     private void lamp(String name) {
         install(new Variable(name + ".val", Value.of(0)));
     }
@@ -130,5 +130,22 @@ final class AiboDevices {
 
     private static List<String> faceLeds() {
         return IntStream.rangeClosed(1, 14).mapToObj(i -> "ledF" + i).toList();
+    }
+
+    /** An LED or an ear that is only on or off (URBI sheet, section 13): on from one half. */
+    private static final class OnOff implements Variable.Hardware {
+        private static final double ENOUGH = 0.5;
+
+        private boolean on;
+
+        @Override
+        public Value measure() {
+            return Value.of(on);
+        }
+
+        @Override
+        public void command(double target) {
+            on = target >= ENOUGH;
+        }
     }
 }

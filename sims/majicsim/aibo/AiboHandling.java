@@ -2,7 +2,7 @@ package majicsim.aibo;
 
 import java.util.List;
 
-/** What a person beside the dog can do to it and observe of it. All calls with the lab's lock held. */
+/** Physical access to the dog: its touch sensors, its posture in the room, its battery and sounds. Every call must hold the lab's lock. */
 public final class AiboHandling {
     private final Sensors sensors;
     private final Attitude attitude;
@@ -30,7 +30,7 @@ public final class AiboHandling {
     }
 
     /**
-     * Turns the dog over about its long axis. Off its feet it does not get anywhere.
+     * Turns the dog over about its long axis. When it is not on its feet, walking does not move it.
      *
      * @param degrees 0 on its feet, 90 on its right side, 180 on its back, any finite angle
      */
@@ -39,11 +39,11 @@ public final class AiboHandling {
     }
 
     /**
-     * What its speaker played, and will play of what it was given.
+     * The sounds that its speaker played, plays or has queued.
      *
      * @return the last 100 sounds, oldest first
      */
-    public List<Played> played() {
+    public List<PlayedSound> played() {
         return speaker.played();
     }
 
@@ -58,8 +58,8 @@ public final class AiboHandling {
     }
 
     /**
-     * Puts another battery in while the dog runs. With an empty one nothing in the dog runs: it keeps its posture, sends nothing,
-     * and closes each new connection. With the next one that is not empty it continues where it was.
+     * Replaces the battery while the dog runs. With an empty one nothing in the dog runs: it keeps its posture, sends nothing,
+     * and closes each new connection. After the next replacement by one that is not empty it continues.
      *
      * @param charge 0 (empty) to 1 (full)
      */

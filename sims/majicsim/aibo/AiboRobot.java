@@ -14,7 +14,7 @@ import majicsim.world.World;
 
 /**
  * A simulated Aibo ERS-7 with an URBI 1.0 server, for any number of clients. Its motors are loose until {@code motors on}. It runs
- * on lab time: the kernel's cycle is 32 ms, and a command that nothing holds back runs as soon as it comes. Guarded by the lab's
+ * on lab time: the kernel's cycle is 32 ms, and a command that need not wait runs as soon as it arrives. Guarded by the lab's
  * lock.
  */
 public final class AiboRobot implements Firmware {
@@ -40,9 +40,9 @@ public final class AiboRobot implements Firmware {
     /**
      * Puts a dog into a room.
      *
-     * @param world in which it is; its body is added
-     * @param start where it lies first
-     * @param noise exact for a dog that keeps to the sheet's tables
+     * @param world the room; its body is added
+     * @param start its start pose, lying
+     * @param noise exact for a dog with exactly the values of the sheet's tables
      */
     public AiboRobot(World world, Pose start, Noise noise) {
         Noise own = noise.fork("aibo");
@@ -57,7 +57,7 @@ public final class AiboRobot implements Firmware {
         speaker = new Speaker(kernel);
         microphone = new Microphone(kernel, speaker, gait, own.fork("microphone"));
         handling = new AiboHandling(sensors, attitude, speaker, microphone, battery);
-        camera = new Camera(new Eye(world, body, head, own.fork("camera")), kernel);
+        camera = new Camera(new CameraLens(world, body, head, own.fork("camera")), kernel);
         install();
     }
 
@@ -71,9 +71,9 @@ public final class AiboRobot implements Firmware {
     }
 
     /**
-     * What can be done beside it.
+     * Physical access to it.
      *
-     * @return the same object always; to be used with the lab's lock held
+     * @return the same object at every call; for use with the lab's lock held
      */
     public AiboHandling handling() {
         return handling;

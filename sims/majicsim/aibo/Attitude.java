@@ -1,6 +1,6 @@
 package majicsim.aibo;
 
-/** How the dog lies in space: from its legs, and from being turned over by hand. */
+/** The orientation of the dog's body, from its legs and from being turned over. */
 final class Attitude {
     private static final double ON_ITS_SIDE_DEG = 45;
     private static final double ON_ITS_BACK_DEG = 135;
@@ -29,12 +29,12 @@ final class Attitude {
         return Math.abs(Math.IEEEremainder(rollDeg, 360)) < ON_ITS_SIDE_DEG;
     }
 
-    /** Whether a leg, such as LF, stands: all do unless a gait bends its knee to lift it. */
+    /** Whether a leg, such as LF, is on the floor: true unless a gait bends its knee to lift it. */
     boolean isOnGround(String leg) {
         return guess().equals("stand") && !legs.isLifted(leg);
     }
 
-    /** What MyguessPosition calls it (URBI sheet, section 15). */
+    /** The posture's name as MyguessPosition reports it (URBI sheet, section 15). */
     String guess() {
         if (isUpright()) {
             return legs.guess();

@@ -11,22 +11,22 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The camera and the ball tracking behind it (URBI sheet, sections 12 and 13). It takes 30 pictures a second, of which only those
- * are computed that a client requests; settings take effect from the next cycle on. No ball lies in the lab, so none is seen.
+ * are computed that a client requests; settings take effect from the next cycle on. There is no ball in the lab.
  */
 final class Camera {
     private static final double PICTURE_MS = 1000.0 / 30;
 
-    /** The place in the picture that the ball tracking reports while it sees no ball. */
+    /** The position that the ball tracking reports without a ball. */
     private static final double NOWHERE = -1;
 
-    private final Eye eye;
+    private final CameraLens lens;
     private final Kernel kernel;
     private final Map<String, Variable> fields = new LinkedHashMap<>();
     private CameraSettings settings = CameraSettings.DEFAULT;
     private @Nullable Shot last;
 
-    Camera(Eye eye, Kernel kernel) {
-        this.eye = eye;
+    Camera(CameraLens lens, Kernel kernel) {
+        this.lens = lens;
         this.kernel = kernel;
     }
 
@@ -43,8 +43,8 @@ final class Camera {
         field("reconstruct", 0, 0, 1);
         number("camera.width", () -> settings.width());
         number("camera.height", () -> settings.height());
-        number("camera.xfov", () -> Eye.XFOV_DEG);
-        number("camera.yfov", () -> Eye.YFOV_DEG);
+        number("camera.xfov", () -> CameraLens.XFOV_DEG);
+        number("camera.yfov", () -> CameraLens.YFOV_DEG);
         number("ball.visible", () -> 0);
         number("ball.x", () -> NOWHERE);
         number("ball.y", () -> NOWHERE);
@@ -75,7 +75,7 @@ final class Camera {
         long number = (long) Math.floor(kernel.nowMs() / PICTURE_MS);
         Shot shot = last;
         if (shot == null || shot.number() != number || !shot.settings().equals(settings)) {
-            shot = new Shot(number, settings, eye.take(settings));
+            shot = new Shot(number, settings, lens.take(settings));
             last = shot;
         }
         return shot;

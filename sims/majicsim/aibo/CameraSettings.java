@@ -1,7 +1,7 @@
 package majicsim.aibo;
 
 /**
- * How a picture is taken (URBI sheet, section 13).
+ * The camera's settings for a picture (URBI sheet, section 13).
  *
  * @param format 0 YCbCr, 1 JPEG
  * @param resolution 0 (208 by 160) to 2 (52 by 40)

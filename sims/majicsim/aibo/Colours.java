@@ -2,7 +2,7 @@ package majicsim.aibo;
 
 import majicsim.world.World;
 
-/** What colour the surfaces of the room have in its light: chosen, as maps contain none. */
+/** The colours of the room's surfaces in its light. They are chosen here, because maps contain none. */
 final class Colours {
     private static final int PAINT = 0xE6DCC8;
     private static final int CEILING = 0xF2F2EE;
@@ -21,17 +21,17 @@ final class Colours {
         this.world = world;
     }
 
-    /** The colour of what is seen at a place of the room, shaded. */
-    int of(Sight sight, double xMm, double yMm) {
-        double fade = 1 / (1 + sight.levelMm() / HALF_LIGHT_MM);
-        return switch (sight.what()) {
+    /** The colour of a surface at a place of the room, shaded. */
+    int of(VisibleSurface surface, double xMm, double yMm) {
+        double fade = 1 / (1 + surface.levelMm() / HALF_LIGHT_MM);
+        return switch (surface.what()) {
             case HAZE -> HAZE;
             case CEILING -> shaded(CEILING, fade);
             case FLOOR -> shaded(tile(xMm, yMm), fade * light(xMm, yMm));
-            case ROBOT -> shaded(sight.rgb(), fade * lit(sight.slant()));
+            case ROBOT -> shaded(surface.rgb(), fade * lit(surface.slant()));
             case WALL -> {
-                int paint = sight.heightMm() < SKIRTING_MM ? SKIRTING : PAINT;
-                yield shaded(paint, fade * lit(sight.slant()) * Math.sqrt(sight.reflectivity()) * light(xMm, yMm));
+                int paint = surface.heightMm() < SKIRTING_MM ? SKIRTING : PAINT;
+                yield shaded(paint, fade * lit(surface.slant()) * Math.sqrt(surface.reflectivity()) * light(xMm, yMm));
             }
         };
     }

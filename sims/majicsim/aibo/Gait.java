@@ -8,9 +8,9 @@ import majicsim.world.Body;
 import majicsim.world.Noise;
 
 /**
- * What walking and turning do to the body. Nominal: 83.333 mm/s and 36 deg/s at one gait cycle a second (URBI sheet, section 15,
- * calibration); walks under way at once are averaged, as the legs are blended. A real dog's steps differ and drift, and backward
- * it is slower; an exact lab has none of that.
+ * The motion of the body by walking and turning. Nominal: 83.333 mm/s and 36 deg/s at one gait cycle a second (URBI sheet, section 15,
+ * calibration); simultaneous walks are averaged, like the commands of the legs. A real dog's steps differ and drift, and backward
+ * it is slower; in an exact lab all steps are equal.
  */
 final class Gait {
     static final double MM_PER_CYCLE = 83.333;
@@ -49,7 +49,7 @@ final class Gait {
         active.remove(task);
     }
 
-    /** Whether its legs go. */
+    /** Whether its legs move. */
     boolean isWalking() {
         return !active.isEmpty() && legs.carry();
     }
@@ -60,7 +60,7 @@ final class Gait {
         angles.forEach((joint, degrees) -> joint.submit(degrees, pass));
     }
 
-    /** Gives the body the mean velocity of the lab step that begins now: motions that end within it count for their share. */
+    /** Sets the body's mean velocity for the lab step that begins now; motions that end within it count in proportion. */
     void drive(double nowMs, double stepMs) {
         double ahead = 0;
         double turn = 0;
@@ -79,7 +79,7 @@ final class Gait {
         body.velocity(mmPerSec, turn * perSec * stepFactor + Math.abs(mmPerSec) * driftDegPerMm);
     }
 
-    /** Counts the gait cycles of the lab step that has passed; each half of one is a step with a length of its own. */
+    /** Counts the gait cycles of the past lab step; each half cycle is a step with its own length. */
     void count(double fromMs, double stepMs) {
         double before = cycles;
         for (GaitTask task : active) {

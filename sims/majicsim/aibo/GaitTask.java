@@ -38,7 +38,7 @@ final class GaitTask extends Task {
         };
     }
 
-    /** The gait of swalk and sturn: two seconds a step. How far a step goes is not documented; we take half a gait cycle. */
+    /** The gait of swalk and sturn: two seconds a step. The length of a step is not documented; here it is half a gait cycle. */
     static Functions.Lasting steps(Gait gait, boolean turn) {
         return (context, arguments) -> {
             double ms = arguments.get(0).number() * STEP_MS;
@@ -55,7 +55,7 @@ final class GaitTask extends Task {
         return cyclesPerMs;
     }
 
-    /** How much of a lab step it moves. */
+    /** The share of a lab step in which it moves. */
     double overlapMs(double fromMs, double stepMs) {
         double begin = Math.max(fromMs, startMs());
         double end = Math.min(fromMs + stepMs, startMs() + durationMs);

@@ -7,7 +7,7 @@ import majicsim.world.Point;
 import majicsim.world.Pose;
 import majicsim.world.World;
 
-/** The head, which carries camera and distance sensors: where it is in the room, by its joints and by how the body is held. */
+/** The head, which carries camera and distance sensors: its pose in the room, from its joints and the body's orientation. */
 final class Head {
     private static final double NECK_AHEAD_MM = 90;
     private static final double NECK_MM = 80;
@@ -28,10 +28,10 @@ final class Head {
     }
 
     /** From the nose, in the room. */
-    View view() {
+    CameraPose view() {
         Pose pose = body.pose();
         Stance stance = attitude.stance();
-        View view = View.from(new Vector(NOSE_MM, 0, 0))
+        CameraPose view = CameraPose.from(new Vector(NOSE_MM, 0, 0))
                 .pitched(degrees("headTilt"))
                 .turned(degrees("headPan"))
                 .moved(0, 0, NECK_MM)
@@ -43,7 +43,7 @@ final class Head {
         return view.at(inFreeAir(view.at()));
     }
 
-    /** The body stops at a wall, the nose before it would reach through: then it sees what is right before the wall. */
+    /** At a wall the nose would be behind it, because only the body stops there; the nose is then placed just before the wall. */
     private Vector inFreeAir(Vector nose) {
         Point neck = body.pose().toWorld(NECK_AHEAD_MM, 0);
         Vector way = nose.minus(new Vector(neck.xMm(), neck.yMm(), nose.z()));

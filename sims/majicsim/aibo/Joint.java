@@ -5,11 +5,11 @@ import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.value.Value;
 
 /**
- * A motor with its angle. The measured angle runs after the command with a short lag; loose it stays where it is, and switched on it
+ * A motor with its angle. The measured angle follows the command with a short lag; without power the angle stays, and when switched on the motor
  * holds that (URBI sheet, section 14).
  */
 final class Joint implements Variable.Hardware {
-    /** So far behind its command a joint ran on the real server (capture E: 0.48 degrees at 40 degrees a second). */
+    /** The lag of a joint behind its command on the real server (capture E: 0.48 degrees at 40 degrees a second). */
     private static final double LAG_SEC = 0.012;
 
     private static final double RESOLUTION_DEG = 1e-4;
@@ -69,7 +69,7 @@ final class Joint implements Variable.Hardware {
         return true;
     }
 
-    /** Lets the motor work for a lab step. */
+    /** Moves the motor for a lab step. */
     void step(double seconds) {
         if (stiffness <= 0 || !(angle.target() instanceof Value.Num target)) {
             return;
@@ -84,12 +84,12 @@ final class Joint implements Variable.Hardware {
         measuredDeg += Math.max(-limit, Math.min(limit, error * (1 - Math.exp(-seconds * strength / LAG_SEC))));
     }
 
-    /** What pulls at the motor: how far it is behind, times what pulls it there. */
+    /** The motor's force: its lag times its stiffness. */
     double force() {
         return angle.target() instanceof Value.Num target ? stiffness * gain() * (target.number() - measuredDeg) : 0;
     }
 
-    /** 1 for a stiff motor with the gain it has from the start; less follows slower. */
+    /** 1 for a stiff motor with its initial gain; a lower value follows more slowly. */
     private double strength() {
         return Math.max(0, stiffness * gain() / type.gains().proportional());
     }

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Map;
 import majicsim.aibo.urbi.memory.Variable;
 
-/** The twelve joints of the legs together: the swing of a gait, whether they carry, and the posture they are in. */
+/** The twelve joints of the legs together: the commands of a gait, whether they carry the body, and their posture. */
 final class Legs {
-    /** Half of the legs' stiffness is needed to stand on them. */
+    /** The share of the legs' stiffness that is needed to stand. */
     private static final double CARRYING_LOAD = 0.5;
 
     private static final double GUESS_TOLERANCE_DEG = 12;
-    /** Square degrees within which a posture counts as taken, so that the blend stays finite. */
+    /** The squared error in degrees within which a posture counts as reached, so that the blend stays finite. */
     private static final double CLOSE_SQUARE_DEG = 0.1;
 
     private static final double LIFTING_DEG = 12;
@@ -66,7 +66,7 @@ final class Legs {
         return "unknown";
     }
 
-    /** How the dog's front is held: that of the postures, the nearer one by its angles the more. */
+    /** The stance of the dog's front: a mean of those of the postures, weighted by how near their angles are. */
     Stance stance() {
         double weights = 0;
         double shoulderMm = 0;

@@ -7,7 +7,7 @@ import majicsim.aibo.urbi.value.Value;
 import majicsim.world.Noise;
 
 /**
- * The two ears: always the last 32 ms (URBI sheet, section 13). They record the dog's own speaker and motors, a whistle beside
+ * The two microphones: always the last 32 ms (URBI sheet, section 13). They record the dog's own speaker and motors, a whistle beside
  * it, and in a lab with noise a quiet hiss.
  */
 final class Microphone {

@@ -17,7 +17,7 @@ record Pcm(int channels, int rateHz, int bits, boolean signed, byte[] data) {
     private static final int FIRST_CHUNK = 12;
     private static final int CHUNK_HEADER = 8;
 
-    /** The sound that a binary holds, or null if it is none that the speaker plays. */
+    /** The sound in a binary, or null if the speaker cannot play it. */
     static @Nullable Sound sound(Value.Binary binary) {
         byte[] bytes = binary.bytes().getBytes(StandardCharsets.ISO_8859_1);
         Pcm pcm = binary.bytes().startsWith(RIFF) ? riff(bytes) : raw(binary.parameters(), bytes);

@@ -18,7 +18,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
  */
 record Picture(int width, int height, int[] rgb) {
 
-    /** As JFIF file; bytes stand as characters of the same number. */
+    /** As JFIF file; bytes are characters of the same number. */
     String jpeg(int factor) {
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, width, height, rgb, 0, width);

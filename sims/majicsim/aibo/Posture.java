@@ -25,12 +25,12 @@ enum Posture {
         this.hind = hind;
     }
 
-    /** What MyguessPosition calls it. */
+    /** Its name as MyguessPosition reports it. */
     String guess() {
         return guess;
     }
 
-    /** How its front is held. */
+    /** The height and pitch of its front. */
     Stance stance() {
         return stance;
     }

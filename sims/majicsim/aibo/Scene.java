@@ -4,7 +4,7 @@ import majicsim.world.Body;
 import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
-/** What is around an eye for the time of one picture; slices of the room are cut when they are first looked at, and kept. */
+/** The room around the camera for one picture. Slices of the room are computed at their first use, and kept. */
 final class Scene {
     private static final double SLICE_DEG = 0.125;
     private static final int SLICES = (int) (360 / SLICE_DEG);
@@ -20,8 +20,8 @@ final class Scene {
         this.eye = eye;
     }
 
-    /** What lies in a direction. */
-    Sight look(Vector ray) {
+    /** The surface in a direction. */
+    VisibleSurface look(Vector ray) {
         int number = Math.floorMod((int) Math.rint(ray.azimuthDeg() / SLICE_DEG), SLICES);
         Slice slice = slices[number];
         if (slice == null) {
@@ -31,11 +31,12 @@ final class Scene {
         return slice.look(slope(ray));
     }
 
-    /** How far it is in a direction to the first surface, in mm through the air. */
-    static double distanceMm(World world, Body viewer, View view) {
+    /** The distance in a direction to the first surface, in mm. */
+    static double distanceMm(World world, Body viewer, CameraPose view) {
         double slope = slope(view.ahead());
-        Sight sight = new Slice(world, viewer, view.at(), view.ahead().azimuthDeg()).look(slope);
-        return sight.levelMm() * Math.sqrt(1 + slope * slope);
+        VisibleSurface surface =
+                new Slice(world, viewer, view.at(), view.ahead().azimuthDeg()).look(slope);
+        return surface.levelMm() * Math.sqrt(1 + slope * slope);
     }
 
     private static double slope(Vector ray) {

@@ -16,7 +16,7 @@ import majicsim.world.World;
 final class Sensors {
     private static final double GRAVITY = 9.80665;
     private static final double CHEST_AHEAD_MM = 100;
-    /** The chest looks down at the floor in front of the feet: without a wall it sees that. */
+    /** The chest sensor faces the floor in front of the feet: without a wall it measures the floor. */
     private static final double CHEST_FLOOR_CM = 40;
 
     private static final double DISTANCE_SPREAD = 0.02;
@@ -78,7 +78,7 @@ final class Sensors {
         sensor(variables, name, -2 * GRAVITY, 2 * GRAVITY, () -> rest.getAsDouble() + noise.gaussian(jolt()));
     }
 
-    /** Where its weight pulls, in the body's own directions: down by g when it stands. */
+    /** The acceleration by gravity in the body's own frame: g downwards when it stands. */
     private Vector gravity() {
         return new Vector(0, 0, -GRAVITY).pitched(-attitude.stance().pitchDeg()).rolled(-attitude.rollDeg());
     }

@@ -6,11 +6,11 @@ import majicsim.world.Point;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The part of one vertical slice of the room that a body fills.
+ * The part of one vertical slice of the room that a body occupies.
  *
  * @param entryMm where the slice enters it
  * @param exitMm where it leaves it
- * @param slant cosine of the angle at which it is met, 1 square on
+ * @param slant cosine of the angle of incidence, 1 perpendicular
  */
 record Slab(Appearance look, double entryMm, double exitMm, double slant) {
 

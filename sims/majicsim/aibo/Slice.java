@@ -9,8 +9,8 @@ import majicsim.world.Point;
 import majicsim.world.World;
 
 /**
- * The room in one direction from an eye, cut upright: robots as blocks, a wall from floor to ceiling, and what lies below and above.
- * A map has no heights; all of its lines are taken for walls as high as the room.
+ * A vertical slice of the room in one direction from the camera: robots as blocks, a wall from floor to ceiling, floor and ceiling.
+ * A map has no heights; all of its lines count as walls as high as the room.
  */
 final class Slice {
     static final double CEILING_MM = 2500;
@@ -34,8 +34,8 @@ final class Slice {
                 .toList();
     }
 
-    /** What is seen at a slope: rise over the way on the floor. */
-    Sight look(double slope) {
+    /** The surface at a slope: height over distance on the floor. */
+    VisibleSurface look(double slope) {
         for (Slab slab : slabs) {
             double frontMm = eyeMm + slope * slab.entryMm();
             double backMm = eyeMm + slope * slab.exitMm();
@@ -50,23 +50,28 @@ final class Slice {
         return behindRobots(slope);
     }
 
-    private Sight behindRobots(double slope) {
+    private VisibleSurface behindRobots(double slope) {
         double heightMm = eyeMm + slope * wall.distanceMm();
         if (heightMm < 0) {
-            return Sight.of(Sight.Kind.FLOOR, -eyeMm / slope, 0);
+            return VisibleSurface.of(VisibleSurface.Kind.FLOOR, -eyeMm / slope, 0);
         }
         if (heightMm > CEILING_MM) {
-            return Sight.of(Sight.Kind.CEILING, (CEILING_MM - eyeMm) / slope, CEILING_MM);
+            return VisibleSurface.of(VisibleSurface.Kind.CEILING, (CEILING_MM - eyeMm) / slope, CEILING_MM);
         }
         if (!wall.found()) {
-            return Sight.of(Sight.Kind.HAZE, FAR_MM, heightMm);
+            return VisibleSurface.of(VisibleSurface.Kind.HAZE, FAR_MM, heightMm);
         }
         double slant = Math.cos(Math.toRadians(wall.incidenceDeg()));
-        return new Sight(Sight.Kind.WALL, wall.distanceMm(), heightMm, slant, wall.reflectivity(), 0);
+        return new VisibleSurface(VisibleSurface.Kind.WALL, wall.distanceMm(), heightMm, slant, wall.reflectivity(), 0);
     }
 
-    private static Sight robot(Slab slab, double levelMm, double heightMm, double slant) {
-        return new Sight(
-                Sight.Kind.ROBOT, levelMm, heightMm, slant, 1, slab.look().rgb());
+    private static VisibleSurface robot(Slab slab, double levelMm, double heightMm, double slant) {
+        return new VisibleSurface(
+                VisibleSurface.Kind.ROBOT,
+                levelMm,
+                heightMm,
+                slant,
+                1,
+                slab.look().rgb());
     }
 }

@@ -20,7 +20,7 @@ public final class Sound {
         this.samples = samples;
     }
 
-    /** A sound made from its course: -1 to 1 over seconds. */
+    /** A sound from its waveform: -1 to 1 over seconds. */
     static Sound of(double lengthMs, DoubleUnaryOperator course) {
         short[] samples = new short[(int) (lengthMs * PER_MS)];
         for (int i = 0; i < samples.length; i++) {
@@ -30,7 +30,7 @@ public final class Sound {
     }
 
     /**
-     * How long it is.
+     * Its length.
      *
      * @return ms
      */
@@ -39,7 +39,7 @@ public final class Sound {
     }
 
     /**
-     * Its course.
+     * Its waveform.
      *
      * @param index of the sample, 16000 a second from 0 on
      * @return -32768 to 32767; 0 before its beginning and behind its end
@@ -48,7 +48,7 @@ public final class Sound {
         return index >= 0 && index < samples.length ? samples[index] : 0;
     }
 
-    /** As a RIFF file; bytes stand as characters of the same number. */
+    /** As a RIFF file; bytes are characters of the same number. */
     String wav() {
         int size = 2 * samples.length;
         ByteBuffer file = ByteBuffer.allocate(WAV_HEADER + size).order(ByteOrder.LITTLE_ENDIAN);

@@ -10,12 +10,12 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** The speaker: a sound that comes while one plays follows it without a gap (URBI sheet, sections 12 and 13). */
+/** The speaker: a sound that arrives while another plays follows it without a gap (URBI sheet, sections 12 and 13). */
 final class Speaker {
     private static final int KEPT = 100;
 
     private final Kernel kernel;
-    private final Deque<Played> played = new ArrayDeque<>();
+    private final Deque<PlayedSound> played = new ArrayDeque<>();
 
     Speaker(Kernel kernel) {
         this.kernel = kernel;
@@ -41,19 +41,19 @@ final class Speaker {
         kernel.functions().builtIn("loadwav", arguments -> load(name(arguments)));
     }
 
-    /** Plays a file of the stick; false if there is none of that name. */
+    /** Plays a file of the stick; returns false if there is none of that name. */
     boolean play(String file) {
         return play(file, StickSounds.named(file));
     }
 
-    /** What was played last, oldest first. */
-    List<Played> played() {
+    /** The last sounds, oldest first. */
+    List<PlayedSound> played() {
         return List.copyOf(played);
     }
 
-    /** What sounds at a sample of lab time, counted from its start. */
+    /** The output at a sample of lab time, counted from its start. */
     int sample(long index) {
-        for (Played each : played) {
+        for (PlayedSound each : played) {
             int value = each.sound().sample((int) (index - Math.round(each.startMs() * Sound.RATE_HZ / 1000)));
             if (value != 0) {
                 return value;
@@ -74,7 +74,7 @@ final class Speaker {
         if (sound == null) {
             return false;
         }
-        played.add(new Played(what, Math.max(kernel.nowMs(), endMs()), sound));
+        played.add(new PlayedSound(what, Math.max(kernel.nowMs(), endMs()), sound));
         if (played.size() > KEPT) {
             played.removeFirst();
         }

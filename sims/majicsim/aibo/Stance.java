@@ -1,9 +1,9 @@
 package majicsim.aibo;
 
 /**
- * How the front of the dog's body is held.
+ * The height and pitch of the front of the dog's body.
  *
- * @param shoulderMm height of the neck's foot above the floor
- * @param pitchDeg how far the back rises to the front
+ * @param shoulderMm height of the lower end of the neck above the floor
+ * @param pitchDeg the slope of the back, positive if it rises to the front
  */
 record Stance(double shoulderMm, double pitchDeg) {}

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * The programs on the simulated memory stick: what the stick's functions do and how long they take (URBI sheet, section 15), in
- * words of our own.
+ * The programs on the simulated memory stick: the stick's functions with their durations (URBI sheet, section 15), in
+ * newly written code.
  */
 final class StickScript {
     private static final String PROGRAM = """
@@ -64,7 +64,7 @@ final class StickScript {
               & ledBRW.val = 0.5 sin:4s ampli:0.5 phase:-2 },
             """;
 
-    /** What happens in each connection when it comes (URBI sheet, section 2). */
+    /** The program that runs in each new connection (URBI sheet, section 2). */
     static final String CLIENT = """
             if (speaker.play("client.wav")) noop,
             modeB.val = 1;
@@ -77,9 +77,9 @@ final class StickScript {
     private StickScript() {}
 
     /**
-     * What runs at the start.
+     * The program that runs at the start.
      *
-     * @param devices whose bare names stand for their field val
+     * @param devices the devices for which the bare name means the field val
      */
     static String program(List<String> devices) {
         return devices.stream()

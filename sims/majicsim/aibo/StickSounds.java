@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import org.jspecify.annotations.Nullable;
 
-/** The sound files of the stock stick by name (URBI sheet, section 13); what they sound like is made up. */
+/** The sound files of the original stick by name (URBI sheet, section 13); their sounds are invented. */
 final class StickSounds {
     private static final double FULL = 0.6;
     private static final Map<String, Sound> FILES = Map.of(
@@ -33,7 +33,7 @@ final class StickSounds {
         });
     }
 
-    /** Dies away while its pitch falls. */
+    /** A tone that fades while its pitch falls. */
     private static Sound bark(double lengthMs, double hertz) {
         DoubleUnaryOperator loud = seconds -> Math.exp(-6 * seconds * 1000 / lengthMs);
         return Sound.of(lengthMs, seconds -> {

@@ -30,7 +30,7 @@ record Vector(double x, double y, double z) {
         return Math.sqrt(x * x + y * y);
     }
 
-    /** Where it points to on the floor, in degrees counter-clockwise from x. */
+    /** Its direction on the floor, in degrees counter-clockwise from x. */
     double azimuthDeg() {
         return Math.toDegrees(Math.atan2(y, x));
     }
@@ -42,14 +42,14 @@ record Vector(double x, double y, double z) {
         return new Vector(x * cos - y * sin, x * sin + y * cos, z);
     }
 
-    /** Turned about y: what points ahead points up for a positive angle. */
+    /** Turned about y: a positive angle turns ahead to up. */
     Vector pitched(double degrees) {
         double cos = Math.cos(Math.toRadians(degrees));
         double sin = Math.sin(Math.toRadians(degrees));
         return new Vector(x * cos - z * sin, y, x * sin + z * cos);
     }
 
-    /** Turned about x: what points to the left points up for a positive angle. */
+    /** Turned about x: a positive angle turns left to up. */
     Vector rolled(double degrees) {
         double cos = Math.cos(Math.toRadians(degrees));
         double sin = Math.sin(Math.toRadians(degrees));

@@ -4,14 +4,14 @@ import java.util.List;
 import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.board.Pins;
-import majicsim.hemisson.board.WorldEyes;
+import majicsim.hemisson.board.RoomSensors;
 import majicsim.hemisson.modules.GeneralIo;
 import majicsim.hemisson.modules.Modules;
 import majicsim.hemisson.options.HemissonOptions;
 
 /**
- * What a person beside the robot can do to it and observe of it. Works with or without a client connected; what is done to a
- * module that is not fitted shows no effect. All calls with the lab's lock held.
+ * Physical access to the robot: its keys, switches, inputs and outputs. Works with or without a client connected; what is done to a
+ * module that is not fitted shows no effect. Every call must hold the lab's lock.
  */
 public final class HemissonHandling {
     private static final int MOST_KEYS = 63;
@@ -21,14 +21,14 @@ public final class HemissonHandling {
     private final HemissonRobot robot;
     private final HemissonBoard board;
     private final Motors motors;
-    private final WorldEyes eyes;
+    private final RoomSensors sensors;
     private final Modules modules;
 
-    HemissonHandling(HemissonRobot robot, HemissonBoard board, Motors motors, WorldEyes eyes, Modules modules) {
+    HemissonHandling(HemissonRobot robot, HemissonBoard board, Motors motors, RoomSensors sensors, Modules modules) {
         this.robot = robot;
         this.board = board;
         this.motors = motors;
-        this.eyes = eyes;
+        this.sensors = sensors;
         this.modules = modules;
     }
 
@@ -52,7 +52,7 @@ public final class HemissonHandling {
         board.moveSwitches(HemissonOptions.standard().withSwitches(switches).switches());
     }
 
-    /** Switches it off and on: motors 0, everything forgotten, hearing again; it greets 5 ms later. Modules take up to 5 s more. */
+    /** Switches it off and on: motors 0, memory cleared, receiver working again; its greeting follows 5 ms later. Modules take up to 5 s more. */
     public void powerCycle() {
         robot.powerCycle();
     }
@@ -60,20 +60,20 @@ public final class HemissonHandling {
     /**
      * Lifts it, so that its wheels turn in the air, or puts it down.
      *
-     * @param up true while it is held
+     * @param up true while it is lifted
      */
     public void lift(boolean up) {
         motors.lift(up);
     }
 
     /**
-     * Draws the curtains, or opens them.
+     * Changes the light of the room.
      *
      * @param reading what a light sensor reads far from lamps: 0 in bright sun to 255 in the dark; usually 220
      * @throws IllegalArgumentException if it is outside; nothing happened
      */
     public void lighten(int reading) {
-        eyes.ambient(checked("reading", reading, BYTE));
+        sensors.ambient(checked("reading", reading, BYTE));
     }
 
     /**
@@ -95,9 +95,9 @@ public final class HemissonHandling {
     }
 
     /**
-     * Whether it has stopped listening for good, until {@link #powerCycle()}.
+     * Whether its receiver is blocked, until {@link #powerCycle()}.
      *
-     * @return true when it receives nothing any more
+     * @return true if it receives nothing any more
      */
     public boolean isReceiverBlocked() {
         return robot.isReceiverBlocked();
@@ -122,7 +122,7 @@ public final class HemissonHandling {
     }
 
     /**
-     * Holds keys of its display, or lets them go.
+     * Presses keys of its display, or releases them.
      *
      * @param keys bits 0 to 2, one a key
      * @throws IllegalArgumentException if there are no such keys; nothing happened

@@ -2,16 +2,16 @@ package majicsim.hemisson;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
-import majicsim.hemisson.behaviour.Modes;
+import majicsim.hemisson.behaviour.ActiveRunMode;
 import majicsim.hemisson.behaviour.RunMode;
 import majicsim.hemisson.board.CommandBuffer;
-import majicsim.hemisson.board.Eyes;
 import majicsim.hemisson.board.HemissonBoard;
-import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.InfraRedSensors;
 import majicsim.hemisson.board.Motors;
-import majicsim.hemisson.board.Power;
+import majicsim.hemisson.board.RobotControl;
+import majicsim.hemisson.board.RoomSensors;
+import majicsim.hemisson.board.SensorTables;
 import majicsim.hemisson.board.TvRemote;
-import majicsim.hemisson.board.WorldEyes;
 import majicsim.hemisson.firmware.BotStudio;
 import majicsim.hemisson.firmware.Commands;
 import majicsim.hemisson.firmware.Interpreter;
@@ -32,7 +32,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A Hemisson with HemiOS 1.50 behind its serial line. It greets after power-up and reset only, on the lines from which something
- * was received, and it has no watchdog: without a client it drives on. It was switched on long ago, so a new one does not greet.
+ * was received, and it has no watchdog: without a client it drives on. It counts as switched on long ago, so a new one sends no greeting.
  * Several lines are one wire: a reply goes to the line whose character completed the command. Every method with the lab's lock
  * held.
  */
@@ -48,25 +48,25 @@ public final class HemissonRobot implements Firmware {
     private final Body body;
     private final CommandBuffer buffer;
     private final Motors motors;
-    private final InfraRed infraRed;
+    private final SensorTables tables;
     private final HemissonBoard board;
     private final I2cBus bus;
     private final BotStudio botStudio;
     private final Uart uart;
     private final Interpreter interpreter;
-    private final Modes modes;
+    private final ActiveRunMode running;
     private final HemissonHandling handling;
 
-    /** The lines from which something was received: a plug that is not open would keep the greeting for the next client. */
+    /** The lines from which something was received: a serial port that is not open would keep the greeting for the next client. */
     private final Set<Line> listeners = new LinkedHashSet<>();
 
     private boolean restarting;
 
     /**
-     * A forgiving robot without modules.
+     * A robot without modules and without the real robot's weaknesses.
      *
-     * @param world where it drives; the robot adds its body
-     * @param start where it stands first
+     * @param world the room; the robot adds its body
+     * @param start its start pose
      * @param noise of its motors and sensors
      * @throws IllegalArgumentException if it does not fit there
      */
@@ -77,31 +77,31 @@ public final class HemissonRobot implements Firmware {
     /**
      * A robot with options.
      *
-     * @param world where it drives; the robot adds its body
-     * @param start where it stands first
+     * @param world the room; the robot adds its body
+     * @param start its start pose
      * @param noise of its motors and sensors
-     * @param options its firmware, switches and modules, and how forgiving it is
+     * @param options its firmware, switches and modules, and which weaknesses of the real robot it has
      * @throws IllegalArgumentException if it does not fit there
      */
     public HemissonRobot(World world, Pose start, Noise noise, HemissonOptions options) {
         this(world, Body.disc("hemisson", RADIUS_MM, start), noise, options, null);
     }
 
-    HemissonRobot(World world, Body body, Noise noise, HemissonOptions options, @Nullable Eyes eyes) {
+    HemissonRobot(World world, Body body, Noise noise, HemissonOptions options, @Nullable InfraRedSensors sensors) {
         world.add(body);
         this.body = body;
         buffer = new CommandBuffer(options.dialect() == Dialect.KTEAM);
         motors = new Motors(body, noise.fork("motors"), options.mismatchPercent());
-        WorldEyes worldEyes = new WorldEyes(world, body, noise.fork("infra-red"), options.ambient());
-        infraRed = new InfraRed(eyes == null ? worldEyes : eyes, buffer);
+        RoomSensors roomSensors = new RoomSensors(world, body, noise.fork("infra-red"), options.ambient());
+        tables = new SensorTables(sensors == null ? roomSensors : sensors, buffer);
         board = new HemissonBoard(options.switches());
         Modules modules = new Modules(world, body);
         bus = new I2cBus(modules.fitted(options.modules()));
-        botStudio = new BotStudio(motors, board, infraRed);
+        botStudio = new BotStudio(motors, board, tables);
         uart = new Uart(options);
         interpreter = interpreter(options.dialect(), new Controls());
-        modes = new Modes(motors, board, infraRed);
-        handling = new HemissonHandling(this, board, motors, worldEyes, modules);
+        running = new ActiveRunMode(motors, board, tables);
+        handling = new HemissonHandling(this, board, motors, roomSensors, modules);
         startMode();
     }
 
@@ -115,9 +115,9 @@ public final class HemissonRobot implements Firmware {
     }
 
     /**
-     * What can be done to the robot itself.
+     * Physical access to it.
      *
-     * @return the person beside it
+     * @return the same object at every call
      */
     public HemissonHandling handling() {
         return handling;
@@ -141,10 +141,10 @@ public final class HemissonRobot implements Firmware {
         board.step(seconds);
         bus.step(seconds);
         listen(true);
-        modes.behaviour().step(seconds);
-        if (infraRed.step(seconds)) {
+        running.behaviour().step(seconds);
+        if (tables.step(seconds)) {
             board.readSwitches();
-            modes.behaviour().look();
+            running.behaviour().look();
         }
     }
 
@@ -160,16 +160,16 @@ public final class HemissonRobot implements Firmware {
 
     void pressTvKey(int key) {
         board.tvCode = key;
-        if (modes.mode() == RunMode.REMOTE) {
+        if (running.mode() == RunMode.REMOTE) {
             TvRemote.drive(key, motors);
         }
     }
 
-    private Interpreter interpreter(Dialect dialect, Power power) {
-        Commands stock = new Commands(buffer, motors, infraRed, board, bus, botStudio, power);
+    private Interpreter interpreter(Dialect dialect, RobotControl control) {
+        Commands stock = new Commands(buffer, motors, tables, board, bus, botStudio, control);
         return switch (dialect) {
             case KTEAM -> stock;
-            case ROADNARROWS -> new RoadNarrows(buffer, stock, motors, bus, power);
+            case ROADNARROWS -> new RoadNarrows(buffer, stock, motors, bus, control);
         };
     }
 
@@ -200,22 +200,22 @@ public final class HemissonRobot implements Firmware {
         buffer.clear();
         board.reset();
         botStudio.reset();
-        infraRed.refresh();
+        tables.refresh();
         startMode();
         uart.busyFor(BOOT_SECONDS);
-        String greeting = interpreter.greeting() + (modes.mode().isInternal() ? INTERNAL_MODE : "");
+        String greeting = interpreter.greeting() + (running.mode().isInternal() ? INTERNAL_MODE : "");
         uart.announce(listeners, greeting);
     }
 
     private void startMode() {
-        modes.start(board.switches());
-        uart.lookRarely(modes.mode() == RunMode.OTHER);
+        running.start(board.switches());
+        uart.lookRarely(running.mode() == RunMode.OTHER);
     }
 
-    private final class Controls implements Power {
+    private final class Controls implements RobotControl {
         @Override
         public void drive(int left, int right) {
-            if (!modes.mode().holdsMotors()) {
+            if (!running.mode().holdsMotors()) {
                 motors.set(left, right);
             }
         }

@@ -4,6 +4,6 @@ package majicsim.net;
 public enum Clients {
     /** One; another is turned away at once. */
     ONE,
-    /** As many as come. */
+    /** Any number. */
     MANY
 }

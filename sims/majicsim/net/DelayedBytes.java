@@ -33,7 +33,7 @@ final class DelayedBytes {
         release();
     }
 
-    /** Lets out what is due; during an outage nothing is. */
+    /** Delivers what is due; during an outage nothing is due. */
     void release() {
         while (!pending.isEmpty() && !faults.isOutage() && pending.peek().dueNanos() <= faults.nowNanos()) {
             exit.accept(pending.remove().bytes());
@@ -41,7 +41,7 @@ final class DelayedBytes {
         empty = pending.isEmpty();
     }
 
-    /** Lets out everything, due or not. */
+    /** Delivers everything, due or not. */
     void releaseAll() {
         while (!pending.isEmpty()) {
             exit.accept(pending.remove().bytes());
@@ -49,7 +49,7 @@ final class DelayedBytes {
         empty = true;
     }
 
-    /** Whether nothing is kept; may be read without the lock. */
+    /** Whether nothing is kept; may be called without the lock. */
     boolean isEmpty() {
         return empty;
     }

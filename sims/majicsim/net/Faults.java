@@ -5,7 +5,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import majicsim.world.Noise;
 
 /**
- * What is wrong with a robot's lines. Faults may be ordered at any time and from any thread, take effect at once, last until
+ * The faults of a robot's lines. They may be ordered at any time and from any thread, take effect at once, last until
  * {@link #none()}, and hold for both directions unless stated otherwise. Times are lab time.
  */
 public final class Faults {
@@ -33,7 +33,7 @@ public final class Faults {
         this.noise = noise;
     }
 
-    /** Breaks all present lines; what was not delivered is lost. New ones may come. A pseudo-terminal loses bytes and stays. */
+    /** Cuts all present lines; what was not delivered is lost. New lines are accepted. A pseudo-terminal loses bytes and stays open. */
     public void cut() {
         cutters.forEach(Runnable::run);
     }
@@ -135,7 +135,7 @@ public final class Faults {
         return halving;
     }
 
-    /** How long the next message stays under way, drawn anew each time; a wire has no jitter. */
+    /** The delay of the next message, drawn anew each time; a wire has no jitter. */
     long drawDelayNanos(boolean jitters) {
         double jitterMs =
                 jitters && jitterToMs > 0 && !noise.isExact() ? noise.uniform(jitterFromMs, jitterToMs) / 2 : 0;
@@ -156,7 +156,7 @@ public final class Faults {
         return damaged;
     }
 
-    /** Waits until reading may go on again, at most so long. */
+    /** Waits until reading is allowed again, for at most this time. */
     synchronized void awaitReading(long timeoutMs) throws InterruptedException {
         if (!isReading()) {
             wait(timeoutMs);

@@ -1,16 +1,16 @@
 package majicsim.net;
 
-/** What a simulated robot is to its lines. Every call comes with the lab's lock held, so a firmware is single-threaded. */
+/** A simulated robot as its lines use it. Every call holds the lab's lock, so a firmware needs no locks of its own. */
 public interface Firmware {
     /**
-     * A client has come.
+     * Reports a new client.
      *
      * @param line its line, open
      */
     default void connected(Line line) {}
 
     /**
-     * Bytes have come, in whatever pieces.
+     * Reports received bytes, in pieces of any size.
      *
      * @param line where from
      * @param bytes at least one; the firmware may keep the array
@@ -25,7 +25,7 @@ public interface Firmware {
     default void disconnected(Line line) {}
 
     /**
-     * Lab time has gone on; the world has just been moved by it.
+     * Reports that lab time has advanced; the world has just been stepped.
      *
      * @param seconds the lab's fixed step
      */

@@ -12,14 +12,14 @@ public interface Port extends AutoCloseable {
     String address();
 
     /**
-     * Lab time has gone on: sends and delivers what was held back and is due. Called with the lab's lock held.
+     * Reports that lab time has advanced: sends and delivers what was held back and is due. Called with the lab's lock held.
      *
      * @param labNanos lab time
      */
     void step(long labNanos);
 
     /**
-     * How far its lines have got. Cheap, takes no lock, may be called from any thread.
+     * The progress of its lines. Cheap, takes no lock, may be called from any thread.
      *
      * @return one entry a line
      */

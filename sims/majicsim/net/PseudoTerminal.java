@@ -8,7 +8,7 @@ import java.lang.System.Logger.Level;
 import java.util.Arrays;
 
 /**
- * A pseudo-terminal in raw mode. We keep its client side open ourselves, so that it stays raw and alive while clients come and go.
+ * A pseudo-terminal in raw mode. Its client side is kept open here too, so that it stays raw and usable while clients open and close it.
  * Linux and macOS.
  */
 final class PseudoTerminal {
@@ -56,7 +56,7 @@ final class PseudoTerminal {
         return path;
     }
 
-    /** Waits for bytes at most so long; empty if none came. */
+    /** Waits for bytes for at most this time; returns none if none arrived. */
     byte[] read(int timeoutMs) throws LastErrorException {
         try (Memory descriptor = new Memory(POLLFD_BYTES)) {
             descriptor.setInt(0, master);

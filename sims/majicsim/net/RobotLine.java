@@ -4,7 +4,7 @@ import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * What the lines of all ports share: the bytes on their way in both directions, the counters, and the ending. Guarded by the lab's lock, but for the counters. A
+ * What the lines of all ports share: the bytes on their way in both directions, the counters, and the end. Guarded by the lab's lock, but for the counters. A
  * subclass writes bytes.
  */
 abstract class RobotLine implements Line {
@@ -17,7 +17,7 @@ abstract class RobotLine implements Line {
     private final DelayedBytes in;
     private final AtomicLong consumed = new AtomicLong();
     private final AtomicLong written = new AtomicLong();
-    private volatile Ending ending = Ending.NONE;
+    private volatile End ended = End.NONE;
 
     /** With {@code jitters}, each exchange takes as long as the faults' jitter is. */
     RobotLine(String robot, String peer, Wiring wiring, boolean jitters) {
@@ -49,17 +49,17 @@ abstract class RobotLine implements Line {
     @Override
     public void close() {
         if (isOpen()) {
-            ending = Ending.BY_ROBOT;
+            ended = End.BY_ROBOT;
         }
     }
 
     @Override
     public final boolean isOpen() {
-        return ending == Ending.NONE;
+        return ended == End.NONE;
     }
 
     /**
-     * Hands bytes to the firmware, or keeps them for later; the reader's thread, without the lock. A failure of the firmware is logged,
+     * Passes bytes to the firmware, or keeps them for later. Called on the reader's thread without the lock. A failure of the firmware is logged,
      * and the line stays open.
      */
     final void receive(byte[] bytes) {
@@ -80,21 +80,21 @@ abstract class RobotLine implements Line {
     }
 
     final void clientLeft() {
-        if (ending != Ending.CUT) {
-            ending = Ending.BY_CLIENT;
+        if (ended != End.CUT) {
+            ended = End.BY_CLIENT;
         }
         out.clear();
     }
 
-    /** A client waits for the place of one that has left: what is still kept from that one is delivered now. */
+    /** A new client waits until the line of the previous one has ended: delivers what is still kept from the previous one. */
     final void deliverAllIfClientLeft() {
-        if (ending == Ending.BY_CLIENT) {
+        if (ended == End.BY_CLIENT) {
             in.releaseAll();
         }
     }
 
     final void cut() {
-        ending = Ending.CUT;
+        ended = End.CUT;
         discardPending();
     }
 
@@ -104,12 +104,12 @@ abstract class RobotLine implements Line {
     }
 
     final boolean isCut() {
-        return ending == Ending.CUT;
+        return ended == End.CUT;
     }
 
     /** Whether nothing more can happen on this line. */
     final boolean isOver() {
-        return switch (ending) {
+        return switch (ended) {
             case NONE -> false;
             case BY_ROBOT -> out.isEmpty() && isFlushed();
             case BY_CLIENT -> in.isEmpty();
@@ -118,7 +118,7 @@ abstract class RobotLine implements Line {
     }
 
     final LineCount count() {
-        boolean delivers = isOpen() || (ending == Ending.BY_ROBOT && !out.isEmpty());
+        boolean delivers = isOpen() || (ended == End.BY_ROBOT && !out.isEmpty());
         return new LineCount(
                 robot,
                 peer,
@@ -129,7 +129,7 @@ abstract class RobotLine implements Line {
     }
 
     private void deliver(byte[] bytes) {
-        if (ending == Ending.NONE || ending == Ending.BY_CLIENT) {
+        if (ended == End.NONE || ended == End.BY_CLIENT) {
             wiring.firmware().received(this, bytes);
         }
     }
@@ -138,5 +138,17 @@ abstract class RobotLine implements Line {
         written.addAndGet(bytes.length);
         int lost = bytes.length - write(bytes);
         written.addAndGet(-lost);
+    }
+
+    /** Whether a line has ended, and by which end. */
+    private enum End {
+        /** Not at all: the line is open. */
+        NONE,
+        /** The firmware closed it; what it sent before still goes out. */
+        BY_ROBOT,
+        /** The client closed its end; what it sent before is still delivered. */
+        BY_CLIENT,
+        /** A fault or the port's own end; what is under way is lost. */
+        CUT
     }
 }

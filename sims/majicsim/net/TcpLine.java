@@ -91,7 +91,7 @@ final class TcpLine extends RobotLine {
         return channel;
     }
 
-    /** Closes without the usual handshake, as a cut cable would. */
+    /** Closes without the usual handshake, like a cut cable. */
     void shut(boolean abruptly) {
         try {
             if (abruptly && channel.isOpen()) {

@@ -142,7 +142,7 @@ final class TcpService implements Runnable {
         }
     }
 
-    /** A client may have left since its line was last read: it must not keep the next one out. */
+    /** A client may have disconnected since its line was last read; it must not block the next client. */
     private boolean isTaken() {
         if (clients == Clients.ONE && wiring.faults().isReading()) {
             lines.stream().filter(line -> line.key().isValid()).forEach(this::read);

@@ -6,8 +6,8 @@ import majicsim.pioneer.devices.Devices;
 import majicsim.pioneer.devices.Tone;
 
 /**
- * What a person beside the robot can do to it and observe of it. Works with or without a client connected; what a model does not
- * carry (gripper, charger) shows no effect. All calls with the lab's lock held.
+ * Physical access to the robot: its buttons, plugs, inputs and outputs. Works with or without a client connected; what a model does not
+ * carry (gripper, charger) shows no effect. Every call must hold the lab's lock.
  */
 public final class PioneerHandling {
     private final Devices devices;
@@ -19,7 +19,7 @@ public final class PioneerHandling {
     }
 
     /**
-     * Presses the red STOP button, or lets it go.
+     * Presses the red STOP button, or releases it.
      *
      * @param down true while it is pressed
      */
@@ -33,7 +33,7 @@ public final class PioneerHandling {
     }
 
     /**
-     * Brings power to the charging contacts or plug, or takes it away.
+     * Switches the power of the charger on or off.
      *
      * @param on true while there is power
      */
@@ -61,7 +61,7 @@ public final class PioneerHandling {
     }
 
     /**
-     * Presses the joystick's buttons, or lets them go.
+     * Presses the joystick's buttons, or releases them.
      *
      * @param fire the one that makes the robot drive
      * @param second the other
@@ -102,7 +102,7 @@ public final class PioneerHandling {
     }
 
     /**
-     * Holds something before an infra-red eye, or takes it away.
+     * Puts an object before an infra-red sensor, or takes it away.
      *
      * @param eye 0 to 7
      * @param near true while something is near
@@ -113,7 +113,7 @@ public final class PioneerHandling {
     }
 
     /**
-     * Lets the floor end before the robot, as its down-looking eyes see it.
+     * Sets whether the two ledge sensors, which face the floor ahead, detect a ledge.
      *
      * @param far some way off
      * @param near close by
@@ -123,7 +123,7 @@ public final class PioneerHandling {
     }
 
     /**
-     * Puts something between the gripper's paddles, or takes it away.
+     * Puts an object between the gripper's paddles, or takes it away.
      *
      * @param object true while it is there
      */
@@ -132,10 +132,10 @@ public final class PioneerHandling {
     }
 
     /**
-     * Plugs a device into one of the serial ports for accessories, in place of the plug that sends back what it gets.
+     * Plugs a device into one of the serial ports for accessories, in place of the loopback plug.
      *
      * @param port 1 to 3
-     * @param device gets the bytes that arrived and returns those it answers, none if it has no answer
+     * @param device receives the bytes sent to it and returns its answer, no bytes if it has none
      * @throws IndexOutOfBoundsException if there is no such port; nothing changed
      */
     public void plugAux(int port, UnaryOperator<byte[]> device) {
@@ -143,7 +143,7 @@ public final class PioneerHandling {
     }
 
     /**
-     * What the buzzer played, with its rests and warning beeps, as far as it was not muted.
+     * The tones that the buzzer played, with rests and warning beeps, except while it was muted.
      *
      * @return the last 200 tones that began, oldest first
      */
@@ -152,7 +152,7 @@ public final class PioneerHandling {
     }
 
     /**
-     * What sounds just now.
+     * The tone that sounds now.
      *
      * @return hertz, 0 for silence
      */

@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A Pioneer with an ARCOS controller. Serves one client at a time: as firmware of a network port it closes the line at
- * CLOSE and stops when the client vanishes; its {@link #serialPort()} behaves as the real plug at the robot's side.
- * All calls come with the lab's lock held.
+ * CLOSE and stops when the client disconnects; its {@link #serialPort()} behaves like the serial port of the real robot.
+ * Every call must hold the lab's lock.
  */
 public final class PioneerRobot implements Firmware {
     private static final System.Logger LOG = System.getLogger(PioneerRobot.class.getName());
@@ -36,10 +36,10 @@ public final class PioneerRobot implements Firmware {
     /**
      * A Pioneer of the {@link #STANDARD_MODEL}, put into the world.
      *
-     * @param world in which it is
-     * @param start where it stands first
+     * @param world the room
+     * @param start its start pose
      * @param noise the lab's source of chance; exact: wheels, sonar and odometry without error
-     * @throws IllegalArgumentException if there is no room at the start; nothing was added
+     * @throws IllegalArgumentException if the start pose is not free; nothing was added
      */
     public PioneerRobot(World world, Pose start, Noise noise) {
         this(world, start, noise, STANDARD_MODEL);
@@ -48,12 +48,12 @@ public final class PioneerRobot implements Firmware {
     /**
      * A Pioneer of the given model, put into the world.
      *
-     * @param world in which it is
-     * @param start where it stands first
+     * @param world the room
+     * @param start its start pose
      * @param noise the lab's source of chance; exact: wheels, sonar and odometry without error
      * @param name the model by the name it has in the handshake, one of {@link #models()}, with its extras as in
      *     {@link #modelNamed}
-     * @throws IllegalArgumentException if there is no such model, or no room at the start; nothing was added
+     * @throws IllegalArgumentException if there is no such model, or the start pose is not free; nothing was added
      */
     public PioneerRobot(World world, Pose start, Noise noise, String name) {
         PioneerModel model = PioneerModel.of(name);
@@ -65,7 +65,7 @@ public final class PioneerRobot implements Firmware {
     }
 
     /**
-     * The models there are.
+     * All models.
      *
      * @return their subclasses, as the handshake names them
      */
@@ -79,7 +79,7 @@ public final class PioneerRobot implements Firmware {
      *
      * @param name such as {@code p3dx-sh} or {@code P3DX-SH+gripper}
      * @return the same in lower case, as the handshake has it
-     * @throws IllegalArgumentException if there is no such model or extra; the message lists those there are
+     * @throws IllegalArgumentException if there is no such model or extra; the message lists the valid ones
      */
     public static String modelNamed(String name) {
         PioneerModel.of(name);
@@ -96,7 +96,7 @@ public final class PioneerRobot implements Firmware {
     }
 
     /**
-     * What can be done at the robot itself: buttons, plugs, inputs.
+     * Physical access to it: buttons, plugs, inputs.
      *
      * @return the same for the life of the robot
      */
@@ -115,8 +115,8 @@ public final class PioneerRobot implements Firmware {
 
     /**
      * The robot's serial port, in place of the network: CLOSE leaves the line open for the next handshake, and a client
-     * that vanishes is noticed by the watchdog alone (ARCOS sheet 5.1). Not heard while a network client is connected;
-     * its client is in turn left alone by network clients until it has been silent for as long as the watchdog allows.
+     * that disconnects is detected only by the watchdog (ARCOS sheet 5.1). Its input is ignored while a network client is connected;
+     * a network client can replace its client only after a silence as long as the watchdog's time.
      *
      * @return firmware for a serial line; its steps do nothing, this robot's own step serves both
      */
@@ -170,7 +170,7 @@ public final class PioneerRobot implements Firmware {
     /**
      * The controller board, for tests.
      *
-     * @return the same object always
+     * @return the same object at every call
      */
     public Board board() {
         return board;
@@ -190,7 +190,7 @@ public final class PioneerRobot implements Firmware {
         }
     }
 
-    /** The plug: the controller sees one and the same line for all clients. */
+    /** The serial port: the controller uses the same line for all clients. */
     private final class SerialPort implements Firmware {
         private final SerialWire wire;
 

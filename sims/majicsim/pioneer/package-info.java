@@ -1,9 +1,9 @@
 /**
- * A Pioneer robot with its ARCOS controller, as a client meets it on the wire: framing, handshake, motion, sonar,
+ * A Pioneer robot with its ARCOS controller, as a client communicates with it: framing, handshake, motion, sonar,
  * odometry. Written from the ARCOS protocol sheet alone; it shares no code with the driver in {@code majic.pioneer},
- * so that one misreading cannot hide on both sides. Sockets and the room belong to the lab, not here.
+ * so that no misreading is the same on both sides. Sockets and the room are part of the lab, not of this package.
  *
- * <p>Everything is called with the lab's lock held and uses no clock but the lab's steps.
+ * <p>Every call must hold the lab's lock; the only clock is the lab's steps.
  */
 @NullMarked
 package majicsim.pioneer;

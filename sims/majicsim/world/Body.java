@@ -6,7 +6,7 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A rigid robot: an outline around its turning centre, and its set velocity. The world moves it, never through a wall or
+ * A rigid robot: an outline around its turning centre, and its commanded velocity. The world moves it, never through a wall or
  * another body. Guarded by the lab's lock.
  */
 public final class Body {
@@ -44,7 +44,7 @@ public final class Body {
      *
      * @param name of the robot
      * @param radiusMm above 0
-     * @param at where it stands first
+     * @param at its start pose
      * @return the body, in no world yet
      */
     public static Body disc(String name, double radiusMm, Pose at) {
@@ -58,7 +58,7 @@ public final class Body {
      * @param frontMm from the turning centre to the front, above 0
      * @param rearMm from the turning centre to the rear, above 0
      * @param halfWidthMm from the turning centre to either side, above 0
-     * @param at where it stands first
+     * @param at its start pose
      * @return the body, in no world yet
      */
     public static Body box(String name, double frontMm, double rearMm, double halfWidthMm, Pose at) {
@@ -86,10 +86,10 @@ public final class Body {
     }
 
     /**
-     * Lifts the body and puts it down elsewhere, standing still for the next step's account.
+     * Lifts the body and puts it down elsewhere, with no motion in the present step.
      *
      * @param p where to
-     * @throws IllegalArgumentException if it would stand in a wall or another body; it stays where it was
+     * @throws IllegalArgumentException if it would overlap a wall or another body; it stays where it was
      */
     public void place(Pose p) {
         if (!fits.test(p)) {
@@ -153,7 +153,7 @@ public final class Body {
     }
 
     /**
-     * What it touches after the last step, by its own motion or another's.
+     * What it touches after the last step, by its own motion or that of another body.
      *
      * @return the place around its outline, or {@link Contact#NONE}
      */
@@ -162,7 +162,7 @@ public final class Body {
     }
 
     /**
-     * Its outline as it stands, for a drawing; a disc is drawn with many corners.
+     * Its present outline, for a drawing; a disc is drawn with many corners.
      *
      * @return corners in room coordinates, counter-clockwise
      */
@@ -197,12 +197,12 @@ public final class Body {
         return wantedDegPerSec;
     }
 
-    /** Puts it into a room, which decides where it fits. */
+    /** Adds the body to a room, which limits where it can be. */
     void enter(Predicate<Pose> room) {
         fits = room;
     }
 
-    /** What the world made of the wanted velocity in one step. */
+    /** Records the motion of one step, which may be less than the commanded velocity. */
     void moved(double mmPerSec, double degPerSec, boolean cut) {
         speedMmPerSec = mmPerSec;
         turnDegPerSec = degPerSec;
@@ -214,12 +214,12 @@ public final class Body {
         contact = now;
     }
 
-    /** How far it may surely still go, whatever way, before it can touch a wall. */
+    /** How far it can still go in any direction before it could touch a wall. */
     double wallFreeMm() {
         return wallFreeMm;
     }
 
-    /** Whether that is exact because it has not moved since it was measured. */
+    /** Whether this distance is exact, because the body has not moved since the measurement. */
     boolean isMeasured() {
         return measuredAt == pose;
     }
@@ -234,7 +234,7 @@ public final class Body {
         wallFreeMm -= atMostMm;
     }
 
-    /** Whether a wall has already refused it this very step from where it stands. */
+    /** Whether a wall already blocked this same step from this same pose. */
     boolean isStuck(Step step) {
         return stuckAt == pose && step.equals(stuckFor);
     }

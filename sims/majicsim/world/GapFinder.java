@@ -23,7 +23,7 @@ final class GapFinder {
         return new Gap(Math.sqrt(bestSquare) - a.roundMm - b.roundMm, nearest());
     }
 
-    /** On the round of the second shape, not in its middle. */
+    /** The point on the second shape's rounded edge, not on its skeleton. */
     private Point nearest() {
         double outwards = bestSquare > 0 ? b.roundMm / Math.sqrt(bestSquare) : 0;
         return new Point(atX + outwards * (fromX - atX), atY + outwards * (fromY - atY));

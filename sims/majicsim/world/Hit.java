@@ -1,7 +1,7 @@
 package majicsim.world;
 
 /**
- * What a ray met first. If it met nothing, {@link #found()} is false, the distance is the length of the ray and the
+ * What a ray meets first. If it meets nothing, {@link #found()} is false, the distance is the length of the ray and the
  * reflectivity is 0.
  *
  * @param distanceMm mm from the ray's start

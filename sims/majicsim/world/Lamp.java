@@ -1,7 +1,7 @@
 package majicsim.world;
 
 /**
- * A bulb under a shade, 40 cm above the floor; it can be driven through. What it gives falls off with the square of the distance and
+ * A bulb under a shade, 40 cm above the floor; it is no obstacle. Its light decreases with the square of the distance and
  * ends where its shade ends.
  *
  * @param at its place on the floor
@@ -14,15 +14,15 @@ public record Lamp(Point at) {
     private static final double STRENGTH_MM2 = 350_000;
     private static final double BRIGHTEST = 0.85;
 
-    /** What falls on a thing in a place whichever way it looks, light from floor and walls included. */
+    /** The light at a place without a direction, including that from floor and walls. */
     private static final double SCATTERED = 0.25;
 
-    /** Light in a place from wherever it comes: 0 to 0.85. */
+    /** The light at a place from all directions, 0 to 0.85. */
     double lightAt(Point place) {
         return Math.min(BRIGHTEST, lightMm(place.distanceTo(at)));
     }
 
-    /** Light on a sensor that looks somewhere, in level; up to 1.4 in its brightest place. */
+    /** The light on a level sensor, by its direction; at most 1.4. */
     double lightOn(Pose sensor) {
         double mm = at.distanceTo(new Point(sensor.xMm(), sensor.yMm()));
         double level = mm / Math.hypot(mm, HEIGHT_MM);

@@ -2,7 +2,7 @@ package majicsim.world;
 
 import java.util.function.ToDoubleFunction;
 
-/** What the lamps of a room give. Walls throw shadows, robots do not. */
+/** The light of a room's lamps. Walls cast shadows, robots do not. */
 final class Lighting {
     private static final double HAIR_MM = 1;
 

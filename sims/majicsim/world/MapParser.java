@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads the vendor's map text (ARCOS sheet appendix B): header lines in any order, then LINES, then DATA, where it stops. Of the
- * cairns it takes RobotHome, Sim.BoxObstacle (four walls), our own Lamp and Tape, and Goal and Dock as places that are surely inside; unknown
+ * cairns it takes RobotHome, Sim.BoxObstacle (four walls), our own Lamp and Tape, and Goal and Dock as places inside the room; unknown
  * header lines are skipped. Scanned points are not walls.
  */
 final class MapParser {
@@ -43,7 +43,7 @@ final class MapParser {
             throw error("NumLines promises " + announcedLines + " lines, but " + walls.size() + " follow LINES");
         }
         walls.addAll(boxes);
-        return new Room(walls, homes, landmarks, new Furnishing(lamps, tapes));
+        return new Room(walls, homes, landmarks, new RoomContents(lamps, tapes));
     }
 
     private void header() throws IOException {
@@ -67,7 +67,7 @@ final class MapParser {
             case "Tape" -> tapes.add(tape(words));
             case "Sim.BoxObstacle" -> box(words);
             default -> {
-                // Forbidden areas and the like mean nothing to a simulated robot.
+                // Forbidden areas and the like do not concern a simulated robot.
             }
         }
     }
@@ -91,7 +91,7 @@ final class MapParser {
         }
     }
 
-    /** Its points follow the name's quotes, two or more, in a frame turned by the cairn's heading. */
+    /** Two or more points follow the name, in a frame turned by the cairn's heading. */
     private Tape tape(String[] words) throws IOException {
         Pose frame = new Pose(0, 0, number(words, 3, "heading"));
         int first = words.length;

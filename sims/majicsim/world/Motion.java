@@ -1,11 +1,11 @@
 package majicsim.world;
 
 /**
- * Moves bodies by their wanted velocities. A step that would end in a wall or another body is cut: first it is tried straight, as
- * far as it goes, then the turn alone, so that a blocked robot can still turn away.
+ * Moves bodies by their commanded velocities. A step that would end in a wall or another body is shortened: first straight, as
+ * far as possible, then the turn alone, so that a blocked robot can still turn away.
  */
 final class Motion {
-    /** No point of a body moves farther in one piece, so nothing jumps over a wall. */
+    /** The longest piece of motion of any point of a body, so that nothing jumps over a wall. */
     private static final double PIECE_MM = 10;
 
     private static final double TOUCH_MM = 1;
@@ -62,7 +62,7 @@ final class Motion {
         return done;
     }
 
-    /** Walls do not move, so what they refuse once they refuse again; remembering it saves the search for a pushing robot. */
+    /** Walls do not move, so a blocked step stays blocked; storing this saves the search while a robot pushes. */
     private boolean isRefusedByWalls(Body body, Step wanted) {
         double least = Math.pow(0.5, HALVINGS);
         Pose straight = body.pose().driven(wanted.mm() * least, 0);
@@ -71,7 +71,7 @@ final class Motion {
                 && (wanted.deg() == 0 || !obstacles.areWallsClearOf(body, turned));
     }
 
-    /** Goes as much of the step as there is room for. */
+    /** Moves as much of the step as there is room for. */
     private Step farthest(Body body, Step wanted) {
         if (wanted.isNone() || go(body, wanted)) {
             return wanted;

@@ -4,8 +4,8 @@ import java.util.Random;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The one source of chance in a lab. Seeded, so the same seed and the same calls give the same lab again; the exact one returns
- * means and never lets a chance come true. Guarded by the lab's lock.
+ * The only source of random numbers in a lab. The same seed and the same calls repeat a lab exactly; the exact source returns
+ * means, and chances never occur. Guarded by the lab's lock.
  */
 public final class Noise {
     private final long seed;
@@ -36,8 +36,8 @@ public final class Noise {
     }
 
     /**
-     * An independent stream for one consumer, so that another one more or less does not shift it. The same name from sources of
-     * the same seed gives the same stream, however much was drawn before.
+     * An independent stream for one consumer, so that further consumers do not change it. The same name from sources of
+     * the same seed gives the same stream, independent of what was drawn before.
      *
      * @param name of the consumer
      * @return a stream of its own; exact if this is
@@ -87,10 +87,10 @@ public final class Noise {
     }
 
     /**
-     * Whether something that happens now and then happens now.
+     * Whether a random event occurs now.
      *
      * @param probability 0 to 1
-     * @return true that often; never if exact, unless it is certain
+     * @return true with this probability; false if exact, unless the probability is 1
      */
     public boolean chance(double probability) {
         return random == null ? probability >= 1 : random.nextDouble() < probability;

@@ -24,16 +24,16 @@ public final class Room {
     private final List<Shape> wallShapes;
     private final List<Pose> homes;
     private final List<Pose> landmarks;
-    private final Furnishing furnishing;
+    private final RoomContents contents;
     private final Bounds bounds;
     private final WallIndex index;
 
-    Room(List<Segment> walls, List<Pose> homes, List<Pose> landmarks, Furnishing furnishing) {
+    Room(List<Segment> walls, List<Pose> homes, List<Pose> landmarks, RoomContents contents) {
         this.walls = List.copyOf(walls);
         this.wallShapes = walls.stream().map(Shape::of).toList();
         this.homes = List.copyOf(homes);
         this.landmarks = List.copyOf(landmarks);
-        this.furnishing = furnishing;
+        this.contents = contents;
         this.bounds = Bounds.around(walls);
         this.index = new WallIndex(this.walls, bounds);
     }
@@ -110,7 +110,7 @@ public final class Room {
      * @return an unchangeable list
      */
     public List<Lamp> lamps() {
-        return furnishing.lamps();
+        return contents.lamps();
     }
 
     /**
@@ -119,7 +119,7 @@ public final class Room {
      * @return an unchangeable list
      */
     public List<Tape> tapes() {
-        return furnishing.tapes();
+        return contents.tapes();
     }
 
     /**

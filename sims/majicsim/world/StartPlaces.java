@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Finds start places where a map names too few: from a place that is surely inside it spreads over the floor, never through a wall,
- * until a lane ahead and behind is free of walls and of the other robots' lanes.
+ * Finds start places if a map names too few: from a place inside the room the search spreads over the floor, never through a wall,
+ * until the strip ahead and behind is free of walls and of the other robots' strips.
  */
 final class StartPlaces {
     private static final double GRID_MM = 400;

@@ -20,7 +20,7 @@ record Step(double mm, double deg) {
         return Math.abs(mm - path) < 1e-6 && Math.abs(deg - turn) < 1e-6;
     }
 
-    /** The most any point of a body can move on it that reaches so far from its turning centre. */
+    /** The farthest that a point at this distance from the turning centre moves on it. */
     double travelMm(double reachMm) {
         return Math.abs(mm) + Math.abs(Math.toRadians(deg)) * reachMm;
     }

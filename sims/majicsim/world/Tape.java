@@ -3,15 +3,15 @@ package majicsim.world;
 import java.util.List;
 
 /**
- * A stripe of black insulating tape on the white floor: straight pieces from point to point. Nothing bumps into it.
+ * A strip of black insulating tape on the white floor: straight pieces from point to point. It is no obstacle.
  *
  * @param points at least two, mm; a closed line repeats its first one
  */
 public record Tape(List<Point> points) {
-    /** As the tape is sold. */
+    /** The width of the tape on sale. */
     public static final double WIDTH_MM = 19;
 
-    /** A sensor sees a spot of some size, so the edge is no step. */
+    /** A sensor detects a spot of some size, so its reading changes gradually at the edge. */
     private static final double SPOT_MM = 4;
 
     /**

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntConsumer;
 
-/** Which walls come near which square of the floor, so that a ray or a body looks at a handful and not at a whole building. */
+/** Lists for each square of the floor the walls near it, so that a ray or a body is compared with few walls only. */
 final class WallIndex {
     private static final double LEAST_CELL_MM = 500;
     private static final int MOST_CELLS_A_SIDE = 200;
@@ -37,7 +37,7 @@ final class WallIndex {
         return cellMm;
     }
 
-    /** Hands over the numbers of all walls that may touch the rectangle; some that do not, and some twice. */
+    /** Passes on the numbers of all walls that may touch the rectangle; also some that do not, and some twice. */
     void near(double minX, double minY, double maxX, double maxY, IntConsumer visitor) {
         for (int row = row(minY); row <= row(maxY); row++) {
             for (int column = column(minX); column <= column(maxX); column++) {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A room and the bodies in it. It moves only when stepped, and a body never stands in a wall or another body. Guarded by the
+ * A room and the bodies in it. Bodies move only in a step, and never overlap a wall or another body. Guarded by the
  * lab's lock.
  */
 public final class World {
@@ -42,7 +42,7 @@ public final class World {
     }
 
     /**
-     * The bodies in the order they came.
+     * The bodies in the order in which they were added.
      *
      * @return an unchangeable copy
      */
@@ -54,7 +54,7 @@ public final class World {
      * Puts a body into the room, at its pose.
      *
      * @param b a body of no other world
-     * @throws IllegalArgumentException if it would stand in a wall or another body; it was not added
+     * @throws IllegalArgumentException if it would overlap a wall or another body; it was not added
      */
     public void add(Body b) {
         if (!isFree(b, b.pose())) {
@@ -68,7 +68,7 @@ public final class World {
     /**
      * Whether a body could stand at a pose.
      *
-     * @param b the body; where it stands now does not matter
+     * @param b the body; its present pose does not matter
      * @param at the pose
      * @return true if neither a wall nor another body is in its way
      */
@@ -77,7 +77,7 @@ public final class World {
     }
 
     /**
-     * Moves every body by its wanted velocity, one after the other.
+     * Moves every body by its commanded velocity, one after the other.
      *
      * @param seconds 0 or more; a long step is divided so that nothing jumps over a wall
      */
@@ -92,7 +92,7 @@ public final class World {
     /**
      * The first wall or body that a ray meets.
      *
-     * @param viewer the body that looks, which it does not see itself
+     * @param viewer the body with the sensor, which the ray passes through
      * @param xMm start of the ray in the room
      * @param yMm start of the ray in the room
      * @param directionDeg degrees counter-clockwise from the room's x axis
@@ -116,7 +116,7 @@ public final class World {
     }
 
     /**
-     * Infra-red light that shines on a place without a robot's doing.
+     * Infra-red light at a place that does not come from a robot.
      *
      * @param xMm place in the room
      * @param yMm place in the room
@@ -127,17 +127,17 @@ public final class World {
     }
 
     /**
-     * What the lamps give a light sensor that looks somewhere, level with the floor. Walls throw shadows.
+     * The light of the lamps on a level light sensor, by its direction. Walls cast shadows.
      *
-     * @param sensor where it is and looks to, in the room
-     * @return 0 where no lamp shines; 0.85 is bright, and close to a lamp it may be more
+     * @param sensor its place and direction in the room
+     * @return 0 without a lamp; 0.85 is bright, and close to a lamp it may be more
      */
     public double lampLight(Pose sensor) {
         return lighting.on(sensor);
     }
 
     /**
-     * What the lamps give a light sensor that no lamp shines into, such as one that looks at the floor.
+     * The light of the lamps on a light sensor that faces no lamp, such as one that faces the floor.
      *
      * @param place in the room
      * @return as {@link #lampLight}, but less

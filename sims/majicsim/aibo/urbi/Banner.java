@@ -2,7 +2,7 @@ package majicsim.aibo.urbi;
 
 import java.util.List;
 
-/** The server's first lines: the shape of the real ones (URBI sheet, section 2) in words of our own. */
+/** The server's first lines: in the form of the real ones (URBI sheet, section 2), newly written. */
 final class Banner {
     private static final String RULE = "**********************************************************";
 

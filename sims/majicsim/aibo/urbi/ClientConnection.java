@@ -16,7 +16,7 @@ import majicsim.aibo.urbi.value.Value;
 import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
-/** The connection of one client: its command stream, its identity and what is on the way to it. */
+/** The connection of one client: its command stream, its identity and the data sent to it. */
 final class ClientConnection implements Connection {
     /** The stick's CLIENT.INI has run in the connection before the client's first line (URBI sheet, section 11). */
     private static final Place FIRST_PLACE = new Place(19, 1);
@@ -87,7 +87,7 @@ final class ClientConnection implements Connection {
         return id + " (" + (port < 0 ? peer : peer.substring(0, port)) + ")";
     }
 
-    /** Takes what the client sent; complete commands start if nothing holds them back. */
+    /** Takes bytes from the client; complete commands start unless they must wait. */
     void received(byte[] bytes) {
         reader.feed(bytes);
         boolean more = true;
@@ -170,7 +170,7 @@ final class ClientConnection implements Connection {
         kernel.remove(this);
     }
 
-    /** Ends its commands and itself, when the client has gone. */
+    /** Ends its commands and itself after the client has disconnected. */
     void end() {
         stream.kill();
         kernel.remove(this);

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import majicsim.aibo.urbi.command.Starter;
+import majicsim.aibo.urbi.command.TaskFactory;
 import majicsim.aibo.urbi.memory.Memory;
 import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.run.Budget;
@@ -22,11 +22,11 @@ import majicsim.world.Noise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The URBI kernel: connections, variables, functions and the cycle in which everything runs. Its time is given from outside, in
+ * The URBI kernel: connections, variables, functions and the cycle in which everything runs. Its caller sets its time, in
  * milliseconds of the lab.
  */
 public final class Kernel implements Server {
-    /** How long the server is up already when the lab starts: the stick's scripts took that long. */
+    /** The uptime of the server when the lab starts: the duration of the stick's scripts. */
     private static final double BOOT_MS = 4000;
 
     private static final long FIRST_ID = 138_240_016;
@@ -48,7 +48,7 @@ public final class Kernel implements Server {
     /**
      * A kernel with the language and no hardware yet.
      *
-     * @param noise what {@code random} draws from
+     * @param noise the source of {@code random}
      */
     public Kernel(Noise noise) {
         own = new ClientConnection(this, newId(), null);
@@ -98,7 +98,7 @@ public final class Kernel implements Server {
 
     @Override
     public Task start(Context context, Statement statement) {
-        return statement.accept(new Starter(context));
+        return statement.accept(new TaskFactory(context));
     }
 
     @Override
@@ -107,7 +107,7 @@ public final class Kernel implements Server {
     }
 
     /**
-     * Lets time go on; nothing is done before the next {@link #cycle}.
+     * Advances the time; nothing runs before the next {@link #cycle}.
      *
      * @param ms lab time, not before {@link #nowMs}
      */
@@ -115,12 +115,12 @@ public final class Kernel implements Server {
         nowMs = ms;
     }
 
-    /** What runs in each new connection, as the stick's CLIENT.INI does. */
+    /** Sets the program that runs in each new connection, like the stick's CLIENT.INI. */
     void greet(Consumer<ClientConnection> newcomer) {
         greeting = newcomer;
     }
 
-    /** Runs the stick's start script; what is there before it, is there after every reset. */
+    /** Runs the stick's start script; everything that exists before it exists after every reset. */
     void boot(String program) {
         memory.seal();
         startScript = program;
@@ -132,7 +132,7 @@ public final class Kernel implements Server {
         own.received(program.getBytes(StandardCharsets.ISO_8859_1));
     }
 
-    /** Stops everything in every connection and forgets what programs made. */
+    /** Stops everything in every connection and removes everything that programs made. */
     void forget() {
         connections().forEach(Connection::clear);
         memory.forget();
@@ -140,14 +140,14 @@ public final class Kernel implements Server {
         tags.clear();
     }
 
-    /** Runs the stick's program again, and in each connection what a new one has. */
+    /** Runs the stick's program again, and in each connection the program of new connections. */
     void reload() {
         load(startScript);
         connections.stream().filter(each -> each.line() != null).forEach(greeting);
     }
 
     /**
-     * Greets a client that has come: the banner, then what the stick has for each.
+     * Greets a new client: sends the banner, then runs the stick's program for new connections.
      *
      * @param line the client's, open
      */
@@ -164,10 +164,10 @@ public final class Kernel implements Server {
     }
 
     /**
-     * Takes bytes of a client; commands that do not have to wait run at once.
+     * Takes bytes from a client; commands that need not wait run at once.
      *
      * @param line the client's
-     * @param bytes in whatever pieces
+     * @param bytes in pieces of any size
      */
     public void received(Line line, byte[] bytes) {
         pass++;
@@ -179,7 +179,7 @@ public final class Kernel implements Server {
     }
 
     /**
-     * Ends all that a client has left running and forgets what was its own.
+     * Ends everything that a client has left running and removes its variables.
      *
      * @param line the client's, closed
      */
@@ -197,7 +197,7 @@ public final class Kernel implements Server {
         }
     }
 
-    /** One cycle: every command that runs is stepped. To be called each {@link #CYCLE_MS} of lab time. */
+    /** Runs one cycle: steps every running command. To be called every {@link #CYCLE_MS} of lab time. */
     public void cycle() {
         pass++;
         budget.beginCycle();

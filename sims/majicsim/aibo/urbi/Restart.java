@@ -1,10 +1,10 @@
 package majicsim.aibo.urbi;
 
-/** The server's reset (URBI sheet, section 9 and appendix A): all is stopped and forgotten, then the stick's scripts run again. */
+/** The server's reset (URBI sheet, section 9 and appendix A): everything is stopped and removed, then the stick's scripts run again. */
 final class Restart {
     private static final String TAG = "reset";
 
-    /** How long the stick's scripts took to load in the recording. */
+    /** The time that the stick's scripts took to load in the recording. */
     private static final double RELOAD_MS = 2400;
 
     private final Kernel kernel;

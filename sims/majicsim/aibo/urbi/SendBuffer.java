@@ -7,8 +7,8 @@ import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is on its way to one client (URBI sheet, section 2). Beyond 1 MiB that the client has not read messages are lost, whole
- * ones; the next one that finds room again comes behind a line that says so.
+ * The messages to one client (URBI sheet, section 2). While more than 1 MiB is unread, further messages are lost, whole
+ * ones; before the next message that fits, a line reports the loss.
  */
 final class SendBuffer {
     private static final int LIMIT = (1 << 20) - 1024;
@@ -29,7 +29,7 @@ final class SendBuffer {
     }
 
     /**
-     * Takes a message for the next packet; it is not even made if no client can receive it.
+     * Adds a message to the next packet; the message is not created if no client can receive it.
      *
      * @param about how long it will be, in bytes
      */
@@ -49,7 +49,7 @@ final class SendBuffer {
         lost = !fits;
     }
 
-    /** Sends what was written. */
+    /** Sends the messages added since the last call. */
     void flush() {
         if (packet.size() > 0 && line != null && line.isOpen()) {
             line.send(packet.toByteArray());

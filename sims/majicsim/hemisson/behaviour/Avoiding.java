@@ -1,8 +1,8 @@
 package majicsim.hemisson.behaviour;
 
 import majicsim.hemisson.board.HemissonBoard;
-import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
+import majicsim.hemisson.board.SensorTables;
 
 /** Drives ahead and turns away from what is near in front or beside it; that side's LED is lit. */
 final class Avoiding implements Behaviour {
@@ -18,9 +18,9 @@ final class Avoiding implements Behaviour {
 
     private final Motors motors;
     private final HemissonBoard board;
-    private final InfraRed infraRed;
+    private final SensorTables infraRed;
 
-    Avoiding(Motors motors, HemissonBoard board, InfraRed infraRed) {
+    Avoiding(Motors motors, HemissonBoard board, SensorTables infraRed) {
         this.motors = motors;
         this.board = board;
         this.infraRed = infraRed;

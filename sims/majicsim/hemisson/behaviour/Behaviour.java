@@ -1,6 +1,6 @@
 package majicsim.hemisson.behaviour;
 
-/** What a running mode does by itself. It sets speeds and LEDs again and again, past whatever a client commands. */
+/** The behaviour of a running mode. It sets speeds and LEDs repeatedly and so overrides a client's commands. */
 public interface Behaviour {
     /** The mode begins. */
     default void begin() {}

@@ -1,10 +1,10 @@
 package majicsim.hemisson.behaviour;
 
 import majicsim.hemisson.board.HemissonBoard;
-import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
+import majicsim.hemisson.board.SensorTables;
 
-/** Looks for black tape straight ahead, then keeps both ground sensors over it; off the tape it turns to where it saw it last. */
+/** Searches for black tape straight ahead, then keeps both ground sensors over it; off the tape it turns to the side of the last detection. */
 final class LineFollowing implements Behaviour {
     private static final int BLACK_BELOW = 90;
     private static final int AHEAD = 3;
@@ -13,11 +13,11 @@ final class LineFollowing implements Behaviour {
 
     private final Motors motors;
     private final HemissonBoard board;
-    private final InfraRed infraRed;
+    private final SensorTables infraRed;
     private boolean found;
     private boolean lastOnRight;
 
-    LineFollowing(Motors motors, HemissonBoard board, InfraRed infraRed) {
+    LineFollowing(Motors motors, HemissonBoard board, SensorTables infraRed) {
         this.motors = motors;
         this.board = board;
         this.infraRed = infraRed;

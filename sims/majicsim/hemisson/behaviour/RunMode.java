@@ -2,11 +2,11 @@ package majicsim.hemisson.behaviour;
 
 import majicsim.hemisson.options.HemissonOptions;
 
-/** What the firmware does beside answering; taken from the switches at start-up (sheet 7). */
+/** What the firmware does besides answering; read from the switches at start-up (sheet 7). */
 public enum RunMode {
     /** The serial line and the TV remote drive. */
     REMOTE,
-    /** It drives about and keeps off obstacles. */
+    /** It drives and avoids obstacles. */
     AVOIDING,
     /** It follows black tape. */
     LINE,
@@ -14,7 +14,7 @@ public enum RunMode {
     DANCE,
     /** A BotStudio program from an EEPROM that is empty: speeds stay 0, whatever is commanded. */
     BOTSTUDIO,
-    /** Any other setting: speeds stay 0, and it looks at its receiver so rarely that a longer command blocks its receiver. */
+    /** Any other setting: speeds stay 0, and the receiver is read so rarely that a longer command blocks it. */
     OTHER;
 
     static RunMode of(String switches) {

@@ -21,7 +21,7 @@ public final class CommandBuffer {
     private int length;
     private boolean overflowed;
 
-    /** A buffer that sticks when it is full, or else only spoils that one command. */
+    /** Creates a buffer whose pointer sticks when it is full, or one that loses only that command. */
     public CommandBuffer(boolean sticks) {
         this.sticks = sticks;
     }
@@ -34,7 +34,7 @@ public final class CommandBuffer {
         }
     }
 
-    /** Whether the character put last ends a command; if so, the next one begins another. */
+    /** Whether the last character ends a command; if so, the next one begins another. */
     public boolean takeCommand() {
         if (last != END || isStuck()) {
             return false;

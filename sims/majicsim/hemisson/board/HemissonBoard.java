@@ -2,7 +2,7 @@ package majicsim.hemisson.board;
 
 import java.util.Arrays;
 
-/** What sits on the robot's board and keeps a state: LEDs, buzzer, switches as last read, TV code, pins. */
+/** The parts of the robot's board that have a state: LEDs, buzzer, switches as last read, TV code, pins. */
 public final class HemissonBoard {
     public static final int LEDS = 4;
     public static final int FRONT_LEFT = 2;
@@ -23,7 +23,7 @@ public final class HemissonBoard {
         this.switchesSeen = switches;
     }
 
-    /** The On/Off LED blinks, whatever a command made of it (sheet 8). */
+    /** Makes the On/Off LED blink, independent of commands (sheet 8). */
     public void step(double seconds) {
         sinceHeartbeatSeconds += seconds;
         if (sinceHeartbeatSeconds >= HEARTBEAT_SECONDS) {

@@ -1,5 +1,5 @@
 /**
- * The board without firmware: motors, eyes, switches, battery, remote control receiver and the memory of the
+ * The board without firmware: motors, sensors, switches, battery, remote control receiver and the memory of the
  * controller.
  */
 @NullMarked

@@ -6,16 +6,16 @@ import java.util.Locale;
 final class Arguments {
     private Arguments() {}
 
-    /** Upper-case hex digits, as many as given. */
-    static int hex(String text, int digits) throws RefusedException {
+    /** Writes upper-case hex digits, as many as given. */
+    static int hex(String text, int digits) throws ErrorReplyException {
         return number(text, "[0-9A-F]{" + digits + "}", 16);
     }
 
     /** One or two decimal digits of a range. */
-    static int decimal(String text, int least, int most) throws RefusedException {
+    static int decimal(String text, int least, int most) throws ErrorReplyException {
         int value = number(text, "[0-9]{1,2}", 10);
         if (value < least || value > most) {
-            throw new RefusedException(Refusal.RANGE);
+            throw new ErrorReplyException(ErrorReply.RANGE);
         }
         return value;
     }
@@ -28,9 +28,9 @@ final class Arguments {
         return String.format(Locale.ROOT, "%04X", value & 0xFFFF);
     }
 
-    private static int number(String text, String form, int radix) throws RefusedException {
+    private static int number(String text, String form, int radix) throws ErrorReplyException {
         if (!text.matches(form)) {
-            throw new RefusedException(Refusal.SYNTAX);
+            throw new ErrorReplyException(ErrorReply.SYNTAX);
         }
         return Integer.parseInt(text, radix);
     }

@@ -1,8 +1,8 @@
 package majicsim.hemisson.firmware;
 
 import majicsim.hemisson.board.HemissonBoard;
-import majicsim.hemisson.board.InfraRed;
 import majicsim.hemisson.board.Motors;
+import majicsim.hemisson.board.SensorTables;
 import majicsim.hemisson.uart.Reply;
 
 /**
@@ -21,23 +21,23 @@ public final class BotStudio {
 
     private final Motors motors;
     private final HemissonBoard board;
-    private final InfraRed infraRed;
+    private final SensorTables tables;
     private final int[] end = {NO_PROGRAM, NO_PROGRAM};
     private char command;
     private int addressBytes;
     private int programBytes;
 
-    public BotStudio(Motors motors, HemissonBoard board, InfraRed infraRed) {
+    public BotStudio(Motors motors, HemissonBoard board, SensorTables tables) {
         this.motors = motors;
         this.board = board;
-        this.infraRed = infraRed;
+        this.tables = tables;
     }
 
     /** Where the program ends, proximity and light in the order of the memory, program state, level of RB0. */
     Reply status() {
         StringBuilder reply = new StringBuilder("q");
         reply.append(byteOf(end[0] - FIRST_PAGE)).append(byteOf(end[1]));
-        reply.append(infraRed.tables());
+        reply.append(tables.tables());
         return Reply.of(reply.append(byteOf(0))
                 .append(board.pins.isHigh(0) ? '\1' : '\0')
                 .toString());
@@ -65,7 +65,7 @@ public final class BotStudio {
         return addressBytes > 0 || programBytes > 0;
     }
 
-    /** The next byte of what S or U wait for. */
+    /** Takes the next byte that S or U waits for. */
     public Reply take(char c) {
         return addressBytes > 0 ? takeAddress(c) : takeProgram(c);
     }

@@ -17,7 +17,7 @@ final class CameraCommands implements ModuleCommandSet {
     }
 
     @Override
-    public Reply answer(char command, String argument) throws RefusedException {
+    public Reply answer(char command, String argument) throws ErrorReplyException {
         return switch (command) {
             case 'P' -> pixels(LinearCamera.PIXELS, argument);
             case 'Q' -> pixels(LinearCamera.THRESHOLDED, argument);
@@ -27,12 +27,12 @@ final class CameraCommands implements ModuleCommandSet {
             case 'U' -> get(LinearCamera.THRESHOLD);
             case 'L' -> led(argument);
             case 'V' -> get(LinearCamera.VERSION_REGISTER);
-            default -> throw new RefusedException(Refusal.UNKNOWN_MODULE_COMMAND);
+            default -> throw new ErrorReplyException(ErrorReply.UNKNOWN_MODULE_COMMAND);
         };
     }
 
     /** Zone 0 is all, 1 to 3 a third each. */
-    private Reply pixels(int register, String argument) throws RefusedException {
+    private Reply pixels(int register, String argument) throws ErrorReplyException {
         int zone = Arguments.decimal(argument, 0, ZONES);
         int from = zone == 0 ? 0 : (zone - 1) * ZONE_PIXELS;
         int end = zone == 0 ? LinearCamera.PIXEL_COUNT : from + ZONE_PIXELS;
@@ -43,7 +43,7 @@ final class CameraCommands implements ModuleCommandSet {
         return Reply.of(reply.toString());
     }
 
-    private Reply set(int register, String argument) throws RefusedException {
+    private Reply set(int register, String argument) throws ErrorReplyException {
         bus.write(ModuleKind.CAMERA.address(), register, Arguments.hex(argument, 2));
         return Reply.of("," + argument);
     }
@@ -52,7 +52,7 @@ final class CameraCommands implements ModuleCommandSet {
         return Reply.of("," + Arguments.hex2(bus.read(ModuleKind.CAMERA.address(), register, 0)));
     }
 
-    private Reply led(String argument) throws RefusedException {
+    private Reply led(String argument) throws ErrorReplyException {
         int on = Arguments.decimal(argument, 0, 1);
         bus.write(ModuleKind.CAMERA.address(), LinearCamera.LED, on);
         return Reply.of("," + argument);

@@ -3,12 +3,12 @@ package majicsim.hemisson.firmware;
 import java.util.Locale;
 import java.util.function.IntUnaryOperator;
 import majicsim.hemisson.board.CommandBuffer;
-import majicsim.hemisson.board.Eyes;
 import majicsim.hemisson.board.HemissonBoard;
-import majicsim.hemisson.board.InfraRed;
+import majicsim.hemisson.board.InfraRedSensors;
 import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.board.Pins;
-import majicsim.hemisson.board.Power;
+import majicsim.hemisson.board.RobotControl;
+import majicsim.hemisson.board.SensorTables;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.uart.Reply;
 
@@ -22,34 +22,34 @@ public final class Commands implements Interpreter {
     private static final String GREETING = "HemiOS V1.50" + GREETING_END;
     private static final String UNKNOWN = "Unknown Command ?!";
 
-    /** What D takes beside the interrupt (sheet 15: 0.31 ms to the end of its answer). */
+    /** The time of command D without the interrupt (sheet 15: 0.31 ms to the end of its answer). */
     private static final double SPEEDS_SECONDS = 22e-6;
 
     private final CommandBuffer buffer;
     private final Motors motors;
-    private final InfraRed infraRed;
+    private final SensorTables tables;
     private final HemissonBoard board;
     private final ModuleCommands modules;
     private final FastCommands fast;
     private final BotStudio botStudio;
-    private final Power power;
+    private final RobotControl control;
 
     public Commands(
             CommandBuffer buffer,
             Motors motors,
-            InfraRed infraRed,
+            SensorTables tables,
             HemissonBoard board,
             I2cBus bus,
             BotStudio botStudio,
-            Power power) {
+            RobotControl control) {
         this.buffer = buffer;
         this.motors = motors;
-        this.infraRed = infraRed;
+        this.tables = tables;
         this.board = board;
         this.modules = new ModuleCommands(buffer, bus);
-        this.fast = new FastCommands(buffer, motors, infraRed, board, power);
+        this.fast = new FastCommands(buffer, motors, tables, board, control);
         this.botStudio = botStudio;
-        this.power = power;
+        this.control = control;
     }
 
     @Override
@@ -67,10 +67,10 @@ public final class Commands implements Interpreter {
             case 'I' -> Reply.line("i," + String.join(",", board.switches().split("")));
             case 'J' -> modules.scan();
             case 'L' -> leds();
-            case 'M' -> zone('m', infraRed::ambient);
-            case 'N' -> all('n', infraRed::proximity);
-            case 'O' -> all('o', infraRed::ambient);
-            case 'P' -> zone('p', infraRed::proximity);
+            case 'M' -> zone('m', tables::ambient);
+            case 'N' -> all('n', tables::proximity);
+            case 'O' -> all('o', tables::ambient);
+            case 'P' -> zone('p', tables::proximity);
             case 'R' -> modules.read();
             case 'T' -> Reply.line("t," + threeDigits(board.tvCode));
             case 'W' -> modules.write();
@@ -98,7 +98,7 @@ public final class Commands implements Interpreter {
         int second = leftBack ? 5 : 4;
         boolean rightBack = buffer.at(second) == '-';
         int right = rightBack ? -buffer.digit(second + 1) : buffer.digit(second);
-        power.drive(left, right);
+        control.drive(left, right);
         return Reply.line("d").thinking(SPEEDS_SECONDS);
     }
 
@@ -119,7 +119,7 @@ public final class Commands implements Interpreter {
     }
 
     private static Reply all(char letter, IntUnaryOperator table) {
-        return values(letter, table, 0, Eyes.COUNT);
+        return values(letter, table, 0, InfraRedSensors.COUNT);
     }
 
     /** Front: three from 0; rear: three from 3; ground: two from 6. An unknown zone gets no reply at all. */
@@ -127,7 +127,7 @@ public final class Commands implements Interpreter {
         return switch (buffer.at(2)) {
             case '0' -> values(letter, table, 0, 3);
             case '1' -> values(letter, table, 3, 6);
-            case '2' -> values(letter, table, 6, Eyes.COUNT);
+            case '2' -> values(letter, table, 6, InfraRedSensors.COUNT);
             default -> Reply.NONE;
         };
     }
@@ -155,7 +155,7 @@ public final class Commands implements Interpreter {
     }
 
     private Reply reset() {
-        power.reset();
+        control.reset();
         return Reply.line("z");
     }
 }

@@ -4,6 +4,6 @@ import majicsim.hemisson.uart.Reply;
 
 /** The commands of one module in the RoadNarrows dialect. */
 interface ModuleCommandSet {
-    /** Carries one out; the answer is what follows behind the repeated command, with its comma and without its line end. */
-    Reply answer(char command, String argument) throws RefusedException;
+    /** Executes one; the answer is what follows the repeated command, with its comma and without its line end. */
+    Reply answer(char command, String argument) throws ErrorReplyException;
 }

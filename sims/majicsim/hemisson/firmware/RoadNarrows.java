@@ -6,14 +6,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majicsim.hemisson.board.CommandBuffer;
 import majicsim.hemisson.board.Motors;
-import majicsim.hemisson.board.Power;
+import majicsim.hemisson.board.RobotControl;
 import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.modules.Voice;
 import majicsim.hemisson.uart.Reply;
 
 /**
- * HemiOS 1.50-RNe (sheet 10): replies repeat their arguments, mistakes are refused by number, and modules are spoken to by
+ * HemiOS 1.50-RNe (sheet 10): replies repeat their arguments, errors have numbers, and modules are addressed by
  * command A. A command that is not in the sheet is answered as K-Team's firmware does.
  */
 public final class RoadNarrows implements Interpreter {
@@ -26,15 +26,15 @@ public final class RoadNarrows implements Interpreter {
     private final CommandBuffer buffer;
     private final Commands stock;
     private final Motors motors;
-    private final Power power;
+    private final RobotControl control;
     private final I2cBus bus;
     private final RoadNarrowsModules modules;
 
-    public RoadNarrows(CommandBuffer buffer, Commands stock, Motors motors, I2cBus bus, Power power) {
+    public RoadNarrows(CommandBuffer buffer, Commands stock, Motors motors, I2cBus bus, RobotControl control) {
         this.buffer = buffer;
         this.stock = stock;
         this.motors = motors;
-        this.power = power;
+        this.control = control;
         this.bus = bus;
         this.modules = new RoadNarrowsModules(bus);
     }
@@ -47,7 +47,7 @@ public final class RoadNarrows implements Interpreter {
     @Override
     public Reply carryOut() {
         if (buffer.hasOverflowed()) {
-            return Refusal.OVERFLOW.reply();
+            return ErrorReply.OVERFLOW.reply();
         }
         return switch (buffer.at(0)) {
             case 'A' -> modules.carryOut(buffer.text());
@@ -59,29 +59,29 @@ public final class RoadNarrows implements Interpreter {
             case 'L' -> echo(LEDS);
             case 'I', 'M', 'N', 'O', 'P', 'Q', 'R', 'S', 'T', 'U', 'W', 'X', 'Y', 'Z', '1', '2', '!', '&', '*' ->
                 stock.carryOut();
-            default -> Refusal.UNKNOWN_COMMAND.reply();
+            default -> ErrorReply.UNKNOWN_COMMAND.reply();
         };
     }
 
     private Reply drive() {
         Matcher speeds = SPEEDS.matcher(buffer.text());
         if (!speeds.matches()) {
-            return Refusal.SYNTAX.reply();
+            return ErrorReply.SYNTAX.reply();
         }
         if (!isSpeed(speeds, 1) || !isSpeed(speeds, 2)) {
-            return Refusal.RANGE.reply();
+            return ErrorReply.RANGE.reply();
         }
         int left = Integer.parseInt(speeds.group(1));
         int right = Integer.parseInt(speeds.group(2));
-        power.drive(left, right);
+        control.drive(left, right);
         return Reply.line("d," + left + "," + right);
     }
 
-    /** Carries out as K-Team's firmware, and repeats the whole command. */
+    /** Executes it like K-Team's firmware, and repeats the whole command. */
     private Reply echo(Pattern syntax) {
         String text = buffer.text();
         if (!syntax.matcher(text).matches()) {
-            return Refusal.SYNTAX.reply();
+            return ErrorReply.SYNTAX.reply();
         }
         stock.carryOut();
         return Reply.line(text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1));

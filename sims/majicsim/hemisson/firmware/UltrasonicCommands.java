@@ -17,7 +17,7 @@ final class UltrasonicCommands implements ModuleCommandSet {
     }
 
     @Override
-    public Reply answer(char command, String argument) throws RefusedException {
+    public Reply answer(char command, String argument) throws ErrorReplyException {
         return switch (command) {
             case 'M' -> measure();
             case 'A' -> echoes();
@@ -26,11 +26,11 @@ final class UltrasonicCommands implements ModuleCommandSet {
             case 'R' -> range(argument);
             case 'U' -> unit(argument);
             case 'V' -> Reply.of("," + Arguments.hex2(bus.read(ADDRESS, Ultrasonic.COMMAND, 0)));
-            default -> throw new RefusedException(Refusal.UNKNOWN_MODULE_COMMAND);
+            default -> throw new ErrorReplyException(ErrorReply.UNKNOWN_MODULE_COMMAND);
         };
     }
 
-    /** Answers when the echoes are there. */
+    /** Answers when the echoes have arrived. */
     private Reply measure() {
         bus.write(ADDRESS, Ultrasonic.COMMAND, unit);
         return Reply.of("").measuring(Ultrasonic.PING_SECONDS);
@@ -44,24 +44,24 @@ final class UltrasonicCommands implements ModuleCommandSet {
         return Reply.of(reply.toString());
     }
 
-    private Reply echo(String argument) throws RefusedException {
+    private Reply echo(String argument) throws ErrorReplyException {
         int echo = Arguments.decimal(argument, 0, Ultrasonic.ECHOES - 1);
         return Reply.of("," + argument + "," + Arguments.hex4(read(echo)));
     }
 
     /** Its range, mm. */
-    private Reply range(String argument) throws RefusedException {
+    private Reply range(String argument) throws ErrorReplyException {
         int steps = Arguments.hex(argument, 4) / Ultrasonic.RANGE_STEP_MM - 1;
         bus.write(ADDRESS, Ultrasonic.RANGE, Math.max(0, Math.min(0xFF, steps)));
         return Reply.of("," + argument);
     }
 
-    private Reply unit(String argument) throws RefusedException {
+    private Reply unit(String argument) throws ErrorReplyException {
         unit = switch (argument) {
             case "C" -> Ultrasonic.CENTIMETRES;
             case "I" -> Ultrasonic.INCHES;
             case "U" -> Ultrasonic.MICROSECONDS;
-            default -> throw new RefusedException(Refusal.SYNTAX);
+            default -> throw new ErrorReplyException(ErrorReply.SYNTAX);
         };
         return Reply.of("," + argument);
     }

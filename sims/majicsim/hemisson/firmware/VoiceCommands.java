@@ -22,7 +22,7 @@ final class VoiceCommands implements ModuleCommandSet {
     }
 
     @Override
-    public Reply answer(char command, String argument) throws RefusedException {
+    public Reply answer(char command, String argument) throws ErrorReplyException {
         switch (command) {
             case 'S' -> speak(argument);
             case 'C' -> phrase(argument);
@@ -35,14 +35,14 @@ final class VoiceCommands implements ModuleCommandSet {
             case 'V' -> {
                 return Reply.of("," + Arguments.hex2(bus.read(ADDRESS, Voice.VERSION_REGISTER, 0)));
             }
-            default -> throw new RefusedException(Refusal.UNKNOWN_MODULE_COMMAND);
+            default -> throw new ErrorReplyException(ErrorReply.UNKNOWN_MODULE_COMMAND);
         }
         return Reply.of("," + argument);
     }
 
-    private void speak(String text) throws RefusedException {
+    private void speak(String text) throws ErrorReplyException {
         if (text.isEmpty() || text.length() > LONGEST_TEXT) {
-            throw new RefusedException(Refusal.LENGTH);
+            throw new ErrorReplyException(ErrorReply.LENGTH);
         }
         refuseWhileBusy();
         int[] bytes = Arrays.copyOf(new int[] {0, volume, rate, pitch}, text.length() + 5);
@@ -53,15 +53,15 @@ final class VoiceCommands implements ModuleCommandSet {
         bus.write(ADDRESS, Voice.COMMAND, Voice.SPEAK);
     }
 
-    private void phrase(String argument) throws RefusedException {
+    private void phrase(String argument) throws ErrorReplyException {
         int phrase = Arguments.decimal(argument, 1, Voice.PHRASES);
         refuseWhileBusy();
         bus.write(ADDRESS, Voice.COMMAND, phrase);
     }
 
-    private void refuseWhileBusy() throws RefusedException {
+    private void refuseWhileBusy() throws ErrorReplyException {
         if (isBusy()) {
-            throw new RefusedException(Refusal.BUSY);
+            throw new ErrorReplyException(ErrorReply.BUSY);
         }
     }
 

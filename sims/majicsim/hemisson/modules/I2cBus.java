@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The modules by address. Failures are not reported: an absent module, or one that has not woken up yet, reads 255, and writing to it
+ * The modules by address. Failures are not reported: an absent module, or one that has not started yet, reads 255, and writing to it
  * does nothing (sheet 4.5).
  */
 public final class I2cBus {
@@ -17,7 +17,7 @@ public final class I2cBus {
         this.modules = List.copyOf(modules);
     }
 
-    /** Those that answer, by address. */
+    /** The modules that answer, by address. */
     public List<ModuleKind> awake() {
         return modules.stream()
                 .map(I2cModule::kind)

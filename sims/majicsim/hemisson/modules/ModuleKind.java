@@ -28,12 +28,12 @@ public enum ModuleKind {
         return address;
     }
 
-    /** How the RoadNarrows dialect calls it (sheet 10). */
+    /** Its name in the RoadNarrows dialect (sheet 10). */
     public char letter() {
         return letter;
     }
 
-    /** How long after power-up it is not there yet. */
+    /** How long after power-up it does not answer yet. */
     double wakeSeconds() {
         return wakeSeconds;
     }

@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import majicsim.world.Body;
 import majicsim.world.World;
 
-/** All modules there are, of which some sit on the bus. */
+/** All modules, some of which are on the bus. */
 public final class Modules {
     final LinearCamera camera;
     final Ultrasonic ultrasonic;

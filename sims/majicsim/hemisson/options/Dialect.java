@@ -1,6 +1,6 @@
 package majicsim.hemisson.options;
 
-/** Whose firmware a Hemisson runs. */
+/** The two makers' versions of the firmware. */
 public enum Dialect {
     /** HemiOS 1.50 as K-Team ships it. */
     KTEAM,

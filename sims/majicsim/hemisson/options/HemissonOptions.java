@@ -4,10 +4,10 @@ import java.util.Set;
 import majicsim.hemisson.modules.ModuleKind;
 
 /**
- * What kind of Hemisson stands in a lab, and how true to its weaknesses it is. Immutable.
+ * The kind of a simulated Hemisson, and which weaknesses of the real one it has. Immutable.
  *
- * @param dialect whose firmware it runs
- * @param modules what sits on its bus
+ * @param dialect the maker's version of its firmware
+ * @param modules the modules on its bus
  * @param switches the four top switches in the order of command I, each 0 or 1; they choose the running mode (sheet 7)
  * @param isPaced whether characters take 88 µs each, both ways; otherwise replies come at once
  * @param hasOverrun whether a third character that waits while it is busy blocks the receiver until it is powered off and on
@@ -48,7 +48,7 @@ public record HemissonOptions(
     }
 
     /**
-     * A forgiving K-Team robot without modules, switched to remote control, that answers at once.
+     * A K-Team robot without modules and without weaknesses, switched to remote control, that answers at once.
      *
      * @return the options
      */
@@ -57,14 +57,14 @@ public record HemissonOptions(
     }
 
     /**
-     * Reads a model: a dialect, then what is different about this robot behind plus signs, in any case.
+     * Parses a model: a dialect, then the differences of this robot behind plus signs, in any case.
      *
      * @param model such as {@code kteam+camera+ultrasonic+overrun} or {@code roadnarrows+switches=1110+ambient=60}
      * @return the options
-     * @throws IllegalArgumentException if there is no such robot; the message names the word and what there is
+     * @throws IllegalArgumentException if there is no such robot; the message names the wrong word and the right ones
      */
     public static HemissonOptions parse(String model) {
-        return ModelWords.parse(model);
+        return ModelParser.parse(model);
     }
 
     /**
@@ -81,7 +81,7 @@ public record HemissonOptions(
     /**
      * The same robot with modules.
      *
-     * @param newModules all that sit on its bus
+     * @param newModules all modules on its bus
      * @return the options
      */
     public HemissonOptions withModules(Set<ModuleKind> newModules) {
@@ -91,7 +91,7 @@ public record HemissonOptions(
     /**
      * The same robot with another firmware.
      *
-     * @param newDialect whose
+     * @param newDialect the maker's version
      * @return the options
      */
     public HemissonOptions withDialect(Dialect newDialect) {

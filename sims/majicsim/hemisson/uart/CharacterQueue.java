@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import majicsim.net.Line;
 
-/** Characters on their way out, each with the time at which it has left. */
+/** Characters to be sent, each with the time at which its transmission ends. */
 final class CharacterQueue {
     private final ArrayDeque<Departure> leaving = new ArrayDeque<>();
 
@@ -14,7 +14,7 @@ final class CharacterQueue {
         leaving.add(new Departure(to, character, seconds));
     }
 
-    /** What has left by now goes out, in one message for each line. */
+    /** Sends the characters whose transmission has ended, in one message for each line. */
     void sendUntil(double now) {
         Map<Line, StringBuilder> messages = new LinkedHashMap<>();
         while (isDue(now)) {

@@ -1,7 +1,7 @@
 package majicsim.hemisson.uart;
 
 /**
- * What the firmware answers, and how long it takes over it. Times are those of a line at its true speed; without pacing only
+ * An answer of the firmware with its durations. Times are those of a line at its true speed; without pacing only
  * measuring takes time.
  *
  * @param text all of it, in Latin-1; empty for no reply at all

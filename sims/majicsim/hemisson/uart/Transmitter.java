@@ -1,6 +1,6 @@
 package majicsim.hemisson.uart;
 
-/** The chip's transmitter holds two characters: the one that is leaving and the next. */
+/** The chip's transmitter, which holds two characters: the one being sent and the next. */
 final class Transmitter {
     private final double characterSeconds;
     private double lastLeft;
@@ -10,12 +10,12 @@ final class Transmitter {
         this.characterSeconds = characterSeconds;
     }
 
-    /** When a character can be written that is ready at a time: as soon as the one before the last has left. */
+    /** When a character that is ready at a time can be written: as soon as the one before the last was sent. */
     double place(double seconds) {
         return Math.max(seconds, beforeLastLeft);
     }
 
-    /** Writes a character at a time at which there is a place for it; returns when it has left. */
+    /** Writes a character at a time at which there is a place for it; returns the time at which its transmission ends. */
     double write(double seconds) {
         beforeLastLeft = lastLeft;
         lastLeft = Math.max(seconds, lastLeft) + characterSeconds;

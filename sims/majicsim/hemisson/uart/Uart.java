@@ -81,7 +81,7 @@ public final class Uart {
         return isBounded() && next != null && next.seconds() <= takenAt;
     }
 
-    /** Answers the command whose last character was taken last. */
+    /** Answers the command that ended with the last character. */
     public void reply(Line to, Reply reply) {
         send(List.of(to), reply);
     }
@@ -91,7 +91,7 @@ public final class Uart {
         send(lines, Reply.of(text));
     }
 
-    /** The firmware does something else for a while; what is sent meanwhile follows it. */
+    /** Keeps the firmware busy for a time; what is sent meanwhile follows afterwards. */
     public void busyFor(double seconds) {
         freeAt += seconds;
     }
@@ -105,7 +105,7 @@ public final class Uart {
         return receiverBlocked;
     }
 
-    /** Switched off and on. */
+    /** Switches it off and on. */
     public void powerCycle() {
         receiverBlocked = false;
         waiting.clear();

@@ -89,14 +89,14 @@ public final class Board {
         return boot.isListening();
     }
 
-    /** A client has shaken hands: motors off, odometry 0, stored parameters; sonar waits for OPEN (ARCOS sheet 5.1, 5.2). */
+    /** Reports the end of a handshake: motors off, odometry 0, stored parameters; sonar waits for OPEN (ARCOS sheet 5.1, 5.2). */
     public void beginSession() {
         endSession();
         hasClient = true;
         drive.setOdometry(new Pose(0, 0, 0));
     }
 
-    /** Brakes with motors off; battery and place stay as they are. */
+    /** Brakes with motors off; battery and pose do not change. */
     public void endSession() {
         MotionLimits stored = MotionLimits.stored(model);
         hasClient = false;
@@ -108,7 +108,7 @@ public final class Board {
         devices.restore();
     }
 
-    /** RESET, or the button for it: all as after switching on, and receives nothing for a moment. */
+    /** RESET, or the button for it: restores the state after power-up; receives nothing for a short time. */
     public void restart() {
         endSession();
         drive.setOdometry(new Pose(0, 0, 0));
@@ -116,18 +116,18 @@ public final class Board {
         boot.restart();
     }
 
-    /** MAINTENANCE: out of reach until the next restart. */
+    /** MAINTENANCE: receives nothing until the next restart. */
     public void maintain() {
         endSession();
         boot.maintain();
     }
 
-    /** ENABLE: motors on or off; off they stay while the STOP button holds them. */
+    /** ENABLE: motors on or off; while the STOP button is pressed they stay off. */
     public void enable(boolean on) {
         drive.enable(on && !devices.stopButton().holdsMotors());
     }
 
-    /** MOVE, where the controller has it. */
+    /** MOVE, if the controller has it. */
     public void move(int mm) {
         if (model.hasMove()) {
             drive.move(mm);
@@ -157,7 +157,7 @@ public final class Board {
         return stalled || devices.stopButton().holdsMotors();
     }
 
-    /** SIM_SET_POSE: puts the robot elsewhere in the room; where it does not fit it stays. Odometry does not notice. */
+    /** SIM_SET_POSE: puts the robot elsewhere in the room, if it fits there. Odometry does not change. */
     public void place(Pose pose) {
         if (!world.room().bounds().contains(pose.xMm(), pose.yMm())) {
             LOG.log(System.Logger.Level.DEBUG, "pioneer stays where it is: {0} is outside the room", pose);
@@ -171,7 +171,7 @@ public final class Board {
         }
     }
 
-    /** Whether a client has lifted it and put it down elsewhere since the last call. */
+    /** Whether a client has put it elsewhere in the room since the last call. */
     public boolean wasLifted() {
         boolean was = lifted;
         lifted = false;

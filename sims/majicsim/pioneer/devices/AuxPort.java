@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One of the controller's serial ports for accessories: bytes go out at the port's baud rate, and what the device answers
- * waits until the client requests it (ARCOS sheet 6.1, TTY2 and GETAUX). At first a plug is in it that sends back what it gets.
+ * waits until the client requests it (ARCOS sheet 6.1, TTY2 and GETAUX). At first a loopback plug is in it.
  */
 public final class AuxPort {
     /** The longest packet has 200 bytes, 6 of them around the data (ARCOS sheet 2.2). */
@@ -36,17 +36,17 @@ public final class AuxPort {
         this.settings = settings;
     }
 
-    /** Another device: gets what went out in a step and returns its answer, empty if it has none. */
+    /** Connects another device, which receives the bytes of a step and returns its answer, empty if it has none. */
     public void plug(UnaryOperator<byte[]> newDevice) {
         device = newDevice;
     }
 
-    /** TTY: these bytes go out. */
+    /** TTY: sends these bytes. */
     public void transmit(byte[] bytes) {
         append(bytes, outgoing);
     }
 
-    /** GETAUX: so many bytes more when they are there; 0 forgets what waits and what was requested. */
+    /** GETAUX: requests so many further bytes; 0 discards the waiting bytes and the requests. */
     public void request(int bytes) {
         if (bytes == 0) {
             incoming.clear();
@@ -65,7 +65,7 @@ public final class AuxPort {
         }
     }
 
-    /** What the client requested and is there, as a packet; null if there is nothing to send. */
+    /** The requested bytes that have arrived, as a packet; null if there is nothing to send. */
     public byte @Nullable [] nextPacket() {
         int count = Math.min(MOST_BYTES_A_PACKET, Math.min(requested, incoming.size()));
         if (count == 0) {

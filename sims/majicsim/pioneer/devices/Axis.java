@@ -20,7 +20,7 @@ final class Axis {
         run(-1, Double.POSITIVE_INFINITY);
     }
 
-    /** Runs for so long, downwards if negative. */
+    /** Runs for this time, downwards if negative. */
     void run(double seconds) {
         run(Math.signum(seconds), Math.abs(seconds));
     }

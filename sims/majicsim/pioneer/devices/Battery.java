@@ -12,12 +12,12 @@ public final class Battery {
     private double charge = 1;
     private int pretendedTenthVolts;
 
-    /** Draws this current, or takes it up if negative. */
+    /** Draws this current, or charges with it if negative. */
     void step(double seconds, double amperes) {
         charge = Math.max(0, Math.min(1, charge - amperes * seconds / CAPACITY_AMPERE_SECONDS));
     }
 
-    /** BATTEST: reports this voltage in 0.1 V; 0 is the real one again. */
+    /** BATTEST: reports this voltage in 0.1 V; 0 returns to the real one. */
     public void pretend(int tenthVolts) {
         pretendedTenthVolts = Math.max(0, tenthVolts);
     }

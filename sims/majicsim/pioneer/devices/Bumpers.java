@@ -33,7 +33,7 @@ public final class Bumpers {
         return bits(model.rearBumpers(), model.rearMm(), deg > 0 ? deg - 180 : deg + 180);
     }
 
-    /** Whether a contact on the side it drives to stalls the robot, with BUMPSTALL 0 to 3 (ARCOS sheet 6.1). */
+    /** Whether a contact on the side of the motion stalls the robot, with BUMPSTALL 0 to 3 (ARCOS sheet 6.1). */
     public boolean stall(int bumpStall, double mmPerSec) {
         return mmPerSec > 0 && (bumpStall & FRONT_STALLS) != 0 && front() != 0
                 || mmPerSec < 0 && (bumpStall & REAR_STALLS) != 0 && rear() != 0;

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 
-/** The buzzer: plays tunes in their own time, and what could be heard of them is kept. */
+/** The buzzer: plays tunes in lab time and records the audible notes. */
 public final class Buzzer {
     /** SAY takes this many pairs of duration and tone (ARCOS sheet 6.1). */
     private static final int MOST_TONES = 20;
@@ -17,7 +17,7 @@ public final class Buzzer {
     private long leftNanos;
     private boolean muted;
 
-    /** SAY: begins this tune, whatever was playing; an odd byte at the end has no tone and is left alone. */
+    /** SAY: begins this tune in place of the present one; a single byte at the end is ignored. */
     public void say(byte[] pairs) {
         silence();
         for (int i = 0; i + 1 < pairs.length && i < 2 * MOST_TONES; i += 2) {

@@ -24,7 +24,7 @@ public final class Charger {
         this.battery = battery;
     }
 
-    /** The robot stands at its charging station, or is plugged in. */
+    /** Sets whether the robot is at its charging station, or plugged in. */
     public void power(boolean on) {
         powered = on;
     }
@@ -50,7 +50,7 @@ public final class Charger {
         return battery.charge() < FULL ? OVERCHARGE : FLOAT;
     }
 
-    /** The current it gives now, less towards the end. */
+    /** The present charging current, which decreases towards the end. */
     double amperes() {
         if (!isCharging()) {
             return 0;

@@ -6,7 +6,7 @@ import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;
 import majicsim.world.Noise;
 
-/** Everything on the robot besides motors, sonar and laser. A device that a model does not carry is there and idle. */
+/** Everything on the robot besides motors, sonar and laser. A device that a model does not carry exists and is idle. */
 public final class Devices {
     /** What controller, sonar and radio draw, and the motors at full speed on top. */
     private static final double IDLE_AMPERES = 0.9;
@@ -95,7 +95,7 @@ public final class Devices {
         return auxPorts;
     }
 
-    /** A session begins or ends: stored values again, and silence (ARCOS sheet 5.1). */
+    /** Begins or ends a session: restores the stored values and ends the tune (ARCOS sheet 5.1). */
     public void restore() {
         settings.restore();
         buzzer.silence();
@@ -104,7 +104,7 @@ public final class Devices {
         hostBaud.restore();
     }
 
-    /** The controller starts anew: what no session's end undoes goes too. */
+    /** Restarts the controller: also restores what the end of a session leaves. */
     public void reset() {
         restore();
         userPort.output(0xFF, 0xFF);
@@ -119,7 +119,7 @@ public final class Devices {
      * Lets time pass.
      *
      * @param effort how much of its top speed the robot drives, 0 to 1
-     * @param trueDegPerSec how it really turns
+     * @param trueDegPerSec its true turn rate
      */
     public void step(double seconds, double effort, double trueDegPerSec) {
         long nanos = Math.round(seconds * 1e9);

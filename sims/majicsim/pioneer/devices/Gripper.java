@@ -27,7 +27,7 @@ public final class Gripper {
         this.fitted = fitted;
     }
 
-    /** GRIPPER; unknown orders do nothing. */
+    /** GRIPPER; unknown arguments have no effect. */
     public void order(int number) {
         if (!fitted) {
             return;
@@ -57,7 +57,7 @@ public final class Gripper {
         order = 0;
     }
 
-    /** Something stands between the paddles, or does no longer. */
+    /** Sets whether an object is between the paddles. */
     public void put(boolean object) {
         hasObject = object;
     }

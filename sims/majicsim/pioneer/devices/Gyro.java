@@ -6,7 +6,7 @@ import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Noise;
 
 /**
- * The gyro: measures how the robot truly turns, wheel slip or not, with a rest value that drifts where the lab is noisy. A packet
+ * The gyro: measures how the robot truly turns, independent of wheel slip, with a rest value that drifts in a noisy lab. A packet
  * carries the samples since the last (ARCOS sheet 11.6); raw 512 is rest, and raw times the sheet's GyroScaler is deg/s.
  */
 public final class Gyro {

@@ -31,7 +31,7 @@ public final class HostBaud {
         }
     }
 
-    /** A valid packet came: the client is heard at this speed. */
+    /** Reports a valid packet: this speed is right. */
     public void confirm() {
         trialNanos = 0;
     }

@@ -3,7 +3,7 @@ package majicsim.pioneer.devices;
 import java.util.Objects;
 
 /**
- * The short-range infra-red eyes: 8 in the IO packet, active low, and the two that look down for a ledge (ARCOS sheet 8.1, 11.2).
+ * The short-range infra-red sensors: 8 in the IO packet, active low, and the two that look down for a ledge (ARCOS sheet 8.1, 11.2).
  */
 public final class Infrared {
     private static final int ALL = 0xFF;
@@ -13,13 +13,13 @@ public final class Infrared {
     private int seen;
     private int ledges;
 
-    /** Sets whether one of the 8 eyes detects something near. */
+    /** Sets whether one of the 8 sensors detects an object. */
     public void see(int eye, boolean something) {
         Objects.checkIndex(eye, Byte.SIZE);
         seen = something ? seen | 1 << eye : seen & ~(1 << eye);
     }
 
-    /** The floor ends ahead: farther off, close by, or both. */
+    /** Sets whether the floor ends ahead: farther away, close by, or both. */
     public void ledge(boolean far, boolean near) {
         ledges = (far ? FAR_LEDGE : 0) | (near ? NEAR_LEDGE : 0);
     }

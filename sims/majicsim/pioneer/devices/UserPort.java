@@ -49,7 +49,7 @@ public final class UserPort {
         return shownPort;
     }
 
-    /** The shown port's voltage, 255 for 5 V; 0 for a port that there is not. */
+    /** The chosen port's voltage, 255 for 5 V; 0 for a port that does not exist. */
     public int shownAnalog() {
         return shownPort < ANALOG_PORTS ? scaled(shownPort, 255) : 0;
     }

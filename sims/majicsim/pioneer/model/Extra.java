@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 
-/** What an owner can have fitted to a model, named behind the model's name: {@code p3dx-sh+gripper+gyro}. */
+/** Optional equipment of a model, named behind the model's name: {@code p3dx-sh+gripper+gyro}. */
 enum Extra {
     GRIPPER(model -> model.with(model.equipment().withGripper())),
     GYRO(model -> model.with(model.equipment().withGyro())),
@@ -26,7 +26,7 @@ enum Extra {
     /**
      * The extra of this name, without regard to case.
      *
-     * @throws IllegalArgumentException if there is none; the message lists those there are
+     * @throws IllegalArgumentException if there is none; the message lists the valid names
      */
     static Extra named(String name) {
         return Arrays.stream(values())

@@ -13,7 +13,7 @@ import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** All models, read once from the two tables that stand beside this class. */
+/** All models, read once from the two tables beside this class. */
 final class ModelTable {
     private static final Map<String, List<SonarDisc>> LAYOUTS = rows("sonars.csv")
             .collect(Collectors.groupingBy(row -> row[0], Collectors.mapping(ModelTable::disc, Collectors.toList())));

@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * What distinguishes one kind of Pioneer from the others. Immutable.
  *
- * @param subclass what it calls itself in the handshake, such as {@code p3dx-sh}
+ * @param subclass its name in the handshake, such as {@code p3dx-sh}
  * @param className the class in the handshake, {@code Pioneer} for nearly all
  * @param frontMm from the turning centre to the front
  * @param rearMm from the turning centre to the rear
@@ -17,7 +17,7 @@ import java.util.List;
  * @param frontBumpers bumper segments in front, 0 to 7
  * @param rearBumpers bumper segments behind, 0 to 7
  * @param sonars the discs that are fitted, by number
- * @param equipment what else it carries
+ * @param equipment its other equipment
  */
 public record PioneerModel(
         String subclass,
@@ -43,7 +43,7 @@ public record PioneerModel(
     /**
      * The model with the name of this subclass, with the extras that follow it behind plus signs, without regard to case.
      *
-     * @throws IllegalArgumentException if there is no such model or extra; the message lists those there are
+     * @throws IllegalArgumentException if there is no such model or extra; the message lists the valid ones
      */
     public static PioneerModel of(String name) {
         String[] parts = name.split("\\+", -1);

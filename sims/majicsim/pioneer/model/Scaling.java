@@ -1,7 +1,7 @@
 package majicsim.pioneer.model;
 
 /**
- * How a model's raw numbers on the wire relate to values: raw times factor is the value (ARCOS sheet 9.1).
+ * The factors between a model's raw numbers in packets and values: raw times factor is the value (ARCOS sheet 9.1).
  *
  * @param mmPerPositionUnit for x and y in the SIP only
  * @param mmPerSecPerSpeedUnit for the wheel speeds

@@ -1,14 +1,14 @@
 package majicsim.pioneer.motion;
 
 /**
- * One of the two motion channels (ARCOS sheet 7.1): follows its goal along straight ramps. Each lab step is planned
- * first and settled afterwards, when it is known how much of it the world let happen; a goal that changes in between
+ * One of the two motion channels (ARCOS sheet 7.1): follows its goal along linear speed ramps. Each lab step is planned
+ * first and completed afterwards, when the motion that was possible in the world is known; a goal that changes in between
  * changes the plan at once.
  */
 final class Channel {
     /** How long an emergency stop takes: less than one SIP cycle, whatever the speed (ARCOS sheet 6.1, ESTOP). */
     private static final double EMERGENCY_SECONDS = 0.08;
-    /** More stretches than any real ramp has in one step; ends a chain of empty ones. */
+    /** More phases than any real ramp has in one step; ends a chain of empty ones. */
     private static final int MOST_PHASES = 16;
 
     private Limits limits;
@@ -31,7 +31,7 @@ final class Channel {
     }
 
     /** Sets a new goal; ignored while an emergency stop is under way. */
-    void aim(Goal newGoal) {
+    void follow(Goal newGoal) {
         if (!isInEmergency()) {
             goal = newGoal;
         }
@@ -41,7 +41,7 @@ final class Channel {
         return goal;
     }
 
-    /** Stops without forgetting the goal, or takes it up again (ARCOS sheet 5.3). */
+    /** Stops and keeps the goal, or continues to it (ARCOS sheet 5.3). */
     void hold(boolean hold) {
         held = hold;
     }
@@ -63,7 +63,7 @@ final class Channel {
         return now.speed();
     }
 
-    /** The mean speed over the coming step, which covers exactly what the ramps cover in it. */
+    /** The mean speed of the coming step, with which the distance is exactly that of the ramps. */
     double plan(double seconds) {
         Travel at = now;
         double left = seconds;
@@ -77,12 +77,12 @@ final class Channel {
         return (planned.position() - now.position()) / seconds;
     }
 
-    /** The step went as planned. */
+    /** Completes a step that went as planned. */
     void follow() {
         arrive(planned);
     }
 
-    /** The step was cut short: only this way was covered, and the wheels stand. */
+    /** Completes a step that was shortened: only this distance was covered, and the wheels are stopped. */
     void blockAfter(double way) {
         arrive(new Travel(now.position() + way, 0));
     }

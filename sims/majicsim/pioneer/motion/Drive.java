@@ -10,9 +10,9 @@ import majicsim.world.Noise;
 import majicsim.world.Pose;
 
 /**
- * The motors and what the controller makes of motion commands (ARCOS sheet 7): two independent channels, straight ramps,
- * stall, odometry from the wheels. Speeds and distances in here are what the encoders measure; {@link WheelError} stands between
- * them and the truth.
+ * The motors and their control by motion commands (ARCOS sheet 7): two independent channels, linear speed ramps,
+ * stall, odometry from the wheels. Speeds and distances here are what the encoders measure; {@link WheelError} relates
+ * them to the true ones.
  */
 public final class Drive {
     /** Lab steps are this long; the true length comes with each step. */
@@ -62,15 +62,15 @@ public final class Drive {
     public void velocity(double mmPerSec) {
         command(() -> {
             leaveWheelMode(rotation);
-            translation.aim(new Goal.Speed(mmPerSec));
+            translation.follow(new Goal.Speed(mmPerSec));
         });
     }
 
-    /** MOVE: this way in mm along the present heading. */
+    /** MOVE: this distance in mm along the present heading. */
     public void move(double mm) {
         command(() -> {
             leaveWheelMode(rotation);
-            translation.aim(new Goal.Position(translation.position() + mm));
+            translation.follow(new Goal.Position(translation.position() + mm));
         });
     }
 
@@ -78,11 +78,11 @@ public final class Drive {
     public void turnRate(double degPerSec) {
         turn(channel -> {
             servo.release();
-            channel.aim(new Goal.Speed(degPerSec));
+            channel.follow(new Goal.Speed(degPerSec));
         });
     }
 
-    /** HEAD: to this odometry heading, the shorter way round; repeated it changes nothing. */
+    /** HEAD: to this odometry heading by the shorter turn; repeated, it changes nothing. */
     public void heading(double degrees) {
         turn(channel -> servo.head(channel, odometry.headingDeg(), degrees));
     }
@@ -101,8 +101,8 @@ public final class Drive {
     public void wheels(double leftMmPerSec, double rightMmPerSec) {
         command(() -> {
             servo.release();
-            translation.aim(new Goal.Speed((leftMmPerSec + rightMmPerSec) / 2));
-            rotation.aim(new Goal.Speed(scaling.turnDegPerSec((rightMmPerSec - leftMmPerSec) / 2)));
+            translation.follow(new Goal.Speed((leftMmPerSec + rightMmPerSec) / 2));
+            rotation.follow(new Goal.Speed(scaling.turnDegPerSec((rightMmPerSec - leftMmPerSec) / 2)));
             wheelMode = true;
         });
     }
@@ -111,12 +111,12 @@ public final class Drive {
     public void halt() {
         servo.release();
         wheelMode = false;
-        translation.aim(Goal.STOP);
-        rotation.aim(Goal.STOP);
+        translation.follow(Goal.STOP);
+        rotation.follow(Goal.STOP);
         replan();
     }
 
-    /** ESTOP, QSTOP: to rest within one SIP cycle; until then no motion command is heard. */
+    /** ESTOP, QSTOP: to rest within one SIP cycle; until then motion commands are ignored. */
     public void emergencyStop() {
         servo.release();
         wheelMode = false;
@@ -125,7 +125,7 @@ public final class Drive {
         replan();
     }
 
-    /** Rests without forgetting the set-points while {@code on}; takes them up again with normal acceleration. */
+    /** Rests and keeps the set-points while {@code on}; then continues to them with normal acceleration. */
     public void hold(boolean on) {
         held = on;
         holdChannels();
@@ -148,7 +148,7 @@ public final class Drive {
         return new MotionLimits(translation.limits(), rotation.limits());
     }
 
-    /** SETO: its odometry becomes this; its true pose does not change. */
+    /** SETO: sets the odometry; the true pose does not change. */
     public void setOdometry(Pose pose) {
         servo.shift(pose.headingDeg() - odometry.headingDeg());
         odometry = pose;
@@ -169,12 +169,12 @@ public final class Drive {
         return servo.isActive() ? servo.setPointDeg() : odometry.headingDeg();
     }
 
-    /** The mean of what both wheels ever counted, in mm. */
+    /** The mean distance that both wheels counted since the start, in mm. */
     public double countedMm() {
         return translation.position();
     }
 
-    /** How far it ever turned by the wheels' count, in degrees. */
+    /** The angle turned since the start by the wheels' count, in degrees. */
     public double countedDeg() {
         return rotation.position();
     }
@@ -196,7 +196,7 @@ public final class Drive {
         return plannedMmPerSec;
     }
 
-    /** A bumper touched something on the way: it stops, stalled. */
+    /** Reports a contact of a bumper: it stops, stalled. */
     public void bumped() {
         translation.blockAfter(0);
         stall.pushed(STALL_PAUSE_SECONDS);
@@ -204,7 +204,7 @@ public final class Drive {
         replan();
     }
 
-    /** Settles the step that the world has just made and plans the next. */
+    /** Completes the step that the world has just made, and plans the next. */
     public void step(double seconds) {
         stepSeconds = seconds;
         stall.step(seconds);
@@ -230,7 +230,7 @@ public final class Drive {
         rotation.hold(hold);
     }
 
-    /** Returns how far the channel came in the step, in mm or degrees. */
+    /** Returns the motion of the channel in the step, in mm or degrees. */
     private double settle(Channel channel, double plannedPerSec, double donePerSec) {
         if (plannedPerSec == 0) {
             channel.follow();
@@ -265,7 +265,7 @@ public final class Drive {
     private void leaveWheelMode(Channel other) {
         if (wheelMode) {
             wheelMode = false;
-            other.aim(Goal.STOP);
+            other.follow(Goal.STOP);
         }
     }
 

@@ -4,7 +4,7 @@ package majicsim.pioneer.motion;
 sealed interface Goal {
     Goal STOP = new Speed(0);
 
-    /** The next stretch of even acceleration on the way from here to the goal. */
+    /** The next phase of constant acceleration on the way from here to the goal. */
     Phase next(Travel from, Limits limits);
 
     /** Go on at this speed, signed. */

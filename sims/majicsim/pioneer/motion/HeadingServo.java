@@ -7,23 +7,23 @@ final class HeadingServo {
     private boolean active;
     private double setPointDeg;
 
-    /** Turns the channel to a heading the shorter way round, unless it is on its way there already. */
+    /** Turns the channel to a heading by the shorter turn, unless it turns there already. */
     void head(Channel rotation, double presentDeg, double wantedDeg) {
         double wanted = Pose.normalised(wantedDeg);
         if (rotation.isInEmergency() || active && wanted == setPointDeg) {
             return;
         }
-        rotation.aim(new Goal.Position(rotation.position() + Pose.normalised(wanted - presentDeg)));
+        rotation.follow(new Goal.Position(rotation.position() + Pose.normalised(wanted - presentDeg)));
         active = true;
         setPointDeg = wanted;
     }
 
-    /** The rotation channel serves something else now. */
+    /** Ends the set-point, because the rotation channel has another command. */
     void release() {
         active = false;
     }
 
-    /** The odometry's heading was set anew by so much; the direction aimed at stays. */
+    /** Adapts to a change of the odometry's heading; the true target direction stays. */
     void shift(double degrees) {
         setPointDeg = Pose.normalised(setPointDeg + degrees);
     }

@@ -1,7 +1,7 @@
 package majicsim.pioneer.motion;
 
 /**
- * What one motion channel may do, in mm and seconds or in degrees and seconds. Immutable.
+ * The limits of one motion channel, in mm and seconds or in degrees and seconds. Immutable.
  *
  * @param forward the highest speed ahead or counterclockwise, 0 or more
  * @param backward the highest speed the other way, 0 or more
@@ -36,7 +36,7 @@ public record Limits(double forward, double backward, double acceleration, doubl
                 : new Limits(newSpeed, backward, acceleration, deceleration);
     }
 
-    /** As SETA and SETRA have it: above 0 an acceleration, below 0 a deceleration; 0 could never end and is ignored. */
+    /** As SETA and SETRA have it: above 0 an acceleration, below 0 a deceleration; 0 is ignored. */
     public Limits withRamp(double ramp) {
         if (ramp == 0) {
             return this;

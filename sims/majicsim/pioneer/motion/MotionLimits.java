@@ -17,14 +17,14 @@ public record MotionLimits(Limits translation, Limits rotation) {
     private static final double STORED_ACCELERATION = 300;
     private static final double STORED_TURN_ACCELERATION = 100;
 
-    /** The most the model can do, whatever is commanded. */
+    /** The highest values of the model, which no command can exceed. */
     public static MotionLimits tops(PioneerModel model) {
         return new MotionLimits(
                 new Limits(model.topSpeedMmPerSec(), TOP_ACCELERATION, TOP_ACCELERATION),
                 new Limits(model.topTurnDegPerSec(), TOP_ACCELERATION, TOP_ACCELERATION));
     }
 
-    /** What holds at the start of every session (ARCOS sheet 5.1; values of sheet 10). */
+    /** The limits at the start of every session (ARCOS sheet 5.1; values of sheet 10). */
     public static MotionLimits stored(PioneerModel model) {
         MotionLimits tops = tops(model);
         return new MotionLimits(

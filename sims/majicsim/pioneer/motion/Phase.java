@@ -1,8 +1,8 @@
 package majicsim.pioneer.motion;
 
 /**
- * A stretch of motion with one acceleration. The straight ramps of the controller (ARCOS sheet 7.2) are chains of such
- * stretches, which makes them exact whatever the length of a step.
+ * A phase of motion with constant acceleration. The linear ramps of the controller (ARCOS sheet 7.2) are chains of such
+ * phases, which makes them exact for any length of a step.
  *
  * @param acceleration signed
  * @param seconds how long it lasts, infinite when nothing ends it
@@ -12,7 +12,7 @@ record Phase(double acceleration, double seconds, Travel end) {
     /** Below this a distance in mm or degrees, or a speed, is rounding. */
     private static final double NOTHING = 1e-9;
 
-    /** The next stretch from here to this speed, by way of rest when the direction changes. */
+    /** The next phase from here to this speed, through rest if the direction changes. */
     static Phase toSpeed(Travel from, double wanted, Limits limits) {
         double speed = from.speed();
         if (speed == wanted) {
@@ -25,7 +25,7 @@ record Phase(double acceleration, double seconds, Travel end) {
         return ramp(from, wanted, faster ? limits.acceleration() : limits.deceleration());
     }
 
-    /** The next stretch from here to rest at this position: speed up, hold, brake so that it ends there. */
+    /** The next phase from here to rest at this position: speed up, hold, brake so that it ends there. */
     static Phase toPosition(Travel from, double target, Limits limits) {
         double way = target - from.position();
         if (Math.abs(way) < NOTHING && Math.abs(from.speed()) < NOTHING) {
@@ -44,7 +44,7 @@ record Phase(double acceleration, double seconds, Travel end) {
         return approaching(from, way, limits);
     }
 
-    /** Not yet at the point where braking must begin. */
+    /** A phase before the point where braking must begin. */
     private static Phase approaching(Travel from, double way, Limits limits) {
         double distance = Math.abs(way);
         double approach = Math.abs(from.speed());
@@ -59,14 +59,14 @@ record Phase(double acceleration, double seconds, Travel end) {
         return new Phase(0, seconds, from.after(seconds, 0));
     }
 
-    /** The speed at which speeding up must turn into braking, were there no limit. */
+    /** The speed at which acceleration must change to braking, without a speed limit. */
     private static double peak(double approach, double distance, Limits limits) {
         double square = (2 * distance + approach * approach / limits.acceleration())
                 / (1 / limits.acceleration() + 1 / limits.deceleration());
         return Math.sqrt(square);
     }
 
-    /** Brakes just so hard that it ends at the target; all but the set deceleration. */
+    /** Brakes so that it ends at the target, nearly with the set deceleration. */
     private static Phase landing(Travel from, double target) {
         double way = target - from.position();
         if (Math.abs(way) < NOTHING) {

@@ -1,12 +1,12 @@
 package majicsim.pioneer.motion;
 
 /**
- * Whether the motors push without getting anywhere (ARCOS sheet 7.5): set when the robot meets something, kept while the
- * command that pushed is in force, cleared once it has come away or is commanded to stop. Shown in at least one SIP. After each
+ * Whether the motors push against an obstacle (ARCOS sheet 7.5): set when the robot meets one, kept while the
+ * same command is in force, cleared after the robot has moved away or was commanded to stop. Shown in at least one SIP. After each
  * push the motors have no power for a pause, then they try again.
  */
 public final class Stall {
-    /** Less than this, in mm or degrees, is settling against the obstacle, not coming away. */
+    /** Less motion than this, in mm or degrees, does not count as moving away. */
     private static final double AWAY = 2;
 
     private boolean stalled;
@@ -14,7 +14,7 @@ public final class Stall {
     private double cameAway;
     private double pauseSeconds;
 
-    /** Met something; the motors are to rest for so long. */
+    /** Reports an obstacle; the motors rest for this time. */
     void pushed(double newPauseSeconds) {
         stalled = true;
         unreported = true;
@@ -22,7 +22,7 @@ public final class Stall {
         pauseSeconds = newPauseSeconds;
     }
 
-    /** Covered this way, or this angle, freely. */
+    /** Reports free motion over this distance or angle. */
     void moved(double amount) {
         cameAway += Math.abs(amount);
         if (cameAway > AWAY) {
@@ -30,7 +30,7 @@ public final class Stall {
         }
     }
 
-    /** Neither moves nor is commanded to. */
+    /** Reports a step with neither motion nor a motion command. */
     void rests() {
         stalled = false;
     }

@@ -1,10 +1,10 @@
 package majicsim.pioneer.motion;
 
 /**
- * Where one motion channel is and how fast it goes, in mm or in degrees. Immutable.
+ * The position and speed of one motion channel, in mm or in degrees. Immutable.
  *
- * @param position how far it came since the robot was switched on
- * @param speed signed, a second
+ * @param position the motion since the robot was switched on
+ * @param speed per second, signed
  */
 record Travel(double position, double speed) {
     static final Travel REST = new Travel(0, 0);

@@ -12,7 +12,7 @@ import majicsim.world.Noise;
 record WheelError(double way, double turn) {
     static final WheelError NONE = new WheelError(1, 1);
 
-    /** Draws 1 to 2 % for the way and 2 to 5 % for turning, either sign; none from an exact source. */
+    /** Draws 1 to 2 % for distance and 2 to 5 % for turning, of either sign; none from an exact source. */
     static WheelError draw(Noise noise) {
         if (noise.isExact()) {
             return NONE;

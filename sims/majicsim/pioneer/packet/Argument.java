@@ -5,7 +5,7 @@ import java.util.Arrays;
 
 /**
  * What stands behind a command's number (ARCOS sheet 3). Every command may come with or without an argument; bytes that
- * are missing count as zero and bytes too many are left alone, so reading one never fails.
+ * are missing count as zero and surplus bytes are ignored, so reading one never fails.
  */
 public record Argument(byte[] data) {
     private static final int NEGATIVE = 0x1B;
@@ -44,7 +44,7 @@ public record Argument(byte[] data) {
         return data.length >= 3 + 2 * index;
     }
 
-    /** The string; its length byte is believed only as far as the packet goes. */
+    /** The string, at most to the end of the packet, whatever its length byte says. */
     public String text() {
         return new String(bytes(), StandardCharsets.US_ASCII);
     }
@@ -55,7 +55,7 @@ public record Argument(byte[] data) {
         return length == 0 ? new byte[0] : Arrays.copyOfRange(data, 2, 2 + length);
     }
 
-    /** The string behind a first 16-bit number, its length in 16 bits too; believed only as far as the packet goes. */
+    /** The string behind a first 16-bit number, its length in 16 bits too; at most to the end of the packet. */
     public String textBehindNumber() {
         int start = Math.min(data.length, 5);
         int length = Math.min(at(3) | at(4) << 8, data.length - start);

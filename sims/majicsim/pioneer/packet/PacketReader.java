@@ -26,7 +26,7 @@ public final class PacketReader {
     }
 
     /**
-     * Gives up waiting for the rest of a packet; returns the packets hidden behind its header. The controller does so
+     * Discards an incomplete packet; returns the packets found behind its header. The controller does so
      * when the line has been silent in the middle of a packet.
      */
     public List<Packet> giveUpFragment() {
@@ -73,7 +73,7 @@ public final class PacketReader {
         return at;
     }
 
-    /** Whether enough is there to judge the packet at this place. */
+    /** Whether the packet at this place is complete. */
     private static boolean isComplete(byte[] bytes, int at) {
         int available = bytes.length - at;
         return available >= 3 && ((bytes[at + 2] & 0xFF) < SMALLEST_COUNT || available >= (bytes[at + 2] & 0xFF) + 3);

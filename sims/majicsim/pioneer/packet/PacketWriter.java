@@ -17,7 +17,7 @@ public final class PacketWriter {
         return this;
     }
 
-    /** Adds the low 16 bits, so signed values and counters that wrap need no care. */
+    /** Adds the low 16 bits, which is right for signed values and for counters that wrap. */
     public PacketWriter uint16(int value) {
         return uint8(value).uint8(value >> 8);
     }

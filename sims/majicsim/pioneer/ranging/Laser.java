@@ -12,7 +12,7 @@ import majicsim.world.World;
  * and other robots in one plane.
  */
 public final class Laser {
-    /** Nothing hit; the most that its two bytes are used for. */
+    /** The range if nothing was hit; the largest value used. */
     static final int FARTHEST_MM = 32_000;
 
     private static final double SIGMA_MM = 5;
@@ -31,7 +31,7 @@ public final class Laser {
         this.aheadMm = model.subclass().startsWith("p3at") ? AHEAD_ON_LONG_DECKS_MM : AHEAD_MM;
     }
 
-    /** All ranges in mm, in the order of the scan, as the robot stands now. */
+    /** All ranges in mm, in the order of the scan, at the robot's present pose. */
     public int[] ranges(LaserScan scan) {
         Pose pose = body.pose();
         Point at = pose.toWorld(aheadMm, 0);

@@ -16,7 +16,7 @@ public record LaserScan(double startDeg, double endDeg, double stepDeg) {
 
     private static final double MOST_DEG = 180;
 
-    /** Keeps what no scanner can do within what it can. */
+    /** Limits the values to what the scanner can do. */
     public LaserScan {
         startDeg = Math.max(-MOST_DEG, Math.min(MOST_DEG, startDeg));
         endDeg = Math.max(-MOST_DEG, Math.min(MOST_DEG, endDeg));

@@ -30,7 +30,7 @@ record PollingOrder(List<Integer> discs) {
         return discs.isEmpty() ? USUAL : new PollingOrder(discs);
     }
 
-    /** The discs of one array, in order; none if it is to be silent. */
+    /** The discs of one array, in order; none if the array must not fire. */
     List<Integer> ofArray(int array) {
         return discs.stream().filter(disc -> disc / DISCS_PER_ARRAY == array).toList();
     }

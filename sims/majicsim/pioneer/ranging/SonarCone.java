@@ -13,11 +13,11 @@ import majicsim.world.World;
 
 /**
  * What one sonar disc measures: the nearest echo in a cone of 30 degrees. A flat surface throws sound back only when it is
- * met within about 30 degrees of square, beyond that the echo is lost; edges and corners scatter it and are heard from
- * near by whatever their direction.
+ * hit within about 30 degrees of perpendicular, beyond that the echo is lost; edges and corners scatter it and are detected from
+ * near by in any direction.
  */
 public final class SonarCone {
-    /** Nothing heard (ARCOS sheet 8.2). */
+    /** No echo (ARCOS sheet 8.2). */
     static final double SILENCE_MM = 5000;
 
     private static final double NEAREST_MM = 100;
@@ -45,7 +45,7 @@ public final class SonarCone {
                 .toList();
     }
 
-    /** The range in mm from the disc, 100 to 5000; 5000 when nothing is heard. */
+    /** The range in mm from the disc, 100 to 5000; 5000 without an echo. */
     double rangeMm(SonarDisc disc) {
         Point at = body.pose().toWorld(disc.xMm(), disc.yMm());
         Pose view = new Pose(at.xMm(), at.yMm(), body.pose().toWorldDeg(disc.axisDeg()));

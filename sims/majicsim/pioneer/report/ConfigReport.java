@@ -18,8 +18,8 @@ import majicsim.pioneer.packet.PacketWriter;
  *
  * @param robotName the owner's name for the robot
  * @param model class, subclass, sonar, bumpers and equipment
- * @param tops what the limits can be set to
- * @param limits what they are
+ * @param tops the highest values of the limits
+ * @param limits the present limits
  * @param settings the working values of what is stored
  * @param sonarCycleMs the sonar's firing period, 0 to 255
  * @param hostBaud the code of this port's speed, 0 to 4

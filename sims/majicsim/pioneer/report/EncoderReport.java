@@ -6,11 +6,11 @@ import majicsim.pioneer.packet.PacketWriter;
 /**
  * The encoder packet (ARCOS sheet 11.1): counters of 32 bits that roll over.
  *
- * @param leftMm what the left wheel ever covered
- * @param rightMm what the right wheel ever covered
+ * @param leftMm the distance of the left wheel since the start
+ * @param rightMm the distance of the right wheel since the start
  */
 public record EncoderReport(double leftMm, double rightMm) {
-    /** About what a P3-DX counts. */
+    /** About the resolution of a P3-DX. */
     public static final int TICKS_PER_MM = 128;
 
     static EncoderReport of(Board board) {

@@ -16,7 +16,7 @@ public record LaserReport(Pose odometry, int[] ranges) {
     private static final int WITH_POSE = 0x60;
     private static final int WITH_REFLECTANCE = 0x61;
     private static final int MOST_IN_A_PACKET = 32;
-    /** No surface of the room is a reflector. */
+    /** The reflectance of every surface: the room has no reflectors. */
     private static final int DULL = 0;
 
     private static final int ONLY_LASER = 0;
@@ -34,7 +34,7 @@ public record LaserReport(Pose odometry, int[] ranges) {
         return packets;
     }
 
-    /** Reports once that the robot was lifted and put down elsewhere. */
+    /** Reports once that the robot was put elsewhere in the room. */
     public List<byte[]> withReflectance(boolean lifted) {
         List<byte[]> packets = new ArrayList<>();
         for (int first = 0; first < ranges.length; first += MOST_IN_A_PACKET) {

@@ -7,7 +7,7 @@ import java.util.Map;
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.AuxPort;
 
-/** What one client gets in each cycle: the SIP, what it requested besides it, and what came in at the AUX ports. */
+/** The packets for one client in each cycle: the SIP, other requested packets, and bytes from the AUX ports. */
 public final class Reports {
     private final Board board;
     private final Map<Report, Subscription> subscriptions = new EnumMap<>(Report.class);
@@ -46,5 +46,26 @@ public final class Reports {
             }
         }
         return packets;
+    }
+
+    /** A client's request for an extra packet: argument 0 none, 1 one, 2 or more one with every SIP (ARCOS sheet 6.1, 11). */
+    private static final class Subscription {
+        static final int NEVER = 0;
+        static final int EVERY_CYCLE = 2;
+
+        private int requested;
+
+        void ask(int argument) {
+            requested = argument;
+        }
+
+        /** Whether a packet is due with this SIP. */
+        boolean isDue() {
+            boolean due = requested > 0;
+            if (requested == 1) {
+                requested = 0;
+            }
+            return due;
+        }
     }
 }

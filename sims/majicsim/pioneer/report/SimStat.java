@@ -8,8 +8,8 @@ import majicsim.world.Pose;
  * The simulator's own packet, the only one with the true pose (ARCOS sheet 11.7).
  *
  * @param stepMs the simulator's step
- * @param truePose where the robot really is in the room
- * @param odometryError how far its odometry went wrong since it was last set
+ * @param truePose the true pose of the robot in the room
+ * @param odometryError the error of its odometry since it was last set
  */
 public record SimStat(int stepMs, Pose truePose, Pose odometryError) {
     private static final int TYPE = 0x62;

@@ -8,10 +8,10 @@ import majicsim.pioneer.ranging.SonarReading;
 /**
  * The standard packet about the robot's state (ARCOS sheet 8).
  *
- * @param motion where and how fast
- * @param status how it is
+ * @param motion pose and speed
+ * @param status the robot's status
  * @param sonar new readings only, at most 50, so that no tail makes it too long
- * @param tail what follows the sonar readings
+ * @param tail the fields after the sonar readings
  */
 record Sip(SipMotion motion, SipStatus status, List<SonarReading> sonar, SipTail tail) {
     private static final int STANDING = 0x32;

@@ -5,7 +5,7 @@ import majicsim.pioneer.model.Scaling;
 import majicsim.pioneer.motion.Drive;
 
 /**
- * The part of a SIP with place and speed, in raw units (ARCOS sheet 8).
+ * The part of a SIP with pose and speed, in raw units (ARCOS sheet 8).
  *
  * @param x odometry; the counter's low 16 bits go on the wire
  * @param y odometry; as x

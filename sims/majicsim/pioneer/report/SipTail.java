@@ -9,14 +9,14 @@ import majicsim.pioneer.packet.PacketWriter;
 /**
  * The part of a SIP after the sonar readings, more of it with each generation of firmware (ARCOS sheet 8).
  *
- * @param generation where it ends
+ * @param generation the firmware, which determines where it ends
  * @param gripper its state, as sheet 11.5
  * @param analogPort the port chosen with ADSEL
  * @param analog that port's voltage, 255 for 5 V
  * @param digitalIn inputs, active low
  * @param digitalOut outputs
  * @param chargeState 0 not charging, 1 bulk, 2 overcharge, 3 float
- * @param faults 0 if all is well
+ * @param faults 0 if there is none
  * @param celsius temperature
  * @param chargePercent state of charge, 0 for unknown
  * @param clockMicros since the controller started

@@ -3,7 +3,7 @@ package majicsim.pioneer.serial;
 import java.io.ByteArrayOutputStream;
 
 /**
- * What one end of a serial line makes of bytes that the other end sent at another speed. Each byte goes over the wire as a
+ * Computes the bytes that one end of a serial line reads if the other end sends at another speed. Each byte goes over the wire as a
  * low start bit, eight bits with the lowest first, and a high stop bit; the reader looks for a falling edge and samples at
  * its own pace from there.
  */
@@ -16,7 +16,7 @@ final class SerialBits {
         this.sent = sent;
     }
 
-    /** The bytes as they are read at {@code readBaud}; the same when both ends agree, rubbish when not. */
+    /** The bytes as they are read at {@code readBaud}: the same at equal speeds, wrong ones otherwise. */
     static byte[] heard(byte[] sent, int sentBaud, int readBaud) {
         return sentBaud == readBaud ? sent : new SerialBits(sent).sampled((double) sentBaud / readBaud);
     }

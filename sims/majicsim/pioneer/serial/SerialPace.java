@@ -4,9 +4,9 @@ import java.io.ByteArrayOutputStream;
 import java.util.ArrayDeque;
 import java.util.function.Consumer;
 
-/** One direction of a serial line: bytes leave it no faster than the line's speed lets them, ten bits a byte. */
+/** One direction of a serial line, which transmits bytes at the line's speed, ten bits a byte. */
 final class SerialPace {
-    /** What a controller keeps for later; what comes on top of it is lost as a whole. */
+    /** The size of a controller's buffer; a message that does not fit is lost as a whole. */
     private static final int MOST_WAITING_BYTES = 512;
 
     private static final double BITS_A_BYTE = 10;

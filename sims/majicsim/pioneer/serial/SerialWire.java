@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The controller's serial port as its line to the client (ARCOS sheet 1): it carries bytes no faster than its speed, and a
- * client at another speed reads and writes rubbish. In an exact lab it takes no time. It cannot be closed.
+ * client at another speed reads and writes wrong bytes. In an exact lab it takes no time. It cannot be closed.
  */
 public final class SerialWire implements Line {
     private static final System.Logger LOG = System.getLogger(SerialWire.class.getName());
@@ -27,12 +27,12 @@ public final class SerialWire implements Line {
         this.toRobot = new SerialPace(robot);
     }
 
-    /** The client's end is put in. */
+    /** Connects the client's end. */
     public void plugIn(Line line) {
         plug = line;
     }
 
-    /** The client wrote. */
+    /** Takes bytes from the client. */
     public void arrive(byte[] bytes) {
         byte[] heard = SerialBits.heard(bytes, clientBaud(), speed.bitsPerSecond());
         if (!takesTime) {
@@ -77,7 +77,7 @@ public final class SerialWire implements Line {
         }
     }
 
-    /** A line that has no speed of its own, or does not report it, is taken to be right. */
+    /** A line that has no speed of its own, or does not report it, counts as equally fast. */
     private int clientBaud() {
         int baud = plug == null ? 0 : plug.baud();
         return baud == 0 ? speed.bitsPerSecond() : baud;

@@ -1,5 +1,5 @@
 /**
- * The serial line between client and controller: its speed, and what bytes become at a wrong one.
+ * The serial line between client and controller: its speed, and the bytes read at a wrong one.
  */
 @NullMarked
 package majicsim.pioneer.serial;

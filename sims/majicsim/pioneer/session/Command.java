@@ -12,7 +12,7 @@ import majicsim.pioneer.report.ConfigReport;
 import majicsim.pioneer.report.Report;
 import majicsim.world.Pose;
 
-/** The commands of the controller, by the manual's names and numbers, and what each does (ARCOS sheet 6). */
+/** The commands of the controller with the manual's names and numbers, and their effects (ARCOS sheet 6). */
 public enum Command {
     PULSE(0, (session, argument) -> {}),
     OPEN(1, (session, argument) -> session.open()),
@@ -125,7 +125,7 @@ public enum Command {
         return (session, argument) -> session.reports().ask(report, argument.integer());
     }
 
-    /** SETO alone means zero; with three numbers behind the type byte, those. */
+    /** SETO without an argument means zero; with three numbers behind the type byte, these numbers. */
     private static Pose poseOf(Argument argument) {
         return argument.hasInt16(2)
                 ? new Pose(argument.int16(0), argument.int16(1), argument.int16(2))

@@ -5,8 +5,8 @@ import majicsim.pioneer.packet.PacketWriter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The three SYNCs before a session (ARCOS sheet 4), strictly in order. Whatever comes out of order makes the client
- * start over: it is answered with packet 0xFF, and SYNC0 is expected again.
+ * The three SYNCs before a session (ARCOS sheet 4), strictly in order. A packet out of order makes the client
+ * start again: the answer is packet 0xFF, and SYNC0 is expected again.
  */
 public final class Handshake {
     private static final int LOST_STEP = 0xFF;
@@ -43,7 +43,7 @@ public final class Handshake {
         return expected > LAST;
     }
 
-    /** Time passes; returns true when the client has had 10 s and is not through. It then begins anew. */
+    /** Lets time pass. Returns true if the handshake took more than 10 s, and then starts it again. */
     boolean step(long stepNanos) {
         if (isComplete()) {
             return false;

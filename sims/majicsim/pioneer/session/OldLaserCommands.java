@@ -3,7 +3,7 @@ package majicsim.pioneer.session;
 /**
  * The vendor's client still requests the simulated laser by the numbers of a much older simulator, 36, 37, 38 and then 35
  * (ARCOS sheet 6.2), which the robot uses for its gripper and its analog port. Three in that order, the second with an
- * angle that no gripper request has, are the laser's; all others are the robot's. A client that has spoken so once means
+ * angle that no gripper request has, are for the laser; all others are for the robot. A client that has sent them once means
  * the laser by these numbers for the rest of its session.
  */
 final class OldLaserCommands {
@@ -23,7 +23,7 @@ final class OldLaserCommands {
         this.laser = laser;
     }
 
-    /** Takes a command if it is the laser's; otherwise the robot must. */
+    /** Executes a command if it is for the laser; returns false if it is for the robot. */
     boolean take(int id, int value) {
         if (known && id >= ENABLE && id <= STEP) {
             apply(id, value);

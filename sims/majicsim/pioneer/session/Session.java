@@ -65,12 +65,12 @@ public final class Session {
         return devices().auxPorts().get(number - 1);
     }
 
-    /** What the client gets without asking again. */
+    /** The packets that the client receives in each cycle. */
     Reports reports() {
         return reports;
     }
 
-    /** What the client has of the simulator beside the robot. */
+    /** The client's access to the simulator besides the robot. */
     Simulation simulation() {
         return simulation;
     }
@@ -79,17 +79,17 @@ public final class Session {
         return line == other;
     }
 
-    /** Whether a client has shaken hands and not closed since. */
+    /** Whether a session is open: after the handshake, before CLOSE. */
     public boolean isUnderWay() {
         return handshake.isComplete();
     }
 
-    /** Whether it is over for good and its line closed. */
+    /** Whether it has ended and its line is closed. */
     public boolean hasEnded() {
         return ended;
     }
 
-    /** Whether no packet has come for so long that the watchdog has stopped the robot. */
+    /** Whether the watchdog has stopped the robot because no packet came. */
     public boolean hasTimedOut() {
         return watchdog.hasExpired();
     }
@@ -123,7 +123,7 @@ public final class Session {
         }
     }
 
-    /** OPEN: SIPs from now on and sonar; a second one does no harm. */
+    /** OPEN: starts SIPs and sonar; a second one has no effect. */
     void open() {
         if (!open) {
             open = true;
@@ -132,7 +132,7 @@ public final class Session {
         }
     }
 
-    /** CLOSE, or the client is gone: stop, motors off, no more packets. */
+    /** CLOSE, or the end of the connection: stop, motors off, no more packets. */
     public void close() {
         forgetClient();
         board.endSession();
@@ -146,14 +146,14 @@ public final class Session {
         line.close();
     }
 
-    /** RESET, or the button for it: notifies the client, forgets it, and starts anew (ARCOS sheet 11.6). */
+    /** RESET, or the button for it: notifies the client, ends the session and restarts (ARCOS sheet 11.6). */
     public void restart() {
         send(new PacketWriter(RESTARTED).toBytes());
         forgetClient();
         board.restart();
     }
 
-    /** MAINTENANCE: out of reach until the reset button is pressed. */
+    /** MAINTENANCE: receives nothing until the reset button is pressed. */
     void maintain() {
         forgetClient();
         board.maintain();

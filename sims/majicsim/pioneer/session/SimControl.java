@@ -7,8 +7,8 @@ import majicsim.pioneer.report.ConfigReport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * SIM_CTRL and its like: orders to the simulator itself (ARCOS sheet 6.2). One client may not change the room under everybody's
- * wheels, so a request for a map is answered as not changed, and never opened.
+ * SIM_CTRL and similar commands for the simulator itself (ARCOS sheet 6.2). One client may not change the room of all robots,
+ * so a request for a map is answered as not changed, and the map is never opened.
  */
 final class SimControl {
     private static final System.Logger LOG = System.getLogger(SimControl.class.getName());
@@ -24,18 +24,18 @@ final class SimControl {
 
     private SimControl() {}
 
-    /** SIM_EXIT: one client may not end the lab of all. */
+    /** SIM_EXIT: ignored, because other clients may use the lab. */
     static void refuseToEnd() {
         LOG.log(System.Logger.Level.INFO, "pioneer: a client asked the simulator to end; it goes on");
     }
 
-    /** SIM_MESSAGE: into the log, without what would upset a terminal. */
+    /** SIM_MESSAGE: writes to the log, without control characters. */
     static void show(String text) {
         String printable = text.replaceAll("[^\\x20-\\x7E]", "?");
         LOG.log(System.Logger.Level.INFO, "pioneer: message from the client: {0}", printable);
     }
 
-    /** Obeys; returns the packet that answers it, or null. */
+    /** Executes the command; returns the answer's packet, or null. */
     static byte @Nullable [] answer(Argument order, Board board, SimLaser laser) {
         int operation = order.integer();
         switch (operation) {

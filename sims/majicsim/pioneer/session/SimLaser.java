@@ -5,7 +5,7 @@ import majicsim.pioneer.board.Board;
 import majicsim.pioneer.ranging.LaserScan;
 import majicsim.pioneer.report.LaserReport;
 
-/** The simulated laser as one client has set it (ARCOS sheet 6.2): silent until it is switched on. */
+/** The simulated laser with the settings of one client (ARCOS sheet 6.2): off at first. */
 final class SimLaser {
     private static final int OFF = 0;
     private static final int WITH_REFLECTANCE = 2;
@@ -42,7 +42,7 @@ final class SimLaser {
         scan = scan.every(Math.abs(centidegrees) / 100.0);
     }
 
-    /** The scan of this cycle; none while it is off. */
+    /** The packets of this cycle's scan; none while it is off. */
     List<byte[]> packets() {
         if (!isOn()) {
             return List.of();

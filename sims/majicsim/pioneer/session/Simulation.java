@@ -8,7 +8,7 @@ import majicsim.pioneer.report.Report;
 import majicsim.pioneer.report.Reports;
 import majicsim.pioneer.report.SimStat;
 
-/** What one client has of the simulator beside the robot (ARCOS sheet 6.2): its laser, and orders to the simulator itself. */
+/** One client's access to the simulator besides the robot (ARCOS sheet 6.2): its laser, and commands for the simulator itself. */
 final class Simulation {
     private final Board board;
     private final Reports reports;
@@ -16,7 +16,7 @@ final class Simulation {
     private final SimLaser laser;
     private final OldLaserCommands oldLaserCommands;
 
-    /** Shows what goes on in {@code reports} too, and answers to {@code client} at once. */
+    /** Adds packets to {@code reports}, and answers to {@code client} at once. */
     Simulation(Board board, Reports reports, Consumer<byte[]> client) {
         this.board = board;
         this.reports = reports;
@@ -29,7 +29,7 @@ final class Simulation {
         return laser;
     }
 
-    /** Whether this command was the laser's by its old number; if not, it is the robot's. */
+    /** Executes a command with an old number of the laser; returns false if it is for the robot. */
     boolean take(int id, Argument argument) {
         return oldLaserCommands.take(id, argument.integer());
     }
@@ -51,7 +51,7 @@ final class Simulation {
         }
     }
 
-    /** What follows the SIP of this cycle. */
+    /** The packets after the SIP of this cycle. */
     List<byte[]> packets() {
         return laser.packets();
     }

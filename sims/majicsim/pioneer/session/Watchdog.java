@@ -9,7 +9,7 @@ final class Watchdog {
     private long silentNanos;
     private boolean expired;
 
-    /** A valid packet came; returns whether the watchdog had stopped the robot meanwhile. */
+    /** Reports a valid packet; returns whether the watchdog had stopped the robot before. */
     boolean reset() {
         boolean had = expired;
         silentNanos = 0;
@@ -21,7 +21,7 @@ final class Watchdog {
         return expired;
     }
 
-    /** Time passes; returns true in the one step in which the robot must be stopped. */
+    /** Lets time pass; returns true in the one step in which the robot must be stopped. */
     boolean step(long nanos) {
         silentNanos += nanos;
         boolean expires = !expired && silentNanos >= LIMIT_NANOS;

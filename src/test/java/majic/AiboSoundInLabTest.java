@@ -15,7 +15,7 @@ import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioInputStream;
 import javax.sound.sampled.AudioSystem;
 import majic.bot.MajicBot;
-import majicsim.aibo.Played;
+import majicsim.aibo.PlayedSound;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -45,14 +45,14 @@ class AiboSoundInLabTest {
         assertThat(rig.run("1 play \"" + file + "\""))
                 .containsExactly("1 play \"" + file + "\": 2.5 s of sound, sent over");
 
-        List<Played> pieces = sent();
+        List<PlayedSound> pieces = sent();
         assertThat(pieces).hasSizeBetween(4, 5);
         assertThat(pieces.stream()
                         .mapToDouble(piece -> piece.sound().lengthMs())
                         .sum())
                 .isCloseTo(2500, within(0.5));
         for (int index = 1; index < pieces.size(); index++) {
-            Played former = pieces.get(index - 1);
+            PlayedSound former = pieces.get(index - 1);
             assertThat(pieces.get(index).startMs())
                     .isBetween(former.startMs() + former.sound().lengthMs(), former.startMs() + 1000);
         }
@@ -73,7 +73,7 @@ class AiboSoundInLabTest {
     void aSoundOfTheStickIsPlayedToItsEnd() throws InterruptedException {
         assertThat(rig.run("1 play bark", "1 play BARK2.wav", "1 get playing"))
                 .startsWith("1 play bark: bark.wav of the dog's stick");
-        assertThat(played()).extracting(Played::what).contains("bark.wav");
+        assertThat(played()).extracting(PlayedSound::what).contains("bark.wav");
     }
 
     @Test
@@ -203,17 +203,17 @@ class AiboSoundInLabTest {
         return file;
     }
 
-    private List<Played> played() {
-        List<Played> played = new ArrayList<>();
+    private List<PlayedSound> played() {
+        List<PlayedSound> played = new ArrayList<>();
         rig.lab().simulators().besideAibo(handling -> played.addAll(handling.played()));
         return played;
     }
 
-    private List<Played> sent() {
+    private List<PlayedSound> sent() {
         return played().stream().filter(sound -> sound.what().equals("sent")).toList();
     }
 
-    private static int loudest(Played played) {
+    private static int loudest(PlayedSound played) {
         int loudest = 0;
         for (int index = 0; index < played.sound().lengthMs() * 16; index++) {
             loudest = Math.max(loudest, Math.abs(played.sound().sample(index)));

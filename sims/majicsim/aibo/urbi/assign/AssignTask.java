@@ -12,15 +12,15 @@ import org.jspecify.annotations.Nullable;
 /** An assignment of a number under way: at once, or along a trajectory; by the variable's blend mode. */
 final class AssignTask extends Task implements Variable.Motion {
     private final Variable variable;
-    private final Course course;
+    private final TargetEvaluation target;
     private @Nullable Trajectory trajectory;
     private double beganMs;
     private double from;
 
-    AssignTask(Context context, Variable variable, Course course) {
+    AssignTask(Context context, Variable variable, TargetEvaluation target) {
         super(context);
         this.variable = variable;
-        this.course = course;
+        this.target = target;
     }
 
     @Override
@@ -34,11 +34,11 @@ final class AssignTask extends Task implements Variable.Motion {
                 return false;
             }
             way = begin();
-        } else if (course.renew()) {
+        } else if (target.renew()) {
             way = plan();
             trajectory = way;
         }
-        Modifiers modifiers = course.aim().modifiers();
+        Modifiers modifiers = target.current().modifiers();
         double elapsedMs = elapsedMs() - beganMs;
         if (elapsedMs >= modifiers.get("timelimit", Double.POSITIVE_INFINITY)) {
             variable.submit(now(), context.server().pass());
@@ -49,7 +49,7 @@ final class AssignTask extends Task implements Variable.Motion {
 
     private boolean follow(Trajectory way, double elapsedMs) {
         variable.submit(way.curve().at(elapsedMs), context.server().pass());
-        Variable phase = course.aim().modifiers().phase();
+        Variable phase = target.current().modifiers().phase();
         if (phase != null) {
             phase.write(Value.of(way.phase().at(elapsedMs)));
         }
@@ -57,16 +57,17 @@ final class AssignTask extends Task implements Variable.Motion {
     }
 
     private boolean pursue(double elapsedMs) {
-        Pursuit pursuit = new Pursuit(
-                variable.properties().clip(course.aim().target()), course.aim().modifiers());
-        variable.submit(pursuit.next(now(), elapsedMs), context.server().pass());
-        return pursuit.isThere(now(), variable.properties().number("delta"));
+        AdaptiveMotion motion = new AdaptiveMotion(
+                variable.properties().clip(target.current().target()),
+                target.current().modifiers());
+        variable.submit(motion.next(now(), elapsedMs), context.server().pass());
+        return motion.isThere(now(), variable.properties().number("delta"));
     }
 
     private double now() {
         return variable.read() instanceof Value.Num num
                 ? num.number()
-                : course.aim().target();
+                : target.current().target();
     }
 
     @Override
@@ -106,15 +107,15 @@ final class AssignTask extends Task implements Variable.Motion {
         beganMs = elapsedMs();
         from = variable.target() instanceof Value.Num now
                 ? now.number()
-                : course.aim().target();
+                : target.current().target();
         Trajectory way = plan();
         trajectory = way;
         return way;
     }
 
     private Trajectory plan() {
-        double to = variable.properties().clip(course.aim().target());
-        Trajectory way = Trajectory.of(from, to, course.aim().modifiers());
+        double to = variable.properties().clip(target.current().target());
+        Trajectory way = Trajectory.of(from, to, target.current().modifiers());
         return Double.isFinite(way.durationMs()) ? within(way, to) : way;
     }
 

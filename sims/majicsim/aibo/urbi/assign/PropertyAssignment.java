@@ -6,8 +6,8 @@ import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.run.Broadcast;
 import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.EvaluatingTask;
 import majicsim.aibo.urbi.run.Evaluator;
-import majicsim.aibo.urbi.run.Prepared;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.Expr;
@@ -20,7 +20,7 @@ public final class PropertyAssignment {
     private PropertyAssignment() {}
 
     public static Task start(Context context, Action.AssignProperty assignment) {
-        return new Prepared(context, List.of(), values -> {
+        return new EvaluatingTask(context, List.of(), values -> {
             Task all = Broadcast.of(context, assignment.target(), assignment::to);
             return all == null ? single(context, assignment) : all;
         });
@@ -38,7 +38,7 @@ public final class PropertyAssignment {
             variable.properties().write(property, blendMode(context, word.name()));
             return Task.done(context);
         }
-        return new Prepared(context, List.of(assignment.value()), values -> {
+        return new EvaluatingTask(context, List.of(assignment.value()), values -> {
             variable.properties().write(property, values.get(0));
             return null;
         });

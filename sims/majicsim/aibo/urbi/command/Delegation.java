@@ -3,7 +3,7 @@ package majicsim.aibo.urbi.command;
 import java.util.List;
 import majicsim.aibo.urbi.run.Connection;
 import majicsim.aibo.urbi.run.Context;
-import majicsim.aibo.urbi.run.Prepared;
+import majicsim.aibo.urbi.run.EvaluatingTask;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.syntax.Flag;
@@ -22,7 +22,7 @@ final class Delegation {
                 .map(flag -> flag.argument() == null ? new Expr.Constant(Value.of("")) : flag.argument())
                 .limit(1)
                 .toList();
-        return new Prepared(context, named, values -> {
+        return new EvaluatingTask(context, named, values -> {
             String meant = values.get(0).text();
             for (Connection each : context.server().audience(context.connection(), meant)) {
                 hand(each, command);

@@ -11,14 +11,14 @@ import majicsim.aibo.urbi.syntax.Statement;
 public final class AtTask extends Task {
     private final Flow.At handler;
     private final TestTask test;
-    private final Runs runs;
+    private final BodyRuns runs;
     private boolean inside;
 
     public AtTask(Context context, Flow.At handler) {
         super(context);
         this.handler = handler;
         test = new TestTask(context, handler.test());
-        runs = new Runs(context);
+        runs = new BodyRuns(context);
     }
 
     @Override

@@ -2,7 +2,7 @@ package majicsim.aibo.urbi.flow;
 
 import java.util.List;
 import majicsim.aibo.urbi.run.Context;
-import majicsim.aibo.urbi.run.Prepared;
+import majicsim.aibo.urbi.run.EvaluatingTask;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Expr;
 import majicsim.aibo.urbi.syntax.Flow;
@@ -26,7 +26,7 @@ public final class CountedLoop extends Task {
         if (times == null) {
             return new CountedLoop(context, loop.body(), Double.POSITIVE_INFINITY);
         }
-        return new Prepared(
+        return new EvaluatingTask(
                 context,
                 List.of(times),
                 values -> new CountedLoop(context, loop.body(), values.get(0).number()));

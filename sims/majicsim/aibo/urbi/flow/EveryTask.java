@@ -11,14 +11,14 @@ import majicsim.aibo.urbi.value.Value;
 public final class EveryTask extends Task {
     private final Statement body;
     private final double periodMs;
-    private final Runs runs;
+    private final BodyRuns runs;
     private double lastMs = Double.NEGATIVE_INFINITY;
 
     public EveryTask(Context context, Statement body, Value period) throws Failure {
         super(context);
         this.body = body;
         periodMs = period.number();
-        runs = new Runs(context);
+        runs = new BodyRuns(context);
     }
 
     @Override

@@ -3,8 +3,8 @@ package majicsim.aibo.urbi.flow;
 import java.util.List;
 import majicsim.aibo.urbi.run.Context;
 import majicsim.aibo.urbi.run.Evaluator;
+import majicsim.aibo.urbi.run.SequenceTask;
 import majicsim.aibo.urbi.run.Task;
-import majicsim.aibo.urbi.run.ThenTask;
 import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
@@ -40,7 +40,7 @@ public final class LoopTask extends Task {
 
     private Task turn() {
         Task body = context.start(loop.body());
-        return loop.step() == null ? body : new ThenTask(context, body, context.start(loop.step()));
+        return loop.step() == null ? body : new SequenceTask(context, body, context.start(loop.step()));
     }
 
     private boolean holds() {

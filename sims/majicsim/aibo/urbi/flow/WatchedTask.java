@@ -2,7 +2,7 @@ package majicsim.aibo.urbi.flow;
 
 import java.util.List;
 import majicsim.aibo.urbi.run.Context;
-import majicsim.aibo.urbi.run.Prepared;
+import majicsim.aibo.urbi.run.EvaluatingTask;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.syntax.Statement;
@@ -33,7 +33,7 @@ public final class WatchedTask extends Task {
 
     public static Task start(Context context, Flow.Watched watched) {
         if (watched.word().equals("timeout")) {
-            return new Prepared(context, List.of(watched.limit()), values -> {
+            return new EvaluatingTask(context, List.of(watched.limit()), values -> {
                 double limitMs = values.get(0).number();
                 return new WatchedTask(
                         context, watched.body(), elapsedMs -> elapsedMs >= limitMs ? Verdict.STOP : Verdict.RUN);

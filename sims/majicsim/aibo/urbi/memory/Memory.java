@@ -3,7 +3,7 @@ package majicsim.aibo.urbi.memory;
 import java.util.Map;
 import java.util.Set;
 
-/** What programs give names to, apart from functions: variables, groups, objects and events. */
+/** Everything that programs give names to, except functions: variables, groups, objects and events. */
 public final class Memory {
     private final Groups groups = new Groups();
     private final ObjectTable objects = new ObjectTable();
@@ -19,7 +19,7 @@ public final class Memory {
     /**
      * The groups of variables.
      *
-     * @return the same object always
+     * @return the same object at every call
      */
     public Groups groups() {
         return groups;
@@ -32,7 +32,7 @@ public final class Memory {
     /**
      * The variables, to which the hardware adds its own before {@link #seal}.
      *
-     * @return the same object always
+     * @return the same object at every call
      */
     public Variables variables() {
         return variables;
@@ -42,13 +42,13 @@ public final class Memory {
         return events;
     }
 
-    /** Makes what is there now the system's: {@link #forget} leaves it. */
+    /** Marks everything that exists now as part of the system, which {@link #forget} keeps. */
     public void seal() {
         variables.seal();
         systemGroups = groups.copy();
     }
 
-    /** Goes back to what the system has. */
+    /** Removes everything that is not part of the system. */
     public void forget() {
         variables.forget();
         groups.restore(systemGroups);
@@ -56,7 +56,7 @@ public final class Memory {
         events.removeAllOf("");
     }
 
-    /** Forgets what belongs to one connection. */
+    /** Removes everything that belongs to one connection. */
     public void removeAllOf(String connectionId) {
         variables.removeAllOf(connectionId);
         events.removeAllOf(connectionId + ".");

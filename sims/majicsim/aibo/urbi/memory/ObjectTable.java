@@ -36,7 +36,7 @@ public final class ObjectTable {
         parents.clear();
     }
 
-    /** Makes an object inherit from another, which must exist; the object comes to be if need be. */
+    /** Makes an object inherit from another, which must exist; creates the object if necessary. */
     public void inherit(String name, String parent) throws Failure {
         if (!contains(parent)) {
             throw Failure.of("Unkown object " + parent);
@@ -49,7 +49,7 @@ public final class ObjectTable {
         }
     }
 
-    /** The names under which something called object.field may be found, its own first; only its own for other names. */
+    /** The names under which object.field is searched, its own first; only its own for other names. */
     public List<String> places(String name) {
         int dot = name.indexOf('.');
         if (dot < 0 || !contains(name.substring(0, dot))) {
@@ -60,7 +60,7 @@ public final class ObjectTable {
                 .toList();
     }
 
-    /** A name as written, with the connection's own name for {@code local} and that of the object that runs for {@code self}. */
+    /** A name as written, with {@code local} replaced by the connection's name and {@code self} by that of the running object. */
     public static String resolve(Scope scope, String name) {
         if (name.startsWith(LOCAL)) {
             return scope.connectionId() + name.substring(LOCAL.length() - 1);

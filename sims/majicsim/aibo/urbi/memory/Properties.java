@@ -38,7 +38,7 @@ public final class Properties {
         return Value.of(number);
     }
 
-    /** Becomes as another is. */
+    /** Copies all properties of another variable. */
     void take(Properties other) {
         numbers.putAll(other.numbers);
         blend = other.blend;

@@ -7,7 +7,7 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A variable: what was assigned last, and, where hardware stands behind it, what that measures. Numbers are clipped to the range
+ * A variable: the value assigned last and, if it belongs to hardware, the measured value. Numbers are clipped to the range
  * silently (URBI sheet, section 6).
  */
 public final class Variable {
@@ -15,28 +15,28 @@ public final class Variable {
     @FunctionalInterface
     public interface Hardware {
         /**
-         * Measures, whenever the variable is read.
+         * Measures; called whenever the variable is read.
          *
-         * @return what it measures now
+         * @return the measured value
          */
         Value measure();
 
         /**
-         * The command was set.
+         * Takes a new command.
          *
          * @param target in the variable's unit, already clipped
          */
         default void command(double target) {}
 
         /**
-         * It was given bytes.
+         * Takes bytes.
          *
          * @param binary the bytes and their description
          */
         default void receive(Value.Binary binary) {}
 
         /**
-         * Whether it moves, so that derivatives of it make sense, and a reset of the server leaves it where it is.
+         * Whether it moves; then it has derivatives, and a reset of the server does not move it.
          *
          * @return true for a joint
          */
@@ -48,7 +48,7 @@ public final class Variable {
     /** An assignment that takes time. */
     @FunctionalInterface
     public interface Motion {
-        /** Ends it where it is. */
+        /** Ends it at the present value. */
         void cancel();
     }
 
@@ -69,7 +69,7 @@ public final class Variable {
      * A variable without hardware.
      *
      * @param name its full name, with a dot
-     * @param value what it has first
+     * @param value its first value
      */
     public Variable(String name, Value value) {
         this(name, value, null);
@@ -80,7 +80,7 @@ public final class Variable {
      *
      * @param name its full name, with a dot
      * @param value its first command, which is not passed to the hardware
-     * @param hardware what is read and commanded through it; null for none
+     * @param hardware the hardware that it reads and commands; null for none
      */
     public Variable(String name, Value value, @Nullable Hardware hardware) {
         this.name = name;
@@ -107,21 +107,21 @@ public final class Variable {
     }
 
     /**
-     * Sets the effect of several assignments at the same time.
+     * Sets the effect of simultaneous assignments.
      *
-     * @param mode how they are blended from now on
+     * @param mode how they are combined
      */
     public void blend(Blend mode) {
         properties.blend(mode);
     }
 
-    /** Remembers for {@link #restore} how it is now. */
+    /** Stores its present state for {@link #restore}. */
     void keep() {
         keptProperties.take(properties);
         kept = target;
     }
 
-    /** Becomes as it was kept, and the hardware with it; but what moves stays where it is. */
+    /** Restores the stored state, also that of its hardware, unless the hardware moves. */
     void restore() {
         properties.take(keptProperties);
         if (hardware == null) {
@@ -145,9 +145,9 @@ public final class Variable {
     }
 
     /**
-     * What was assigned last.
+     * The value assigned last.
      *
-     * @return the command, which hardware may still be on its way to
+     * @return the command, which the hardware may not have reached yet
      */
     public Value target() {
         return target;
@@ -168,10 +168,10 @@ public final class Variable {
     }
 
     /**
-     * Assigns a number of which there may be several at the same time: they are averaged, added, or the last one counts.
+     * Assigns one of several simultaneous numbers: they are averaged, added, or the last one counts.
      *
      * @param value in its unit
-     * @param pass the kernel's; those of the same one are blended
+     * @param pass the kernel's pass; the numbers of the same pass are combined
      */
     public void submit(double value, long pass) {
         if (pass != lastPass) {

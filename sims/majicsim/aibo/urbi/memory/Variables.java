@@ -16,13 +16,13 @@ import org.jspecify.annotations.Nullable;
  * of the running function, or belongs to the connection (URBI sheet, section 5).
  */
 public final class Variables {
-    /** More variables than this are not made. */
+    /** The largest number of variables. */
     private static final int MAX_COUNT = 100_000;
 
-    /** All variables together hold about so many bytes at most. */
+    /** The largest size of all variables together, in bytes, approximately. */
     private static final long MAX_WEIGHT = 32 << 20;
 
-    /** What is lighter is only counted, not weighed. */
+    /** The size below which values are only counted, not measured. */
     private static final int LIGHT = 256;
 
     private final Map<String, Variable> all = new LinkedHashMap<>();
@@ -40,7 +40,7 @@ public final class Variables {
         this.objects = objects;
     }
 
-    /** From now on what is there is the system's: {@link #forget} leaves it. */
+    /** Marks all present variables as part of the system, which {@link #forget} keeps. */
     void seal() {
         all.values().forEach(Variable::keep);
         system.putAll(all);
@@ -50,14 +50,14 @@ public final class Variables {
         return system.containsKey(name);
     }
 
-    /** Adds a variable that {@link #forget} leaves. */
+    /** Adds a variable that {@link #forget} keeps. */
     public void putSystem(Variable variable) {
         variable.keep();
         system.put(variable.name(), variable);
         put(variable);
     }
 
-    /** Goes back to what the system has. */
+    /** Removes everything that is not part of the system. */
     void forget() {
         all.clear();
         system.values().forEach(Variable::restore);
@@ -66,7 +66,7 @@ public final class Variables {
         strict = false;
     }
 
-    /** With strict, an assignment makes no variable and changes no type (URBI sheet, section 9). */
+    /** In strict mode an assignment makes no variable and changes no type (URBI sheet, section 9). */
     public void strict(boolean wanted) {
         strict = wanted;
     }
@@ -105,7 +105,7 @@ public final class Variables {
     }
 
     /**
-     * Makes a second name of a device: with any field it reaches that field of the device.
+     * Makes a second name of a device, valid with all fields of the device.
      *
      * @param name the second name, without a field
      * @param device the first
@@ -129,7 +129,7 @@ public final class Variables {
         return device == null ? key : device + (dot < 0 ? "" : key.substring(dot));
     }
 
-    /** The name under which a variable is made that is not there: a bare name in a function is the function's own. */
+    /** The name of a new variable: a bare name in a function is local to the function. */
     public String wantedName(Scope scope, String written) {
         Frame frame = scope.frame();
         return frame != null && isOwn(scope, written) ? frame.scope() + "." + written : fullName(scope, written);
@@ -148,7 +148,7 @@ public final class Variables {
         frame.add(name, variable);
     }
 
-    /** Forgets the variables of a call that has ended. */
+    /** Removes the variables of a call that has ended. */
     public void drop(Frame frame) {
         frame.locals().forEach(variable -> all.remove(variable.name()));
     }
@@ -159,7 +159,7 @@ public final class Variables {
         }
     }
 
-    /** Makes a name stand for another variable, or with null for itself again. */
+    /** Makes a name an alias of another variable, or with null ends the alias. */
     public void alias(String name, @Nullable String meaning) {
         if (meaning == null) {
             aliases.remove(name);
@@ -168,7 +168,7 @@ public final class Variables {
         }
     }
 
-    /** The variable of that name itself and not one it inherits, made if need be. */
+    /** The variable of exactly that name, not an inherited one; created if necessary. */
     private Variable obtain(Scope scope, String key, boolean make) throws Failure {
         Variable local = scope.frame() == null ? null : scope.frame().local(key);
         Variable found = local == null ? all.get(fullName(scope, key)) : local;
@@ -187,7 +187,7 @@ public final class Variables {
         return made;
     }
 
-    /** Refuses a value for which there is no memory. The variables are weighed once in a pass of the kernel. */
+    /** Refuses a value for which there is no memory. The variables are measured once in a pass of the kernel. */
     public void admit(Value value, long pass) throws Failure {
         if (value.weight() < LIGHT) {
             return;
@@ -212,13 +212,13 @@ public final class Variables {
     /**
      * The variable that an assignment to that name writes.
      *
-     * @param make whether it may be made if it is not there; else it is an error that it is not
+     * @param make whether to create a missing variable; otherwise a missing one is an error
      */
     public Variable target(Scope scope, String key, boolean make) throws Failure {
         return obtain(scope, key, make);
     }
 
-    /** The members that a name reaches if it is a group's, with its field; null for any other name. */
+    /** The members of the group of this name, with the name's field; null for any other name. */
     public @Nullable List<String> members(Scope scope, String key) {
         int dot = key.indexOf('.');
         String head = dot < 0 ? key : key.substring(0, dot);
@@ -229,17 +229,17 @@ public final class Variables {
         return groups.leaves(head).stream().map(leaf -> leaf + field).toList();
     }
 
-    /** Replaces a variable by a plain one; hardware behind it is cut off (URBI sheet, section 5). */
+    /** Replaces a variable by a plain one without hardware (URBI sheet, section 5). */
     public void replace(Variable old, Value value) {
         put(new Variable(old.name(), value));
     }
 
-    /** Forgets a variable; false if there was none. */
+    /** Removes a variable; returns false if there was none. */
     public boolean remove(Scope scope, String key) {
         return all.remove(fullName(scope, key)) != null;
     }
 
-    /** The fields of an object by their names, those of itself. */
+    /** The object's own fields by their names. */
     public Map<String, Value> fields(String object) {
         Map<String, Value> fields = new LinkedHashMap<>();
         all.forEach((name, variable) -> {

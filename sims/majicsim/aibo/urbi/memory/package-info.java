@@ -1,5 +1,5 @@
 /**
- * What programs give names to: variables, groups, objects and events.
+ * Everything that programs give names to: variables, groups, objects and events.
  */
 @NullMarked
 package majicsim.aibo.urbi.memory;

@@ -8,13 +8,13 @@ import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A command to a group: the kernel runs in place of it the same command for each member, all with its tag and flags, side by side
+ * A command to a group: the kernel replaces it by the same command for each member, all with its tag and flags, in parallel
  * (URBI sheet, sections 10 and 21). A group inside a group counts as its members.
  */
 public final class Broadcast {
     private Broadcast() {}
 
-    /** Gives what runs in place of the command, or null if the name is no group's. */
+    /** Returns the replacement of the command, or null if the name is not that of a group. */
     public static @Nullable Task of(Context context, Name name, Function<Name, Statement> command) throws Failure {
         Evaluator evaluator = new Evaluator(context);
         List<String> members = context.variables().members(context.scope(), evaluator.key(name));
@@ -26,6 +26,6 @@ public final class Broadcast {
                 .map(member -> new Statement.Tagged(context.tag(), context.flags(), command.apply(member)))
                 .map(each -> context.start(each))
                 .toList();
-        return new Substitute(context, BothTask.of(Substitute.context(context), tasks));
+        return new Substitute(context, ParallelTask.of(Substitute.context(context), tasks));
     }
 }

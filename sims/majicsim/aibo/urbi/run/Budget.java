@@ -1,6 +1,6 @@
 package majicsim.aibo.urbi.run;
 
-/** What the programs of all clients together may use, so that none of them can block the kernel. */
+/** The limits of the programs of all clients together, so that none of them can block the kernel. */
 public final class Budget {
     /** Far more than a useful program calls in 32 ms. */
     private static final int CALLS_A_PASS = 2000;
@@ -16,7 +16,7 @@ public final class Budget {
     private int running;
     private int ranBefore;
 
-    /** Whether one more function may be called in this pass of the kernel. */
+    /** Counts a call of a function; returns false if this pass of the kernel has no more. */
     boolean takeCall(long currentPass) {
         return takeCalls(currentPass, 1);
     }
@@ -35,18 +35,18 @@ public final class Budget {
         return calls <= CALLS_A_PASS;
     }
 
-    /** A cycle begins: what runs is counted anew. */
+    /** Begins a cycle, which counts all running commands anew. */
     public void beginCycle() {
         ranBefore = running;
         running = 0;
     }
 
-    /** One command goes on after its step. */
+    /** Counts a command that continues after its step. */
     void countRunning() {
         running++;
     }
 
-    /** Whether so many commands run that no other may begin. */
+    /** Whether the limit is reached, so that no other command may begin. */
     boolean isCrowded() {
         return Math.max(running, ranBefore) >= MOST_RUNNING;
     }

@@ -10,8 +10,8 @@ import majicsim.aibo.urbi.syntax.Statement;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A queue of commands (URBI sheet, section 3): one that ends with a semicolon holds the following back, one that ends with a comma
- * goes on beside them. A block is a stream that ends; a connection's own stream never does.
+ * A queue of commands (URBI sheet, section 3): after a command with a semicolon the next one waits for its end, after one with a comma
+ * the next one starts at once. A block is a stream that ends; a connection's own stream never ends.
  */
 public final class CommandStream extends Task {
     private final Deque<SeparatedStatement> pending = new ArrayDeque<>();
@@ -32,7 +32,7 @@ public final class CommandStream extends Task {
         endless = true;
     }
 
-    /** Adds a command; it starts at once if nothing holds it back. */
+    /** Adds a command; it starts at once if it need not wait. */
     public void add(SeparatedStatement step) {
         pending.add(step);
         if (foreground == null && !isFrozen()) {

@@ -2,7 +2,7 @@ package majicsim.aibo.urbi.run;
 
 import majicsim.aibo.urbi.value.Value;
 
-/** A client's connection, or the server's own, as the commands that run in it see it. */
+/** A client's connection, or the server's own, as seen by its running commands. */
 public interface Connection {
     /** The server to which it belongs. */
     Server server();
@@ -28,12 +28,12 @@ public interface Connection {
     /** All commands that run in it. */
     Task commands();
 
-    /** Adds a command that runs beside the others from the next cycle on. */
+    /** Adds a command that runs in parallel from the next cycle on. */
     void adopt(Task task);
 
     /** Ends all commands that run in it. */
     void clear();
 
-    /** Closes it from the server's side, after what was sent. */
+    /** Closes it from the server's side, after everything was sent. */
     void quit();
 }

@@ -14,19 +14,19 @@ import org.jspecify.annotations.Nullable;
 /**
  * The connection, call, tag and flags with which a command runs. Immutable.
  *
- * @param connection from which it came
+ * @param connection the connection that sent it
  * @param frame the call it belongs to; null outside of one
  * @param tag that its replies carry
- * @param depth how many commands it is inside of, through all function calls
- * @param flags of the command, which also stand before what the kernel runs in place of it
+ * @param depth the number of commands around it, including function calls
+ * @param flags of the command, also valid for its replacement
  */
 public record Context(Connection connection, @Nullable Frame frame, String tag, int depth, List<Flag> flags) {
-    /** For a command inside this one. */
+    /** Returns the context of a command inside this one. */
     public Context inner(String itsTag) {
         return inner(itsTag, List.of());
     }
 
-    /** For a command inside this one with flags of its own. */
+    /** Returns the context of a command inside this one with its own flags. */
     public Context inner(String itsTag, List<Flag> itsFlags) {
         return new Context(connection, frame, itsTag, depth + 1, itsFlags);
     }
@@ -60,7 +60,7 @@ public record Context(Connection connection, @Nullable Frame frame, String tag, 
         return new Scope(connection.id(), frame);
     }
 
-    /** A run of a command inside this one; nothing happens before its first step. */
+    /** Returns the task of a command inside this one, not started. */
     public Task start(Statement statement) {
         return server().start(this, statement);
     }
@@ -69,7 +69,7 @@ public record Context(Connection connection, @Nullable Frame frame, String tag, 
         return server().nowMs();
     }
 
-    /** Whether the function that this is a part of has returned, so that nothing further of it may run. */
+    /** Whether the surrounding function has returned, so that the rest of it must not run. */
     public boolean isLeft() {
         return frame != null && frame.hasReturned();
     }

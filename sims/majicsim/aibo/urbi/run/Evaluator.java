@@ -14,7 +14,7 @@ import majicsim.aibo.urbi.value.Operators;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** Gives expressions their values for one command; the only variables it changes are those that take an event's arguments. */
+/** Evaluates expressions for one command. It changes only variables that take an event's arguments. */
 public final class Evaluator implements Expr.Evaluation {
     /** Stands before each index in the name of a variable. */
     private static final String INDEX = "__";
@@ -45,7 +45,7 @@ public final class Evaluator implements Expr.Evaluation {
         return values;
     }
 
-    /** The value that a static variable had when the command read it first (URBI sheet, section 21). */
+    /** The value of a static variable when the command first read it (URBI sheet, section 21). */
     @Override
     public Value fixed(Expr.Variable expr) throws Failure {
         Value known = fixed == null ? null : fixed.get(expr);
@@ -148,12 +148,12 @@ public final class Evaluator implements Expr.Evaluation {
         return variable(Name.of(name)).number();
     }
 
-    /** The variable that an assignment to that name writes; with {@code make} it comes to be if it is not there. */
+    /** The variable that an assignment to that name writes; with {@code make} it is created if missing. */
     public Variable target(Name name, boolean make) throws Failure {
         return context.variables().target(context.scope(), key(name), make);
     }
 
-    /** Whether an event is seen whose arguments fit; a name among them takes the value that came. */
+    /** Whether an event with fitting arguments is emitted; a name among the arguments takes the event's value. */
     private boolean matches(Events.@Nullable Event event, List<Expr> pattern) throws Failure {
         if (event == null || event.arguments().size() != pattern.size()) {
             return false;
@@ -176,7 +176,7 @@ public final class Evaluator implements Expr.Evaluation {
         return Value.of(function.equals("isdef") ? isDefined : isVoid);
     }
 
-    /** The list that the last index of a name reaches into: to the kernel, {@code l[0]} is the name {@code l__0} first. */
+    /** The list to which the last index of a name belongs: the kernel first takes {@code l[0]} as the name {@code l__0}. */
     private Value.@Nullable Items indexed(String key) {
         int index = key.lastIndexOf(INDEX);
         Variable variable = index < 1 ? null : context.variables().find(context.scope(), key.substring(0, index));

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The functions of the server: built-in ones, those of the hardware, and those that programs define. */
 public final class Functions {
-    /** A function that gives its value at once. */
+    /** A function that returns its value at once. */
     @FunctionalInterface
     public interface BuiltIn {
         /**
@@ -24,7 +24,7 @@ public final class Functions {
          *
          * @param arguments as many as the program gave
          * @return its value
-         * @throws Failure if they do not fit; the program gets its message
+         * @throws Failure if they do not fit; the program receives its message
          */
         Value call(List<Value> arguments) throws Failure;
     }
@@ -37,8 +37,8 @@ public final class Functions {
          *
          * @param context in which it runs
          * @param arguments as many as it takes
-         * @return what is to be stepped until it ends; nothing has happened yet
-         * @throws Failure if they do not fit; the program gets its message
+         * @return the task, not started
+         * @throws Failure if they do not fit; the program receives its message
          */
         Task start(Context context, List<Value> arguments) throws Failure;
     }
@@ -55,21 +55,21 @@ public final class Functions {
     }
 
     /**
-     * Adds a function of the server's or the hardware's own that gives its value at once.
+     * Adds a function of the server or the hardware that returns its value at once.
      *
      * @param name under which every connection calls it
-     * @param function what it does
+     * @param function the function
      */
     public void builtIn(String name, BuiltIn function) {
         builtIns.put(name, function);
     }
 
     /**
-     * Adds a function of the server's or the hardware's own that takes time.
+     * Adds a function of the server or the hardware that takes time.
      *
      * @param name under which every connection calls it
      * @param arity how many arguments it takes
-     * @param function what it does
+     * @param function the function
      */
     public void lasting(String name, int arity, Lasting function) {
         lasting.put(name, new Entry(name, arity, true, function));
@@ -91,12 +91,12 @@ public final class Functions {
         lasting.put(name, new Entry(name, parameters.size(), false, body));
     }
 
-    /** Forgets a function; false if there was none. */
+    /** Removes a function; returns false if there was none. */
     public boolean remove(Context context, Name name) {
         return lasting.remove(fullName(context, name.text())) != null;
     }
 
-    /** Forgets what programs defined. */
+    /** Removes the functions that programs defined. */
     public void forget() {
         lasting.values().removeIf(entry -> !entry.resident());
     }
@@ -109,7 +109,7 @@ public final class Functions {
         return find(context, function) != null;
     }
 
-    /** The frame of a new call; it belongs to the object whose function that is, or to none. */
+    /** The frame of a new call, with the object of the function or none. */
     Frame frame(Context context, Name function) {
         String name = fullName(context, function.text());
         String object = name.substring(0, Math.max(0, name.indexOf('.')));

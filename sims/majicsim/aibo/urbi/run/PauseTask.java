@@ -3,7 +3,7 @@ package majicsim.aibo.urbi.run;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
-/** Waits; it ends at the first cycle after its time. */
+/** A pause, which ends at the first cycle after its time. */
 public final class PauseTask extends Task {
     private final double ms;
 
@@ -12,7 +12,7 @@ public final class PauseTask extends Task {
         this.ms = ms;
     }
 
-    /** Lets one cycle go by. */
+    /** Returns a pause of one cycle. */
     public static PauseTask cycle(Context context) {
         return new PauseTask(context, Double.MIN_VALUE);
     }

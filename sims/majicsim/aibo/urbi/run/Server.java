@@ -5,7 +5,7 @@ import majicsim.aibo.urbi.memory.Memory;
 import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;
 
-/** The URBI server as the commands that run in it see it: its time, what it stores, and its connections. */
+/** The URBI server as seen by its running commands: its time, its memory and its connections. */
 public interface Server {
     /** The cycle of the ERS-7 (URBI sheet, section 3). */
     double CYCLE_MS = 32;
@@ -28,16 +28,16 @@ public interface Server {
     /** The tags that are blocked or frozen. */
     Tags tags();
 
-    /** What programs may still use. */
+    /** The limits of programs. */
     Budget budget();
 
     /** All connections, the server's own first. */
     List<Connection> connections();
 
-    /** The connections that a name means: the speaker's own for no name, otherwise all, other, or one by its own name. */
+    /** The connections of a name: the sender's own for no name, otherwise all, other, or one by its name. */
     List<Connection> audience(Connection speaker, String named) throws Failure;
 
-    /** A run of a command; nothing happens before its first step. */
+    /** Returns the task of a command, not started. */
     Task start(Context context, Statement statement);
 
     /** Resets the server from the next cycle on. */

@@ -4,8 +4,8 @@ import java.util.List;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /**
- * A command that the kernel runs in place of the one that was given: it has the flags of that one, a tag of the kernel's own, and
- * the given one never reports its end (URBI sheet, section 21).
+ * The replacement of a command by the kernel: it has the flags of the original command, a tag of the kernel, and
+ * the original command never reports its end (URBI sheet, section 21).
  */
 public final class Substitute extends Task {
     /** The tag of commands that the kernel makes itself. */
@@ -18,7 +18,7 @@ public final class Substitute extends Task {
         command = new TaggedTask(body.context, context.flags(), body);
     }
 
-    /** The command that runs in place of the given one. */
+    /** Returns the replacement of a command. */
     public static Substitute of(Context given, Statement command) {
         return new Substitute(given, context(given).start(command));
     }

@@ -3,7 +3,7 @@ package majicsim.aibo.urbi.run;
 import java.util.List;
 import majicsim.aibo.urbi.syntax.Flag;
 
-/** A command under its tag, with the messages that its flags ask for (URBI sheet, section 7). */
+/** A command with its tag, and with the messages that its flags request (URBI sheet, section 7). */
 public final class TaggedTask extends Task {
     private final Task body;
     private final List<Flag> flags;
@@ -41,7 +41,7 @@ public final class TaggedTask extends Task {
         return ended || !mayGoOn(first);
     }
 
-    /** A command that is not over at once may find that there are too many of its kind already. */
+    /** Fails a command that does not end at once if too many commands are running. */
     private boolean mayGoOn(boolean isNew) {
         Budget budget = context.server().budget();
         if (isNew && budget.isCrowded()) {
@@ -57,7 +57,7 @@ public final class TaggedTask extends Task {
         return List.of(body);
     }
 
-    /** Whether another command of the kernel's has taken its place: its tag reaches only that one's parts then. */
+    /** Whether the kernel has replaced it; then its tag applies only to the parts of the replacement. */
     public boolean wasReplaced() {
         return body.isReplaced();
     }

@@ -3,8 +3,8 @@ package majicsim.aibo.urbi.run;
 import java.util.List;
 
 /**
- * A command that runs. The kernel steps it once a cycle until it has ended; time is counted from its first step, and stands
- * still while it is frozen.
+ * A running command. The kernel steps it once a cycle until it has ended; its time starts with its first step and stops
+ * while it is frozen.
  */
 public abstract class Task {
     /** The context in which it runs. */
@@ -15,7 +15,7 @@ public abstract class Task {
     private boolean over;
 
     /**
-     * Something to be stepped.
+     * Creates a task.
      *
      * @param context in which it runs
      */
@@ -24,7 +24,7 @@ public abstract class Task {
     }
 
     /**
-     * Does what is due now. Called once a cycle, and once more as soon as it is begun.
+     * Runs one step. Called once a cycle, and once when it starts.
      *
      * @return true when the command has ended by itself
      */
@@ -40,7 +40,7 @@ public abstract class Task {
     }
 
     /**
-     * Whether the kernel runs another command in place of this one, which carries the messages from then on.
+     * Whether the kernel has replaced this command by another, which has the messages from then on.
      *
      * @return true from the step on in which it was replaced
      */
@@ -48,7 +48,7 @@ public abstract class Task {
         return false;
     }
 
-    /** Called once when it ends, by itself or killed; it must release what it holds. */
+    /** Called once when it ends by itself or is ended; it must release its resources. */
     protected void ended() {}
 
     /**
@@ -59,16 +59,16 @@ public abstract class Task {
     protected void halted(boolean frozen) {}
 
     /**
-     * Puts it under a tag, by which it is stopped and frozen.
+     * Gives it a tag, by which it is stopped and frozen.
      *
      * @param tag a word of the stick's own
-     * @return to be stepped in place of it
+     * @return the task to step in place of it
      */
     public final Task under(String tag) {
         return new TaggedTask(context.inner(tag), List.of(), this);
     }
 
-    /** Steps it; true when it has ended, however. */
+    /** Steps it; returns true when it has ended for any reason. */
     public final boolean step() {
         if (over || isFrozen()) {
             return over;
@@ -88,7 +88,7 @@ public abstract class Task {
         }
     }
 
-    /** Ends what runs inside it too: a function may return while something in it runs. */
+    /** Also ends the tasks inside it, because a function may return while they run. */
     private void finish() {
         over = true;
         List.copyOf(parts()).forEach(Task::kill);
@@ -121,7 +121,7 @@ public abstract class Task {
     }
 
     /**
-     * When it was stepped first, later by the time it was frozen.
+     * The time of its first step, plus the time it was frozen.
      *
      * @return lab time, ms; not a number before
      */
@@ -130,7 +130,7 @@ public abstract class Task {
     }
 
     /**
-     * For how long it has run, without the time it was frozen.
+     * Its running time, without the time it was frozen.
      *
      * @return ms since its first step
      */
@@ -138,7 +138,7 @@ public abstract class Task {
         return context.nowMs() - startMs;
     }
 
-    /** A command that ends at once and does nothing. */
+    /** Returns a command that ends at once and does nothing. */
     public static Task done(Context context) {
         return new Task(context) {
             @Override

@@ -1,5 +1,5 @@
 /**
- * Running commands: a task for each, the context in which it runs, and how it sees the server and its connection.
+ * Running commands: a task for each, its context, and the interfaces of server and connection that it uses.
  */
 @NullMarked
 package majicsim.aibo.urbi.run;

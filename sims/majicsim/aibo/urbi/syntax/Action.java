@@ -4,12 +4,12 @@ import java.util.List;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** A command that does one thing: an answer, an assignment, an order to the server (URBI sheet, sections 5 to 9). */
+/** A command with one effect: an answer, an assignment, a command to the server (URBI sheet, sections 5 to 9). */
 public sealed interface Action extends Statement {
     /**
      * One method for each kind of these commands.
      *
-     * @param <R> what becomes of a command
+     * @param <R> the visitor's result
      */
     interface Visitor<R> {
         R evaluate(Evaluate command);

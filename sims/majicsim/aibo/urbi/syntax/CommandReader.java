@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads program text command by command, keeps count of its lines, and reports what the grammar refuses (URBI sheet, section 11).
+ * Reads program text command by command, counts its lines, and reports syntax errors (URBI sheet, section 11).
  */
 public final class CommandReader {
     private final Splitter splitter = new Splitter();
@@ -54,7 +54,7 @@ public final class CommandReader {
         return text != null;
     }
 
-    /** The command that has arrived, or null if the grammar refuses it, which has then been reported. */
+    /** The command that has arrived, or null if it has a syntax error, which has then been reported. */
     public @Nullable SeparatedStatement take() {
         String command = text == null ? "" : text;
         text = null;

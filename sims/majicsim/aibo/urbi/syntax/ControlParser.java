@@ -36,7 +36,7 @@ final class ControlParser {
         };
     }
 
-    /** Skips the separator that may stand behind a loop's word: each turn costs a cycle whatever it is. */
+    /** Skips the separator that may follow a loop's word: each round takes a cycle with any separator. */
     private ControlParser joined() {
         if (!tokens.match("&")) {
             tokens.match("|");

@@ -8,7 +8,7 @@ public sealed interface Definition extends Statement {
     /**
      * One method for each kind of these commands.
      *
-     * @param <R> what becomes of a command
+     * @param <R> the visitor's result
      */
     interface Visitor<R> {
         R declare(Declare command);

@@ -78,7 +78,7 @@ final class ExprParser {
         return binary(level + 1);
     }
 
-    /** {@code copy} takes what minus takes; values are never changed here, so the copy is the value itself. */
+    /** {@code copy} has the same operands as minus. Values are immutable here, so the copy is the value itself. */
     private Expr negation() throws SyntaxError {
         boolean copies = tokens.at("copy");
         if (!copies && !tokens.at("-")) {

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** A flag of a tagged command, such as {@code end}, with what stands in brackets behind it. */
+/** A flag of a tagged command, such as {@code end}, with its arguments in brackets. */
 public record Flag(String name, @Nullable Expr argument) {
     /** Flags that the language had before 1.0 and that became commands. */
     private static final Map<String, String> SUCCESSORS =
@@ -19,14 +19,14 @@ public record Flag(String name, @Nullable Expr argument) {
         return false;
     }
 
-    /** The command in front of which this flag of an older version stands now, or null for a flag of today. */
+    /** The command that replaces this flag of an older version, or null for a present flag. */
     @Nullable
     String successor() {
         String form = SUCCESSORS.get(name);
         return form == null ? null : form.substring(0, form.indexOf('('));
     }
 
-    /** What the kernel advises to use in place of a flag, or null for a flag of today. */
+    /** The kernel's advice for a flag of an older version, or null for a present flag. */
     public @Nullable String warning() {
         String successor = SUCCESSORS.get(name);
         return successor == null

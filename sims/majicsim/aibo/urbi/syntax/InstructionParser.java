@@ -156,7 +156,7 @@ final class InstructionParser {
         return new Definition.Undefine(exprs.name());
     }
 
-    /** A description of a device, about which 1.0 is silent (URBI sheet, section 9). */
+    /** A description of a device, which 1.0 accepts without an answer (URBI sheet, section 9). */
     private Statement info() throws SyntaxError {
         String word = tokens.next().text();
         exprs.name();

@@ -79,7 +79,7 @@ final class Parser {
         return atNothing(tokens.peek()) ? new Statement.Empty() : instructions.instruction();
     }
 
-    /** Whether no command begins with that word or sign: then the command in front of it is an empty one. */
+    /** Whether no command begins with that word or sign; then the command before it is empty. */
     private static boolean atNothing(Token token) {
         return switch (token.kind()) {
             case END -> true;

@@ -5,10 +5,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Cuts a client's byte stream into commands (URBI sheet, section 3). A command ends at {@code ;} or {@code ,} outside brackets,
- * quotes and comments; it is handed out with its separator. Bytes stand as characters of the same number (ISO 8859-1).
+ * quotes and comments; it is returned with its separator. Bytes are characters of the same number (ISO 8859-1).
  */
 final class Splitter {
-    /** One command may be this long; a longer one is lost (sheet, section 2). */
+    /** The longest command; a longer one is lost (sheet, section 2). */
     static final int LIMIT = 32 * 1024;
 
     private enum Mode {

@@ -3,8 +3,8 @@ package majicsim.aibo.urbi.syntax;
 import java.util.List;
 
 /**
- * A command of the language as the parser read it; the kinds that hold other commands are declared here. A statement does nothing by
- * itself: a {@link Visitor} decides what becomes of it.
+ * A command of the language as the parser read it; the kinds that contain other commands are declared here. A statement does not run by
+ * itself; a {@link Visitor} executes it.
  */
 public sealed interface Statement
         permits Action,
@@ -21,7 +21,7 @@ public sealed interface Statement
     /**
      * One method for each kind of command.
      *
-     * @param <R> what becomes of a command
+     * @param <R> the visitor's result
      */
     interface Visitor<R> extends Action.Visitor<R>, Flow.Visitor<R>, Definition.Visitor<R> {
         R empty(Empty command);
@@ -48,7 +48,7 @@ public sealed interface Statement
 
     /** A command with its tag ({@link #NO_TAG} if it has none) and flags. */
     record Tagged(String tag, List<Flag> flags, Statement body) implements Statement {
-        /** The command inside the conditions of its obsolete flags, which still take effect. */
+        /** The command inside the conditions of its obsolete flags, which still have an effect. */
         public Statement conditional() {
             Statement conditional = body;
             for (Flag flag : flags) {

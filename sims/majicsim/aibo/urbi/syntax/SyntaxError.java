@@ -1,6 +1,6 @@
 package majicsim.aibo.urbi.syntax;
 
-/** A command that the grammar refuses; its message is the kernel's, without the position. */
+/** A syntax error; its message is the kernel's, without the position. */
 final class SyntaxError extends Exception {
     private static final long serialVersionUID = 1;
 

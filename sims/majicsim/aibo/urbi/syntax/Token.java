@@ -20,7 +20,7 @@ record Token(TokenKind kind, String text, double number, Span span) {
         return kind == wanted;
     }
 
-    /** The name by which a syntax error calls it. */
+    /** Its name in a syntax error. */
     String title() {
         return kind.title().isEmpty() ? TITLES.getOrDefault(text, text) : kind.title();
     }

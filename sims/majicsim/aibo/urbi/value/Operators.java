@@ -1,6 +1,6 @@
 package majicsim.aibo.urbi.value;
 
-/** What the operators do with values (URBI sheet, section 5). */
+/** The operators on values (URBI sheet, section 5). */
 public final class Operators {
     private static final double EPSILON = 0.0001;
 

@@ -11,21 +11,21 @@ import java.util.stream.Collectors;
 
 /** A value of the language, printed as the kernel prints it (URBI sheet, section 4). Immutable. */
 public sealed interface Value {
-    /** What {@code inf} stands for and prints as. */
+    /** The value and the text of {@code inf}. */
     double INFINITY = 999_999_999_999_999.0;
 
-    /** What nothing gives that has no value. */
+    /** No value. */
     Value VOID = new Void();
 
     /**
-     * As a reply prints it; bytes stand as characters of the same number.
+     * Its text in a reply; bytes are characters of the same number.
      *
      * @return without the line end; empty for no value
      */
     String print();
 
     /**
-     * As {@code echo} shows it.
+     * Its text in {@code echo}.
      *
      * @return without quotes, and with its backslash sequences resolved
      */
@@ -34,7 +34,7 @@ public sealed interface Value {
     }
 
     /**
-     * As it is joined to a string by {@code +}.
+     * Its text when {@code +} joins it to a string.
      *
      * @return without quotes; numbers with 6 significant digits
      */
@@ -43,9 +43,9 @@ public sealed interface Value {
     }
 
     /**
-     * The memory that it takes.
+     * The size of its memory.
      *
-     * @return about that many bytes; what a list holds twice counts twice
+     * @return bytes, approximately; a value that is twice in a list counts twice
      */
     default long weight() {
         return 16;
@@ -61,7 +61,7 @@ public sealed interface Value {
     }
 
     /**
-     * What it counts as, where a number is wanted.
+     * Its number.
      *
      * @return the number
      * @throws Failure if it is none
@@ -71,7 +71,7 @@ public sealed interface Value {
     }
 
     /**
-     * Its text, where a text is required.
+     * Its string.
      *
      * @return the text as it was written
      * @throws Failure if it is none

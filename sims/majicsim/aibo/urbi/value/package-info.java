@@ -1,5 +1,5 @@
 /**
- * The values of the language and what operators make of them.
+ * The values of the language and their operators.
  */
 @NullMarked
 package majicsim.aibo.urbi.value;

@@ -21,7 +21,7 @@ class SoundTest {
 
         assertThat(client.ask("speaker.playing; speaker.remain;", 0))
                 .containsExactly("[notag] 1.000000", "[notag] " + ms + ".000000");
-        Played played = last();
+        PlayedSound played = last();
         assertThat(played.what()).isEqualTo("sent");
         assertThat(played.sound().lengthMs()).isEqualTo(ms);
         bench.run(ms + 4);
@@ -45,7 +45,7 @@ class SoundTest {
         client.say("speaker.val = BIN 800 raw 1 8000 8 1;" + "b".repeat(800));
 
         assertThat(client.ask("speaker.remain;", 0)).containsExactly("[notag] 300.000000");
-        List<Played> played = bench.dog().handling().played();
+        List<PlayedSound> played = bench.dog().handling().played();
         assertThat(last().startMs()).isEqualTo(played.get(played.size() - 2).endMs());
     }
 
@@ -110,8 +110,8 @@ class SoundTest {
         assertThat(loudness(guest)).isBetween(1.0, 50.0);
     }
 
-    private Played last() {
-        List<Played> played = bench.dog().handling().played();
+    private PlayedSound last() {
+        List<PlayedSound> played = bench.dog().handling().played();
         return played.get(played.size() - 1);
     }
 

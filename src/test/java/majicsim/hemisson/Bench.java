@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.locks.ReentrantLock;
-import majicsim.hemisson.board.Eyes;
+import majicsim.hemisson.board.InfraRedSensors;
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
@@ -35,9 +35,9 @@ final class Bench implements AutoCloseable {
         this(options, Bench::madeUp, Noise.exact());
     }
 
-    Bench(HemissonOptions options, @Nullable Eyes eyes, Noise noise) throws IOException {
+    Bench(HemissonOptions options, @Nullable InfraRedSensors sensors, Noise noise) throws IOException {
         Body body = Body.disc("hemisson", HemissonRobot.RADIUS_MM, new Pose(-2000, -2000, 0));
-        robot = new HemissonRobot(world, body, noise, options, eyes);
+        robot = new HemissonRobot(world, body, noise, options, sensors);
         Wiring wiring = new Wiring(lock, robot, new Faults(Noise.exact()));
         tcp = TcpPort.open(0, Clients.ONE, wiring);
         pty = PtyPort.open(wiring);

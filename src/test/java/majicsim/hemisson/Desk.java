@@ -2,7 +2,7 @@ package majicsim.hemisson;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import majicsim.hemisson.board.Eyes;
+import majicsim.hemisson.board.InfraRedSensors;
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Line;
 import majicsim.world.Body;
@@ -26,13 +26,13 @@ public final class Desk implements Line {
         this(options, Desk::madeUp, Noise.exact());
     }
 
-    Desk(HemissonOptions options, @Nullable Eyes eyes, Noise noise) {
+    Desk(HemissonOptions options, @Nullable InfraRedSensors sensors, Noise noise) {
         Body body = Body.disc("hemisson", HemissonRobot.RADIUS_MM, START);
-        robot = new HemissonRobot(world, body, noise, options, eyes);
+        robot = new HemissonRobot(world, body, noise, options, sensors);
         robot.received(this, new byte[0]);
     }
 
-    /** With eyes that see the standard room, without noise. */
+    /** With sensors that see the standard room, without noise. */
     public static Desk inTheRoom(HemissonOptions options) {
         return new Desk(options, null, Noise.exact());
     }

@@ -8,9 +8,9 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 import majicsim.hemisson.board.CommandBuffer;
-import majicsim.hemisson.board.Eyes;
-import majicsim.hemisson.board.InfraRed;
-import majicsim.hemisson.board.WorldEyes;
+import majicsim.hemisson.board.InfraRedSensors;
+import majicsim.hemisson.board.RoomSensors;
+import majicsim.hemisson.board.SensorTables;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.world.Body;
@@ -121,7 +121,7 @@ class HemissonRobotTest {
     @ParameterizedTest
     @CsvSource({"0,250", "10,150", "15,99", "60,5", "90,3", "500,2"})
     void theResponseFollowsTheManualsCurve(double distanceMm, double value) {
-        assertThat(WorldEyes.curve(distanceMm)).isCloseTo(value, within(1e-9));
+        assertThat(RoomSensors.curve(distanceMm)).isCloseTo(value, within(1e-9));
     }
 
     @Test
@@ -147,12 +147,12 @@ class HemissonRobotTest {
     void aFreeNoisyRobotReadsFromZeroToFourAndNowAndThenLessThanNothing() {
         World world = new World(Room.standard());
         Body body = Body.disc("hemisson", HemissonRobot.RADIUS_MM, START);
-        Eyes eyes = new WorldEyes(world, body, Noise.seeded(5), 220);
-        int[] ambient = new int[Eyes.COUNT];
-        int[] response = new int[Eyes.COUNT];
+        InfraRedSensors sensors = new RoomSensors(world, body, Noise.seeded(5), 220);
+        int[] ambient = new int[InfraRedSensors.COUNT];
+        int[] response = new int[InfraRedSensors.COUNT];
         Set<Integer> seen = new TreeSet<>();
         for (int i = 0; i < 1000; i++) {
-            eyes.look(ambient, response);
+            sensors.look(ambient, response);
             seen.add(response[0]);
         }
         assertThat(seen).containsExactly(-1, 0, 1, 2, 3, 4);
@@ -160,42 +160,42 @@ class HemissonRobotTest {
 
     @Test
     void inBrightLightEverythingLooksFarBecauseProximityNeverExceedsTheAmbientValue() {
-        InfraRed infraRed = new InfraRed(
+        SensorTables tables = new SensorTables(
                 (ambient, response) -> {
                     ambient[0] = 20;
                     response[0] = 150;
                 },
                 new CommandBuffer(true));
-        assertThat(infraRed.proximity(0)).isEqualTo(20);
+        assertThat(tables.proximity(0)).isEqualTo(20);
     }
 
     @Test
     void groundLeftSubtractsFromTheAmbientValueOfGroundRight() {
-        InfraRed infraRed = new InfraRed(
+        SensorTables tables = new SensorTables(
                 (ambient, response) -> {
                     ambient[6] = 220;
                     ambient[7] = 200;
                     response[7] = 60;
                 },
                 new CommandBuffer(true));
-        assertThat(infraRed.proximity(7)).isEqualTo(80);
+        assertThat(tables.proximity(7)).isEqualTo(80);
     }
 
     @Test
     void noiseAroundZeroWrapsToLargeValues() {
-        InfraRed infraRed = new InfraRed(
+        SensorTables tables = new SensorTables(
                 (ambient, response) -> {
                     ambient[1] = 220;
                     response[1] = -1;
                 },
                 new CommandBuffer(true));
-        assertThat(infraRed.proximity(1)).isEqualTo(255);
+        assertThat(tables.proximity(1)).isEqualTo(255);
     }
 
     @Test
     void newValuesComeEvery41Milliseconds() throws IOException {
         int[] looks = {0};
-        Eyes counting = (ambient, response) -> looks[0]++;
+        InfraRedSensors counting = (ambient, response) -> looks[0]++;
         try (Bench bench = new Bench(HemissonOptions.standard(), counting, Noise.exact())) {
             bench.steps(1025);
             assertThat(looks[0]).isEqualTo(1 + 100);

@@ -17,6 +17,6 @@ final class Rooms {
     }
 
     static Room of(Segment... walls) {
-        return new Room(List.of(walls), List.of(), List.of(), Furnishing.NONE);
+        return new Room(List.of(walls), List.of(), List.of(), RoomContents.NONE);
     }
 }

@@ -40,7 +40,7 @@ class StartPlacesTest {
                         new Segment(-9000, -4000, 9000, -4000, 1)),
                 List.of(new Pose(0, 2000, 0)),
                 List.of(),
-                Furnishing.NONE);
+                RoomContents.NONE);
         assertThat(room.home(2).yMm()).isPositive();
         assertThat(room.home(3).yMm()).isPositive();
     }

@@ -15,7 +15,7 @@ class ChannelTest {
 
     @Test
     void aRampIsStraightAndItsWayExact() {
-        channel.aim(new Goal.Speed(250));
+        channel.follow(new Goal.Speed(250));
         run(0.1);
         assertThat(channel.speed()).isCloseTo(30, ROUNDING);
         assertThat(channel.position()).isCloseTo(1.5, ROUNDING);
@@ -27,7 +27,7 @@ class ChannelTest {
     @ParameterizedTest
     @CsvSource({"0.004", "0.0071", "0.1", "3"})
     void theWayDoesNotDependOnTheStep(double stepSeconds) {
-        channel.aim(new Goal.Speed(250));
+        channel.follow(new Goal.Speed(250));
         for (int i = 0; i < Math.round(3 / stepSeconds); i++) {
             step(stepSeconds);
         }
@@ -38,9 +38,9 @@ class ChannelTest {
     @Test
     void turningRoundGoesByWayOfRestWithBothRamps() {
         channel.limits(new Limits(500, 100, 400));
-        channel.aim(new Goal.Speed(200));
+        channel.follow(new Goal.Speed(200));
         run(2);
-        channel.aim(new Goal.Speed(-200));
+        channel.follow(new Goal.Speed(-200));
         run(0.5);
         assertThat(channel.speed()).isCloseTo(0, ROUNDING);
         run(1);
@@ -50,7 +50,7 @@ class ChannelTest {
     @ParameterizedTest
     @CsvSource({"1000, 4.2", "-1000, 4.2", "3, 0.5", "5000, 12.5", "-1, 0.3", "90, 1.2"})
     void aWayIsCoveredExactlyAndEndsAtRest(double mm, double seconds) {
-        channel.aim(new Goal.Position(mm));
+        channel.follow(new Goal.Position(mm));
         run(seconds);
         assertThat(channel.position()).isCloseTo(mm, ROUNDING);
         assertThat(channel.speed()).isCloseTo(0, ROUNDING);
@@ -58,10 +58,10 @@ class ChannelTest {
 
     @Test
     void aWayTooShortToBrakeInIsOvershotAndMadeGood() {
-        channel.aim(new Goal.Speed(300));
+        channel.follow(new Goal.Speed(300));
         run(2);
         double target = channel.position() + 50;
-        channel.aim(new Goal.Position(target));
+        channel.follow(new Goal.Position(target));
         run(1.1);
         assertThat(channel.position()).isGreaterThan(target);
         run(3);
@@ -71,7 +71,7 @@ class ChannelTest {
 
     @Test
     void aLowerLimitOnTheWayStillArrives() {
-        channel.aim(new Goal.Position(1000));
+        channel.follow(new Goal.Position(1000));
         run(1);
         channel.limits(channel.limits().withSpeed(100));
         run(1);
@@ -82,7 +82,7 @@ class ChannelTest {
 
     @Test
     void aHeldChannelStopsAndContinuesToItsSetPoint() {
-        channel.aim(new Goal.Position(1000));
+        channel.follow(new Goal.Position(1000));
         run(1);
         channel.hold(true);
         run(2);
@@ -95,15 +95,15 @@ class ChannelTest {
 
     @Test
     void anEmergencyStopEndsWithinOneCycleAndIgnoresCommandsMeanwhile() {
-        channel.aim(new Goal.Speed(500));
+        channel.follow(new Goal.Speed(500));
         run(3);
         channel.emergencyStop();
-        channel.aim(new Goal.Speed(500));
+        channel.follow(new Goal.Speed(500));
         run(0.1);
         assertThat(channel.speed()).isZero();
         run(1);
         assertThat(channel.speed()).isZero();
-        channel.aim(new Goal.Speed(100));
+        channel.follow(new Goal.Speed(100));
         run(1);
         assertThat(channel.speed()).isEqualTo(100);
     }

@@ -1,7 +1,7 @@
 package majicsim.hemisson.board;
 
-/** What a command may do to the whole robot. */
-public interface Power {
+/** What a command may do to the robot as a whole. */
+public interface RobotControl {
     /** Sets the motors, unless the running mode holds them. */
     void drive(int left, int right);
 

@@ -5,13 +5,13 @@ import java.util.Locale;
 import java.util.Set;
 import majicsim.hemisson.modules.ModuleKind;
 
-/** Reads the words of a model, one after the other. */
-final class ModelWords {
+/** Parses the words of a model, one after the other. */
+final class ModelParser {
     static final String KNOWN =
             "kteam or roadnarrows, then +camera +ultrasonic +speech +lcd +io +overrun +paced +switches=1111 +ambient=220"
                     + " +mismatch=0";
 
-    private ModelWords() {}
+    private ModelParser() {}
 
     static HemissonOptions parse(String model) {
         String[] words = model.toLowerCase(Locale.ROOT).split("\\+", -1);

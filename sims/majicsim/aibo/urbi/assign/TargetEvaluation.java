@@ -12,10 +12,10 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /**
- * The present aim of a running assignment. Its modifiers are evaluated again each cycle, and so is the centre of an oscillation: a
- * program steers a swing through the variables in it (URBI sheet, section 6).
+ * The present target of a running assignment. Each cycle evaluates its modifiers again, and the centre of an oscillation, because
+ * a program may change an oscillation through the variables in these expressions (URBI sheet, section 6).
  */
-final class Course {
+final class TargetEvaluation {
     private final Context context;
     private final Map<Expr.Variable, Value> fixed = new IdentityHashMap<>();
     private final Action.Assign assignment;
@@ -23,39 +23,39 @@ final class Course {
     private final boolean swings;
     private final boolean steady;
     private double value;
-    private Aim aim;
+    private AssignmentTarget current;
 
     /**
      * @param value what is assigned, as it was when the assignment started
      * @param modifiers as they were then
      */
-    Course(Context context, Action.Assign assignment, Variable variable, double value, Modifiers modifiers)
+    TargetEvaluation(Context context, Action.Assign assignment, Variable variable, double value, Modifiers modifiers)
             throws Failure {
         this.context = context;
         this.assignment = assignment;
         this.variable = variable;
         this.value = value;
-        aim = Aim.of(assignment, variable, value, modifiers);
+        current = AssignmentTarget.of(assignment, variable, value, modifiers);
         swings = modifiers.oscillates();
         List<Expr> exprs = Modifiers.expressions(assignment.modifiers());
         steady = (!swings || assignment.value().isConstant()) && exprs.stream().allMatch(Expr::isConstant);
         renew(); // so that static variables keep the values of the start
     }
 
-    Aim aim() {
-        return aim;
+    AssignmentTarget current() {
+        return current;
     }
 
-    /** Evaluates again; true if the aim has changed. What cannot be evaluated at once stays as it was. */
+    /** Evaluates again; true if the target has changed. An expression that cannot be evaluated at once keeps its last value. */
     boolean renew() {
         if (steady) {
             return false;
         }
         try {
-            Aim before = aim;
+            AssignmentTarget before = current;
             value = swings ? assignment.value().value(evaluator()).number() : value;
-            aim = Aim.of(assignment, variable, value, modifiers());
-            return !aim.equals(before);
+            current = AssignmentTarget.of(assignment, variable, value, modifiers());
+            return !current.equals(before);
         } catch (Failure notNow) {
             return false;
         }

@@ -7,8 +7,8 @@ import majicsim.world.Point;
 import majicsim.world.Pose;
 import majicsim.world.World;
 
-/** Infra-red sensors that look into the world: six around, a beam of some 30° each, and two at the ground. */
-public final class WorldEyes implements Eyes {
+/** The infra-red sensors in a room: six around the robot with a beam of about 30° each, and two that face the ground. */
+public final class RoomSensors implements InfraRedSensors {
     private static final double[] LOOKS_TO_DEG = {0, -38, 38, -90, 90, 180};
 
     /** Sheet 6; the rear one drawn in to the rim of the disc that stands for the body. */
@@ -41,7 +41,7 @@ public final class WorldEyes implements Eyes {
     private final Noise noise;
     private int ambientReading;
 
-    public WorldEyes(World world, Body body, Noise noise, int ambientReading) {
+    public RoomSensors(World world, Body body, Noise noise, int ambientReading) {
         this.world = world;
         this.body = body;
         this.noise = noise;
@@ -60,7 +60,7 @@ public final class WorldEyes implements Eyes {
         }
     }
 
-    /** The light of the room changes. */
+    /** Sets the light of the room. */
     public void ambient(int reading) {
         ambientReading = reading;
     }
@@ -73,7 +73,7 @@ public final class WorldEyes implements Eyes {
         return WHITE_FLOOR * world.floorReflectivity(place.xMm(), place.yMm());
     }
 
-    /** What is read with nothing in range: little, and now and then less than nothing. */
+    /** The reading with nothing in range: small, and sometimes negative. */
     private double stray() {
         return noise.chance(BELOW_ZERO) ? -1 : noise.uniform(0, MOST_STRAY);
     }

@@ -3,8 +3,8 @@ package majicsim.hemisson.firmware;
 import java.util.Locale;
 import majicsim.hemisson.uart.Reply;
 
-/** Error replies of the RoadNarrows dialect (sheet 10); the words behind the number are ours. */
-enum Refusal {
+/** Error replies of the RoadNarrows dialect (sheet 10); only their numbers are documented. */
+enum ErrorReply {
     UNKNOWN_COMMAND(1, "unknown command"),
     SYNTAX(2, "bad syntax"),
     OVERFLOW(3, "command too long"),
@@ -18,7 +18,7 @@ enum Refusal {
 
     private final String line;
 
-    Refusal(int number, String words) {
+    ErrorReply(int number, String words) {
         line = String.format(Locale.ROOT, "<E%02d: %s>", number, words);
     }
 

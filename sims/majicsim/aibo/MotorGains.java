@@ -6,10 +6,10 @@ import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.value.Value;
 
 /** The factors of a motor's controller (URBI sheet, section 13). */
-record Gains(double proportional, double integral, double differential) {
+record MotorGains(double proportional, double integral, double differential) {
     private static final List<Double> SHIFTS = List.of(14.0, 2.0, 15.0);
 
-    /** Makes the fields of a joint; the returned one is its proportional factor, which alone has an effect. */
+    /** Makes the fields of a joint; returns the proportional factor, the only one with an effect. */
     Variable install(Variables variables, String joint) {
         Variable factor = new Variable(joint + ".PGain", Value.of(proportional));
         variables.put(factor);

@@ -7,11 +7,11 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** A command that needs some values first, and then has its effect at once or goes on as another task. */
-public final class Prepared extends Task {
-    /** What to do with the values. */
+/** A command that first evaluates expressions, and then takes effect at once or continues as another task. */
+public final class EvaluatingTask extends Task {
+    /** The effect of a command with its values. */
     public interface Continuation {
-        /** Does it; returns what goes on then, or null if that was all. */
+        /** Takes effect; returns the task with which the command continues, or null if it is complete. */
         @Nullable
         Task with(List<Value> values) throws Failure;
     }
@@ -22,11 +22,11 @@ public final class Prepared extends Task {
     private @Nullable CallTask call;
     private @Nullable Task rest;
 
-    public Prepared(Context context, List<Expr> exprs, Continuation continuation) {
+    public EvaluatingTask(Context context, List<Expr> exprs, Continuation continuation) {
         this(context, exprs, false, continuation);
     }
 
-    private Prepared(Context context, List<Expr> exprs, boolean calls, Continuation continuation) {
+    private EvaluatingTask(Context context, List<Expr> exprs, boolean calls, Continuation continuation) {
         super(context);
         this.exprs = exprs;
         this.calls = calls;
@@ -34,11 +34,11 @@ public final class Prepared extends Task {
     }
 
     /**
-     * A command whose first expression may be the call of a custom function, which runs first. Everywhere else in an expression the
+     * A command whose first expression may be the call of a program's function, which runs first. Everywhere else in an expression the
      * kernel refuses such a call (URBI sheet, section 21).
      */
-    public static Prepared calling(Context context, List<Expr> exprs, Continuation continuation) {
-        return new Prepared(context, exprs, true, continuation);
+    public static EvaluatingTask calling(Context context, List<Expr> exprs, Continuation continuation) {
+        return new EvaluatingTask(context, exprs, true, continuation);
     }
 
     @Override

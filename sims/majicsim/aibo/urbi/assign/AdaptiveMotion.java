@@ -2,22 +2,22 @@ package majicsim.aibo.urbi.assign;
 
 import majicsim.aibo.urbi.run.Server;
 
-/** An assignment that is planned anew each cycle from where the joint really is, {@code adaptive:1} (URBI sheet, section 6). */
-final class Pursuit {
+/** An assignment that is planned anew each cycle from the joint's measured position, {@code adaptive:1} (URBI sheet, section 6). */
+final class AdaptiveMotion {
     private final double target;
     private final Modifiers modifiers;
 
-    Pursuit(double target, Modifiers modifiers) {
+    AdaptiveMotion(double target, Modifiers modifiers) {
         this.target = target;
         this.modifiers = modifiers;
     }
 
-    /** Whether this is near enough to the target, with the variable's own {@code delta} in its units. */
+    /** Whether a position is within {@code delta} of the target, in the variable's units. */
     boolean isThere(double now, double delta) {
         return Math.abs(now - target) <= delta;
     }
 
-    /** What to command in this cycle, so many ms after the start. */
+    /** The command for this cycle, at a time in ms after the start. */
     double next(double now, double elapsedMs) {
         double way = Math.abs(target - now);
         double stride = Math.min(way, stride(way, elapsedMs));

@@ -4,8 +4,8 @@ import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.World;
 
-/** The lens and the chip of the camera: makes a picture of what is before the head. */
-final class Eye {
+/** The lens and chip of the camera: makes a picture of the room ahead of the head. */
+final class CameraLens {
     static final double XFOV_DEG = 56.9;
     static final double YFOV_DEG = 44.0;
     private static final double TAN_X = Math.tan(Math.toRadians(XFOV_DEG / 2));
@@ -18,7 +18,7 @@ final class Eye {
     private final Noise noise;
     private final Colours colours;
 
-    Eye(World world, Body body, Head head, Noise noise) {
+    CameraLens(World world, Body body, Head head, Noise noise) {
         this.world = world;
         this.body = body;
         this.head = head;
@@ -27,7 +27,7 @@ final class Eye {
     }
 
     Picture take(CameraSettings settings) {
-        View view = head.view();
+        CameraPose view = head.view();
         Scene scene = new Scene(world, body, view.at());
         double[] exposure = settings.exposure();
         int width = settings.width();
@@ -45,9 +45,9 @@ final class Eye {
     }
 
     private int colour(Scene scene, Vector at, Vector ray) {
-        Sight sight = scene.look(ray);
-        double reach = sight.levelMm() / Math.max(1e-6, ray.level());
-        return colours.of(sight, at.x() + ray.x() * reach, at.y() + ray.y() * reach);
+        VisibleSurface surface = scene.look(ray);
+        double reach = surface.levelMm() / Math.max(1e-6, ray.level());
+        return colours.of(surface, at.x() + ray.x() * reach, at.y() + ray.y() * reach);
     }
 
     private int exposed(int rgb, double[] exposure, int gain) {

@@ -3,10 +3,10 @@ package majicsim.world;
 import java.util.List;
 
 /** What is in a room beside its walls. */
-record Furnishing(List<Lamp> lamps, List<Tape> tapes) {
-    static final Furnishing NONE = new Furnishing(List.of(), List.of());
+record RoomContents(List<Lamp> lamps, List<Tape> tapes) {
+    static final RoomContents NONE = new RoomContents(List.of(), List.of());
 
-    Furnishing {
+    RoomContents {
         lamps = List.copyOf(lamps);
         tapes = List.copyOf(tapes);
     }

@@ -2,12 +2,12 @@ package majicsim.aibo.urbi.run;
 
 import java.util.List;
 
-/** Two commands that start in the same cycle; it ends when both have. */
-public final class BothTask extends Task {
+/** Two commands that start in the same cycle; it ends when both have ended. */
+public final class ParallelTask extends Task {
     private final Task left;
     private final Task right;
 
-    public BothTask(Context context, Task left, Task right) {
+    public ParallelTask(Context context, Task left, Task right) {
         super(context);
         this.left = left;
         this.right = right;
@@ -16,7 +16,7 @@ public final class BothTask extends Task {
     /** All of several; the list must not be empty. */
     static Task of(Context context, List<Task> tasks) {
         return tasks.stream()
-                .reduce((left, right) -> new BothTask(context, left, right))
+                .reduce((left, right) -> new ParallelTask(context, left, right))
                 .orElseGet(() -> Task.done(context));
     }
 

@@ -6,8 +6,8 @@ import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.run.Broadcast;
 import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.EvaluatingTask;
 import majicsim.aibo.urbi.run.Evaluator;
-import majicsim.aibo.urbi.run.Prepared;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.Expr;
@@ -16,12 +16,12 @@ import majicsim.aibo.urbi.value.MemoryLimits;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** The start of an assignment: its value, its modifiers and the variables it goes to (URBI sheet, sections 6 and 10). */
-public final class Assigning {
-    private Assigning() {}
+/** Starts assignments: evaluates their value and modifiers, and finds their variables (URBI sheet, sections 6 and 10). */
+public final class Assignments {
+    private Assignments() {}
 
     public static Task start(Context context, Action.Assign assignment) {
-        return new Prepared(context, List.of(), values -> {
+        return new EvaluatingTask(context, List.of(), values -> {
             Task all = isLocal(context, assignment) ? null : Broadcast.of(context, assignment.target(), assignment::to);
             return all == null ? single(context, assignment) : all;
         });
@@ -30,7 +30,7 @@ public final class Assigning {
     private static Task single(Context context, Action.Assign assignment) {
         List<Expr> exprs = new ArrayList<>(List.of(assignment.value()));
         exprs.addAll(Modifiers.expressions(assignment.modifiers()));
-        return Prepared.calling(context, exprs, values -> assign(context, assignment, values));
+        return EvaluatingTask.calling(context, exprs, values -> assign(context, assignment, values));
     }
 
     private static boolean isLocal(Context context, Action.Assign assignment) {
@@ -87,6 +87,6 @@ public final class Assigning {
         if (!modifiers.isEmpty() && !modifiers.oscillates() && !hasStart) {
             throw Failure.of("Modificator error: " + variable.name() + " unknown (no start value)");
         }
-        return new AssignTask(context, variable, new Course(context, assignment, variable, value, modifiers));
+        return new AssignTask(context, variable, new TargetEvaluation(context, assignment, variable, value, modifiers));
     }
 }

@@ -3,11 +3,11 @@ package majicsim.aibo.urbi.run;
 import java.util.List;
 
 /** Two commands without a gap between them. */
-public final class ThenTask extends Task {
+public final class SequenceTask extends Task {
     private final Task first;
     private final Task second;
 
-    public ThenTask(Context context, Task first, Task second) {
+    public SequenceTask(Context context, Task first, Task second) {
         super(context);
         this.first = first;
         this.second = second;

@@ -7,14 +7,14 @@ import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /**
- * The runs of a body that a timer or an event handler has started and that have not ended. They are counted in the whole server,
- * so that bodies which never end cannot use up its memory: beyond the limit none is started.
+ * The running executions of a body that a timer or an event handler started. They are counted in the whole server,
+ * so that bodies that never end cannot use up its memory: above the limit none is started.
  */
-final class Runs {
+final class BodyRuns {
     private final Context context;
     private final List<Task> running = new ArrayList<>();
 
-    Runs(Context context) {
+    BodyRuns(Context context) {
         this.context = context;
     }
 
@@ -43,7 +43,7 @@ final class Runs {
         return running;
     }
 
-    /** To be called when their owner ends, after they were killed with it. */
+    /** To be called when their owner ends, after they were ended with it. */
     void release() {
         running.forEach(run -> context.server().budget().giveRunBack());
         running.clear();

@@ -1,7 +1,7 @@
 package majicsim.hemisson.board;
 
-/** What the eight infra-red sensors see, before the firmware computes with it; in the order of command N (sheet 6). */
-public interface Eyes {
+/** The raw readings of the eight infra-red sensors, in the order of command N (sheet 6). */
+public interface InfraRedSensors {
     /** Number of sensors. */
     int COUNT = 8;
 

@@ -5,7 +5,7 @@ package majicsim.hemisson.board;
  * Proximity is ambient minus lit, modulo 256, never above the ambient value; ground left subtracts from the ambient value of
  * ground right, a slip of the real firmware.
  */
-public final class InfraRed {
+public final class SensorTables {
     private static final double ROUND_SECONDS = 0.041;
     private static final int GROUND_RIGHT = 6;
     private static final int GROUND_LEFT = 7;
@@ -15,17 +15,17 @@ public final class InfraRed {
     private static final int[] PLACES = {2, 0, 1, 5, 4, 3, 7, 6};
 
     private static final int AMBIENT = CommandBuffer.TABLES;
-    private static final int PROXIMITY = AMBIENT + Eyes.COUNT;
+    private static final int PROXIMITY = AMBIENT + InfraRedSensors.COUNT;
 
-    private final Eyes eyes;
+    private final InfraRedSensors sensors;
     private final CommandBuffer memory;
-    private final int[] ambient = new int[Eyes.COUNT];
-    private final int[] response = new int[Eyes.COUNT];
+    private final int[] ambient = new int[InfraRedSensors.COUNT];
+    private final int[] response = new int[InfraRedSensors.COUNT];
     private double sinceSeconds;
     private boolean fresh;
 
-    public InfraRed(Eyes eyes, CommandBuffer memory) {
-        this.eyes = eyes;
+    public SensorTables(InfraRedSensors sensors, CommandBuffer memory) {
+        this.sensors = sensors;
         this.memory = memory;
         refresh();
     }
@@ -51,7 +51,7 @@ public final class InfraRed {
 
     /** Both tables as they lie in the memory: proximity, then ambient. */
     public String tables() {
-        return memory.text(PROXIMITY, Eyes.COUNT) + memory.text(AMBIENT, Eyes.COUNT);
+        return memory.text(PROXIMITY, InfraRedSensors.COUNT) + memory.text(AMBIENT, InfraRedSensors.COUNT);
     }
 
     /** Whether the tables were refreshed since the last call. */
@@ -61,10 +61,10 @@ public final class InfraRed {
         return was;
     }
 
-    /** A new round: everything is looked at. */
+    /** Starts a new round: reads all sensors. */
     public void refresh() {
-        eyes.look(ambient, response);
-        for (int i = 0; i < Eyes.COUNT; i++) {
+        sensors.look(ambient, response);
+        for (int i = 0; i < InfraRedSensors.COUNT; i++) {
             int lit = Math.max(0, ambient[i] - response[i]);
             int minuend = i == GROUND_LEFT ? ambient[GROUND_RIGHT] : ambient[i];
             memory.poke(PROXIMITY + PLACES[i], minuend - lit);

@@ -23,8 +23,8 @@ import majicsim.world.Pose;
 import majicsim.world.World;
 
 /** Puts the robots into the room, in the order of their numbers, and opens their ports. For one use. */
-final class Furnisher {
-    private static final System.Logger LOG = System.getLogger(Furnisher.class.getName());
+final class LabSetup {
+    private static final System.Logger LOG = System.getLogger(LabSetup.class.getName());
     private static final double JITTER_FROM_MS = 5;
     private static final double JITTER_TO_MS = 50;
 
@@ -32,60 +32,60 @@ final class Furnisher {
     private final World world;
     private final ReentrantLock lock;
     private final Noise noise;
-    private final List<Station> stations = new ArrayList<>();
+    private final List<LabRobot> robots = new ArrayList<>();
 
-    Furnisher(LabOptions options, World world, ReentrantLock lock) {
+    LabSetup(LabOptions options, World world, ReentrantLock lock) {
         this.options = options;
         this.world = world;
         this.lock = lock;
         this.noise = options.exact() ? Noise.exact() : Noise.seeded(options.seed());
     }
 
-    /** All stations in order; after a failure none is left open. */
-    List<Station> furnish() throws IOException {
+    /** Returns all robots in order. After a failure no port stays open. */
+    List<LabRobot> open() throws IOException {
         try {
             add(
                     "aibo",
                     AiboRobot::new,
                     AiboRobot::body,
-                    new Door(options.ports().aibo(), Clients.MANY));
+                    new PortChoice(options.ports().aibo(), Clients.MANY));
             PioneerRobot pioneer = add(
                     "pioneer",
                     this::pioneer,
                     PioneerRobot::body,
-                    new Door(options.ports().pioneer(), Clients.ONE));
+                    new PortChoice(options.ports().pioneer(), Clients.ONE));
             addPty(pioneer.serialPort());
             HemissonRobot hemisson = add(
                     "hemisson",
                     this::hemisson,
                     HemissonRobot::body,
-                    new Door(options.ports().hemisson(), Clients.ONE));
+                    new PortChoice(options.ports().hemisson(), Clients.ONE));
             addPty(hemisson);
             for (int number = 2; number <= options.pioneers(); number++) {
-                add("pioneer" + number, this::pioneer, PioneerRobot::body, new Door(0, Clients.ONE));
+                add("pioneer" + number, this::pioneer, PioneerRobot::body, new PortChoice(0, Clients.ONE));
             }
-            return List.copyOf(stations);
+            return List.copyOf(robots);
         } catch (IllegalArgumentException e) {
-            stations.forEach(Station::close);
+            robots.forEach(LabRobot::close);
             throw new IOException("the room cannot hold the robots: " + e.getMessage(), e);
         } catch (IOException e) {
-            stations.forEach(Station::close);
+            robots.forEach(LabRobot::close);
             throw e;
         }
     }
 
-    private <R extends Firmware> R add(String name, Maker<R> maker, Function<R, Body> body, Door door)
+    private <R extends Firmware> R add(String name, Maker<R> maker, Function<R, Body> body, PortChoice choice)
             throws IOException {
-        Pose home = world.room().home(stations.size() + 1);
+        Pose home = world.room().home(robots.size() + 1);
         Noise own = noise.fork(name);
         R robot = maker.make(world, home, own);
         Faults faults = new Faults(own.fork("line"));
         if (options.jitter()) {
             faults.jitter(JITTER_FROM_MS, JITTER_TO_MS);
         }
-        Station station = new Station(name, body.apply(robot), new Wiring(lock, robot, faults), new ArrayList<>());
-        stations.add(station);
-        station.ports().add(open(name, door, station.wiring()));
+        LabRobot added = new LabRobot(name, body.apply(robot), new Wiring(lock, robot, faults), new ArrayList<>());
+        robots.add(added);
+        added.ports().add(open(name, choice, added.wiring()));
         return robot;
     }
 
@@ -101,20 +101,21 @@ final class Furnisher {
 
     /** A serial port for the robot that was added last; its faults are those of the robot's network port too. */
     private void addPty(Firmware plug) {
-        Station station = stations.get(stations.size() - 1);
-        Wiring wiring = new Wiring(lock, plug, station.wiring().faults());
-        PtyPort.open(wiring).ifPresent(station.ports()::add);
+        LabRobot added = robots.get(robots.size() - 1);
+        Wiring wiring = new Wiring(lock, plug, added.wiring().faults());
+        PtyPort.open(wiring).ifPresent(added.ports()::add);
     }
 
-    private static TcpPort open(String name, Door door, Wiring wiring) throws IOException {
+    private static TcpPort open(String name, PortChoice choice, Wiring wiring) throws IOException {
         try {
-            return TcpPort.open(door.port(), door.clients(), wiring);
+            return TcpPort.open(choice.port(), choice.clients(), wiring);
         } catch (BindException e) {
-            if (door.port() != LabPorts.AIBO && door.port() != LabPorts.PIONEER) {
-                throw new IOException("port " + door.port() + " for the " + name + " is taken; 0 takes a free one", e);
+            if (choice.port() != LabPorts.AIBO && choice.port() != LabPorts.PIONEER) {
+                throw new IOException(
+                        "port " + choice.port() + " for the " + name + " is taken; 0 takes a free one", e);
             }
-            LOG.log(Level.INFO, "port {0} is taken, so the {1} takes a free one", String.valueOf(door.port()), name);
-            return TcpPort.open(0, door.clients(), wiring);
+            LOG.log(Level.INFO, "port {0} is taken, so the {1} takes a free one", String.valueOf(choice.port()), name);
+            return TcpPort.open(0, choice.clients(), wiring);
         }
     }
 
@@ -122,5 +123,5 @@ final class Furnisher {
         R make(World world, Pose start, Noise noise);
     }
 
-    private record Door(int port, Clients clients) {}
+    private record PortChoice(int port, Clients clients) {}
 }

@@ -2,7 +2,7 @@ package majicsim.aibo.urbi.command;
 
 import java.util.ArrayList;
 import java.util.List;
-import majicsim.aibo.urbi.assign.Assigning;
+import majicsim.aibo.urbi.assign.Assignments;
 import majicsim.aibo.urbi.assign.PropertyAssignment;
 import majicsim.aibo.urbi.flow.AtTask;
 import majicsim.aibo.urbi.flow.CountedLoop;
@@ -12,14 +12,14 @@ import majicsim.aibo.urbi.flow.LoopTask;
 import majicsim.aibo.urbi.flow.WaitUntilTask;
 import majicsim.aibo.urbi.flow.WatchedTask;
 import majicsim.aibo.urbi.flow.WheneverTask;
-import majicsim.aibo.urbi.run.BothTask;
 import majicsim.aibo.urbi.run.CommandStream;
 import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.EvaluatingTask;
+import majicsim.aibo.urbi.run.ParallelTask;
 import majicsim.aibo.urbi.run.PauseTask;
-import majicsim.aibo.urbi.run.Prepared;
+import majicsim.aibo.urbi.run.SequenceTask;
 import majicsim.aibo.urbi.run.TaggedTask;
 import majicsim.aibo.urbi.run.Task;
-import majicsim.aibo.urbi.run.ThenTask;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.Definition;
 import majicsim.aibo.urbi.syntax.Expr;
@@ -28,20 +28,20 @@ import majicsim.aibo.urbi.syntax.Flow;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /** Makes the run of a command, one method for each kind (URBI sheet, sections 3 to 10). */
-public final class Starter implements Statement.Visitor<Task> {
+public final class TaskFactory implements Statement.Visitor<Task> {
     private final Context context;
 
     /** @param context of the runs that it makes */
-    public Starter(Context context) {
+    public TaskFactory(Context context) {
         this.context = context;
     }
 
-    private Task doing(Prepared.Continuation effect) {
-        return new Prepared(context, List.of(), effect);
+    private Task doing(EvaluatingTask.Continuation effect) {
+        return new EvaluatingTask(context, List.of(), effect);
     }
 
-    private Task with(Expr expr, Prepared.Continuation effect) {
-        return new Prepared(context, List.of(expr), effect);
+    private Task with(Expr expr, EvaluatingTask.Continuation effect) {
+        return new EvaluatingTask(context, List.of(expr), effect);
     }
 
     @Override
@@ -65,22 +65,23 @@ public final class Starter implements Statement.Visitor<Task> {
 
     @Override
     public Task both(Statement.Both command) {
-        return new BothTask(context, context.start(command.left()), context.start(command.right()));
+        return new ParallelTask(context, context.start(command.left()), context.start(command.right()));
     }
 
     @Override
     public Task then(Statement.Then command) {
-        return new ThenTask(context, context.start(command.left()), context.start(command.right()));
+        return new SequenceTask(context, context.start(command.left()), context.start(command.right()));
     }
 
     @Override
     public Task evaluate(Action.Evaluate command) {
-        return Prepared.calling(context, List.of(command.expr()), values -> Effects.reply(context, values.get(0)));
+        return EvaluatingTask.calling(
+                context, List.of(command.expr()), values -> Effects.reply(context, values.get(0)));
     }
 
     @Override
     public Task assign(Action.Assign command) {
-        return Assigning.start(context, command);
+        return Assignments.start(context, command);
     }
 
     @Override
@@ -177,7 +178,7 @@ public final class Starter implements Statement.Visitor<Task> {
     @Override
     public Task giveBack(Flow.Return command) {
         List<Expr> value = command.value() == null ? List.of() : List.of(command.value());
-        return new Prepared(context, value, values -> Effects.giveBack(context, values));
+        return new EvaluatingTask(context, value, values -> Effects.giveBack(context, values));
     }
 
     @Override
@@ -186,7 +187,7 @@ public final class Starter implements Statement.Visitor<Task> {
         if (command.durationMs() != null) {
             exprs.add(command.durationMs());
         }
-        return new Prepared(context, exprs, values -> Effects.emit(context, command, values));
+        return new EvaluatingTask(context, exprs, values -> Effects.emit(context, command, values));
     }
 
     @Override
@@ -226,6 +227,6 @@ public final class Starter implements Statement.Visitor<Task> {
 
     @Override
     public Task create(Definition.New command) {
-        return new Prepared(context, command.arguments(), values -> Creation.start(context, command, values));
+        return new EvaluatingTask(context, command.arguments(), values -> Creation.start(context, command, values));
     }
 }
