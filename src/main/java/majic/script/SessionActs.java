@@ -50,48 +50,68 @@ final class SessionActs implements ActRunner {
     }
 
     /**
-     * A behaviour that was found.
+     * A behaviour whose file was read.
      *
      * @param name what messages call it
-     * @param roles the robots it asks for
-     * @param script the script, if it is one
-     * @param fresh makes one to run
+     * @param roles the robots it needs
+     * @param script a script, to check its commands with
+     * @param fresh makes one to run; reads no file
      */
     private record Found(String name, List<Role> roles, Optional<ScriptAct> script, Supplier<MajicAct> fresh) {
-        /** For an act with code of MAJIC's own. */
-        Found(String name, MajicAct act) {
-            this(
-                    name,
-                    act.roles(),
-                    Optional.of(act).filter(ScriptAct.class::isInstance).map(ScriptAct.class::cast),
-                    () -> act);
+        /** For an act of one of MAJIC's own classes. */
+        static Found of(String name, Supplier<MajicAct> fresh) {
+            MajicAct act = fresh.get();
+            Optional<ScriptAct> script =
+                    Optional.of(act).filter(ScriptAct.class::isInstance).map(ScriptAct.class::cast);
+            return new Found(name, act.roles(), script, fresh);
         }
     }
 
     @Override
-    public void check(Command.Act act, RobotCheck check, Actions actions) {
-        act.name().at().check(() -> {
-            Found found = find(act.name());
-            Map<String, List<Member>> robots =
-                    assign(act, found, check.robot(), check.selection().members(act.others()));
-            found.script().ifPresent(script -> script.check(actions, robots));
-        });
+    public CheckedAct read(Command.Act act, Actions actions) {
+        return act.name().at().resolve(() -> new FoundAct(act, find(act.name()), actions));
     }
 
-    @Override
-    public QueuedCommand command(Command.Act act, Member me, Execution execution, Actions actions) {
-        List<Member> others = execution.selection().members(act.others());
-        Permit leave = leave(me, others);
-        return new QueuedCommand(act.text(), true, robot -> {
-            Found found = find(act.name());
-            Map<String, List<Member>> robots = assign(act, found, me, others);
-            sayIfOwn(act.name().unquoted(), me);
-            long began = me.time().nanos();
-            ActRun run = run(found, robots, leave, execution, actions);
-            String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
-            return List.of(act.text()
-                    + String.format(Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
-        });
+    /** A behaviour that a line names. */
+    private final class FoundAct implements CheckedAct {
+        private final Command.Act act;
+        private final Found found;
+        private final Actions actions;
+
+        FoundAct(Command.Act act, Found found, Actions actions) {
+            this.act = act;
+            this.found = found;
+            this.actions = actions;
+        }
+
+        @Override
+        public void check(RobotCheck check) {
+            act.name().at().check(() -> {
+                Map<String, List<Member>> robots =
+                        assign(check.robot(), check.selection().members(act.others()));
+                found.script().ifPresent(script -> script.check(actions, robots));
+            });
+        }
+
+        @Override
+        public QueuedCommand command(Member me, Execution execution) {
+            List<Member> others = execution.selection().members(act.others());
+            Permit leave = leave(me, others);
+            return new QueuedCommand(act.text(), true, robot -> {
+                Map<String, List<Member>> robots = assign(me, others);
+                sayIfOwn(act.name().unquoted(), me);
+                long began = me.time().nanos();
+                ActRun run = run(found, robots, leave, execution, actions);
+                String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
+                return List.of(act.text()
+                        + String.format(
+                                Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
+            });
+        }
+
+        private Map<String, List<Member>> assign(Member me, List<Member> others) {
+            return RoleAssignment.cast(act.name().unquoted(), found.roles(), me, others);
+        }
     }
 
     private void sayIfOwn(String name, Member me) {
@@ -102,10 +122,6 @@ final class SessionActs implements ActRunner {
                             me.number() + ": " + name + " from " + acts.folder()
                                     + ", in place of the one that comes with MAJIC");
         }
-    }
-
-    private static Map<String, List<Member>> assign(Command.Act act, Found found, Member me, List<Member> others) {
-        return RoleAssignment.cast(act.name().unquoted(), found.roles(), me, others);
     }
 
     private Permit leave(Member me, List<Member> others) {
@@ -242,7 +258,7 @@ final class SessionActs implements ActRunner {
     private static Found script(Path path) {
         ScriptAct act = ScriptAct.read(path);
         String name = act.title().substring(0, act.title().length() - ScriptAct.ENDING.length());
-        return new Found(name, act);
+        return Found.of(name, () -> new ScriptAct(act.title(), act.text()));
     }
 
     private Found file(String name) {
@@ -253,6 +269,6 @@ final class SessionActs implements ActRunner {
         }
         return file.carriesCode()
                 ? new Found(file.details().name(), file.roles(), Optional.empty(), () -> file.load(acts.trust()))
-                : new Found(file.details().name(), file.load(acts.trust()));
+                : Found.of(file.details().name(), () -> file.load(acts.trust()));
     }
 }

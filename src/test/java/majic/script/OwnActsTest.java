@@ -72,6 +72,26 @@ class OwnActsTest {
         assertThat(desk.prompt.complete("2 act ", 6)).contains("\"to the door\"");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"There.act", "There.majic"})
+    void whatWasCheckedIsRunAlthoughTheFileHasChangedSince(String file) throws Exception {
+        write(file, "me move 70");
+        desk.prompt.parseText("2 move 4000");
+        desk.prompt.parseText("2 act " + file);
+        desk.pause(1);
+        write(file, "me move -70");
+        desk.prompt.awaitAll();
+        assertThat(desk.bot(2).sent()).contains("move 70").doesNotContain("move -70");
+    }
+
+    private void write(String file, String line) throws IOException {
+        if (file.endsWith(".act")) {
+            act(file, line);
+        } else {
+            script(file, line);
+        }
+    }
+
     @Test
     void oneThatTakesThePlaceOfMajicsOwnSaysSo() throws Exception {
         act("Guard.act", "me move 70");

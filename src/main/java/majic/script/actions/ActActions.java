@@ -3,6 +3,7 @@ package majic.script.actions;
 import java.util.List;
 import majic.bot.BotException;
 import majic.script.run.ActRunner;
+import majic.script.run.ActRunner.CheckedAct;
 import majic.script.run.Actions;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
@@ -15,6 +16,7 @@ import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.SessionCommand;
 import majic.team.Member;
+import org.jspecify.annotations.Nullable;
 
 /** The commands for behaviours and for the consent to their code. */
 final class ActActions {
@@ -24,6 +26,7 @@ final class ActActions {
         private final Command.Act act;
         private final ActRunner acts;
         private final Actions actions;
+        private @Nullable CheckedAct checked;
 
         ActAction(Command.Act act, ActRunner acts, Actions actions) {
             super(act, Scheduling.AT_ONCE, Trait.COMMANDS_ROBOTS, Trait.READS_FILES);
@@ -35,7 +38,7 @@ final class ActActions {
         @Override
         public void check(RobotCheck check) {
             if (check.readsFiles()) {
-                acts.check(act, check, actions);
+                checkedAct().check(check);
             } else {
                 check.selection().members(act.others());
             }
@@ -44,7 +47,17 @@ final class ActActions {
         @Override
         public void run(Execution execution, List<Member> robots) {
             execution.claim(execution.selection().members(act.others()));
-            execution.submit(robots, member -> acts.command(act, member, execution, actions));
+            execution.submit(robots, member -> checkedAct().command(member, execution));
+        }
+
+        /** Reads the file of the behaviour, once for the check, all robots and the run. */
+        private CheckedAct checkedAct() {
+            CheckedAct known = checked;
+            if (known == null) {
+                known = acts.read(act, actions);
+                checked = known;
+            }
+            return known;
         }
 
         @Override

@@ -8,7 +8,6 @@ import majic.bot.BotException;
 import majic.log.Line;
 import majic.script.conditions.Selection;
 import majic.script.run.Actions;
-import majic.script.run.Checker;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
@@ -18,14 +17,12 @@ import majic.script.run.Scheduling;
 import majic.script.run.ScriptRun;
 import majic.script.run.SessionState;
 import majic.script.run.Trait;
-import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
 import majic.team.Member;
 import majic.team.StopCount;
 import majic.team.Team;
 import majic.time.Signal;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Runs checked lines: at once on the caller's thread, beside it, or in their turn. Thread-safe.
@@ -130,9 +127,9 @@ public final class Dispatcher {
      * @throws ScriptException if it cannot be done with the robots that are there; nothing happened
      */
     public void submit(PreparedLine prepared, Consumer<String> refused, Consumer<String> failed) {
-        SubmittedLine line = new SubmittedLine(prepared, stops(prepared), refused, failed, false);
+        SubmittedLine line = SubmittedLine.of(prepared, stops(prepared), refused, failed);
         if (goesNow(line)) {
-            perform(line, Execution.Manner.AT_ONCE, prepared.checked());
+            perform(line.asChecked(prepared.checked()), Execution.Manner.AT_ONCE);
         } else if (goesBeside(line) && !line.has(Trait.READS_FILES) && queue.isEmpty()) {
             begin(line);
         } else if (source == Source.PROMPT && queue.size() >= MOST_HELD) {
@@ -160,24 +157,19 @@ public final class Dispatcher {
                 && !line.scheduling().isQuick();
     }
 
-    /** Whether the files that a line names let it be done; if not, reports that. Reads them, so it may block. */
-    private boolean filesAllow(SubmittedLine line) {
+    /** Checks a line with the files that it names, which may block; empty if it was refused. */
+    private Optional<SubmittedLine> checkedWithFiles(SubmittedLine line) {
         if (!line.has(Trait.READS_FILES)) {
-            return true;
+            return Optional.of(line);
         }
-        Optional<String> wrong = wrongWithFiles(line);
-        wrong.ifPresent(line.refused());
-        return wrong.isEmpty();
-    }
-
-    private Optional<String> wrongWithFiles(SubmittedLine line) {
         try {
-            return Checker.check(List.of(line.line().statement()), actions, selection).stream()
-                    .findFirst()
-                    .map(Mistake::message);
+            return Optional.of(line.asChecked(preparation.checkWithFiles(line.line())));
+        } catch (BotException | ScriptException e) {
+            line.refused().accept(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
-            return Optional.of(InternalError.report(line.title(), e));
+            line.refused().accept(InternalError.report(line.title(), e));
         }
+        return Optional.empty();
     }
 
     private boolean wasStopped(SubmittedLine line) {
@@ -218,8 +210,8 @@ public final class Dispatcher {
             tellStopped(line);
         } else if (line.sent()) {
             awaitFreed(line);
-        } else if (filesAllow(line)) {
-            takeTurn(line);
+        } else {
+            checkedWithFiles(line).ifPresent(this::takeTurn);
         }
     }
 
@@ -256,7 +248,7 @@ public final class Dispatcher {
     /** Runs a line asynchronously; what goes wrong can only be reported. */
     private void attempt(SubmittedLine line) {
         try {
-            perform(line, Execution.Manner.IN_TURN, null);
+            perform(line, Execution.Manner.IN_TURN);
         } catch (ExecutionEnded e) {
             lines.fail(line.title());
             state.output().send(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
@@ -267,26 +259,22 @@ public final class Dispatcher {
         }
     }
 
-    /**
-     * Runs a line.
-     *
-     * @param checked runs what was checked just now; null for a line that has to be checked again, because it waited
-     */
-    private void perform(SubmittedLine line, Execution.Manner unlessTyped, @Nullable Consumer<Execution> checked) {
+    private void perform(SubmittedLine line, Execution.Manner unlessTyped) {
         Execution execution = Execution.ofLine(
                         state, source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped, lines)
                 .askedBy(asker)
                 .unless(() -> wasStopped(line));
         if (line.scheduling() == Scheduling.STOP) {
-            stop(line, () -> run(line, execution, checked));
+            stop(line, () -> run(line, execution));
         } else if (line.line().isBlock()) {
             runBlock(line.line(), execution);
         } else {
-            run(line, execution, checked);
+            run(line, execution);
         }
     }
 
-    private void run(SubmittedLine line, Execution execution, @Nullable Consumer<Execution> checked) {
+    private void run(SubmittedLine line, Execution execution) {
+        Consumer<Execution> checked = line.checked();
         if (checked == null) {
             new Interpreter(execution, actions).run(List.of(line.line().statement()));
         } else {

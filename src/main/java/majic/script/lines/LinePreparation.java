@@ -21,7 +21,7 @@ import majic.script.syntax.Statement;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
-/** Resolves the commands and robots of a line and checks it, once, when it is typed. Reads no file and never waits. */
+/** Resolves the commands and robots of a line and checks it, once: when it is typed, or when the files it names are read. */
 final class LinePreparation {
     private final Actions actions;
     private final Selection selection;
@@ -32,7 +32,7 @@ final class LinePreparation {
     }
 
     /**
-     * Prepares a line.
+     * Prepares a line. Reads no file and never waits.
      *
      * @param check whether it can be checked now; if not, as before a change of the team, it is checked in its turn
      * @throws BotException if it cannot be done
@@ -45,6 +45,30 @@ final class LinePreparation {
         return statement instanceof Statement.ForSession line
                 ? forSession(line, text, check)
                 : block(statement, text, check);
+    }
+
+    /**
+     * Checks a line with the files that it names. Reads them, so it may block.
+     *
+     * @return runs the line without another check; null for a block, which is checked again when it runs
+     * @throws BotException if the line cannot be run
+     * @throws majic.script.syntax.ScriptException if it cannot be run with the robots that are there
+     */
+    @Nullable
+    Consumer<Execution> checkWithFiles(PreparedLine line) {
+        if (line.statement() instanceof Statement.ForRobots robotLine) {
+            RobotAction action = actions.of(robotLine.command());
+            List<Member> robots = selection.members(robotLine.robots());
+            robots.forEach(robot -> action.check(new RobotCheck(selection, robot, false, true)));
+            return execution -> execution.run(action, robots);
+        }
+        if (line.statement() instanceof Statement.ForSession sessionLine) {
+            SessionAction action = actions.of(sessionLine.command());
+            action.check(new SessionCheck(selection, false));
+            return action::run;
+        }
+        refuse(Checker.check(List.of(line.statement()), actions, selection));
+        return null;
     }
 
     private PreparedLine forRobots(Statement.ForRobots line, String text, boolean check) {
@@ -92,7 +116,10 @@ final class LinePreparation {
 
     /** Checks a block, or only its head. */
     void checkBlock(Statement block) {
-        List<Mistake> mistakes = Checker.checkWithoutFiles(List.of(block), actions, selection);
+        refuse(Checker.checkWithoutFiles(List.of(block), actions, selection));
+    }
+
+    private static void refuse(List<Mistake> mistakes) {
         if (!mistakes.isEmpty()) {
             throw new BotException(mistakes.get(0).message());
         }

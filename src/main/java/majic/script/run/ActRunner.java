@@ -9,15 +9,25 @@ import majic.team.QueuedCommand;
 /** Finds behaviours, runs them on robots and keeps the consent to their code. */
 public interface ActRunner {
     /**
-     * Checks whether a behaviour can be given to a robot. Reads files.
+     * Finds a behaviour, and reads and checks its file. May block.
      *
      * @param actions for the commands of a behaviour that is a script
-     * @throws majic.script.syntax.ScriptException if not
+     * @throws majic.script.syntax.ScriptException if there is none, or it cannot be loaded
      */
-    void check(Command.Act act, RobotCheck check, Actions actions);
+    CheckedAct read(Command.Act act, Actions actions);
 
-    /** A command that runs a behaviour in the robot's turn and lasts as long as it does. */
-    QueuedCommand command(Command.Act act, Member me, Execution execution, Actions actions);
+    /** A behaviour whose file was read once and checked; each run of it is a new act. */
+    interface CheckedAct {
+        /**
+         * Checks whether it can be given to a robot.
+         *
+         * @throws majic.script.syntax.ScriptException if not
+         */
+        void check(RobotCheck check);
+
+        /** A command that runs it in the robot's turn and lasts as long as it does. */
+        QueuedCommand command(Member me, Execution execution);
+    }
 
     /**
      * Ends the behaviour that a robot runs or has a role in; one that is queued ends when its turn comes.
