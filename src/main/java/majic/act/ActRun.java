@@ -170,7 +170,7 @@ public final class ActRun {
     private void end() {
         if (phase.compareAndSet(Phase.RUNNING, Phase.CUT_SHORT)) {
             cast.revoke();
-            cast.clock().aside("ending " + name, this::halt);
+            cast.clock().runAsync("ending " + name, this::halt);
         }
     }
 
@@ -180,7 +180,7 @@ public final class ActRun {
         } finally {
             halted = true;
             changes.raise();
-            TimeSource.system().aside("awaiting the end of " + name, this::awaitEnding);
+            TimeSource.system().runAsync("awaiting the end of " + name, this::awaitEnding);
         }
     }
 

@@ -97,7 +97,7 @@ final class Cast {
         AtomicInteger moving = new AtomicInteger(all.size() - 1);
         Signal halted = clock().signal();
         for (MajicBot robot : all.subList(1, all.size())) {
-            robot.time().aside("halting the " + robot.type().label(), () -> {
+            robot.time().runAsync("halting the " + robot.type().label(), () -> {
                 halt(robot);
                 moving.decrementAndGet();
                 halted.raise();

@@ -94,7 +94,7 @@ public final class ShutdownHook {
     private static void run() {
         List<Closing> robots = begin();
         robots.forEach(bot -> bot.revoke().accept(REASON));
-        robots.forEach(bot -> bot.time().aside("closing " + bot.name().get(), () -> attempt(bot.close())));
+        robots.forEach(bot -> bot.time().runAsync("closing " + bot.name().get(), () -> attempt(bot.close())));
         awaitClosed();
         finish();
     }

@@ -12,8 +12,8 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
-import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
+import majic.time.CountingSignal;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -250,7 +250,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
     }
 
     private void stepUnlessAwake(long seen) {
-        if (pacing.awaitsMembers() && somebodyWoke(seen)) {
+        if (pacing.awaitsMembers() && hasWoken(seen)) {
             return;
         }
         lab.step();
@@ -266,7 +266,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         }
     }
 
-    private boolean somebodyWoke(long seen) {
+    private boolean hasWoken(long seen) {
         lock.lock();
         try {
             return running > 0 || awakenings != seen;
@@ -303,66 +303,37 @@ public final class LabClock implements TimeSource, AutoCloseable {
     }
 
     /** A signal whose timeouts are in the lab's time. */
-    private final class LabSignal implements Signal {
+    private final class LabSignal extends CountingSignal {
         private final Set<Waiter> waiters = new HashSet<>();
-        private long raises;
 
-        @Override
-        public boolean await(BooleanSupplier condition, double seconds) throws InterruptedException {
-            long deadline = seconds == FOR_EVER ? Long.MAX_VALUE : nowNanos + (long) Math.ceil(seconds * 1e9);
-            while (true) {
-                long seen = raises();
-                if (condition.getAsBoolean()) {
-                    return true;
-                }
-                if (nowNanos >= deadline) {
-                    return false;
-                }
-                refuseEnded();
-                pause(seen, deadline);
-            }
+        LabSignal() {
+            super(LabClock.this.lock);
         }
 
         @Override
-        public void raise() {
-            lock.lock();
-            try {
-                raises++;
-                waiters.forEach(LabClock.this::wake);
-                waiters.clear();
-            } finally {
-                lock.unlock();
-            }
+        protected long nanos() {
+            return nowNanos;
         }
 
-        private long raises() {
-            lock.lock();
+        @Override
+        protected void pause(long deadlineNanos) throws InterruptedException {
+            refuseEnded();
+            Waiter waiter = new Waiter(deadlineNanos);
             try {
-                return raises;
-            } finally {
-                lock.unlock();
-            }
-        }
-
-        private void pause(long seen, long deadline) throws InterruptedException {
-            lock.lockInterruptibly();
-            @Nullable Waiter waiter = null;
-            try {
-                if (raises != seen || ended != null) {
-                    return;
-                }
-                waiter = new Waiter(deadline);
                 fallAsleep(waiter);
                 while (!waiter.woken) {
                     waiter.wakeUp.await();
                 }
             } finally {
-                if (waiter != null) {
-                    wake(waiter);
-                    waiters.remove(waiter);
-                }
-                lock.unlock();
+                wake(waiter);
+                waiters.remove(waiter);
             }
+        }
+
+        @Override
+        protected void wakeAll() {
+            waiters.forEach(LabClock.this::wake);
+            waiters.clear();
         }
 
         private void fallAsleep(Waiter waiter) {

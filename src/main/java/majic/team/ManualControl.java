@@ -47,7 +47,7 @@ public final class ManualControl implements AutoCloseable {
             throw new BotException(member.number() + " is busy; \"" + member.number() + " stop\" ends it");
         }
         member.claim(owner);
-        if (!member.time().begin("robot " + member.number() + " by hand", this::run)) {
+        if (!member.time().tryRunAsync("robot " + member.number() + " by hand", this::run)) {
             member.free(owner);
             throw new BotException(member.number() + ": the system has no thread left to drive it by hand");
         }

@@ -351,7 +351,7 @@ public final class Member implements TeamPlace {
         }
         if (ended != null) {
             ended.end(() -> new LinkLost(reason));
-            bot.time().aside("ending " + ended.to().name(), ended.to()::endWhateverHappens);
+            bot.time().runAsync("ending " + ended.to().name(), ended.to()::endWhateverHappens);
         }
     }
 

@@ -48,8 +48,9 @@ final class StopAnswers {
         }
         open.incrementAndGet();
         AtomicBoolean late = new AtomicBoolean();
-        boolean begun = TimeSource.system().begin("stop answer timeout", () -> timeOut(late))
-                && member.time().begin("answering the stop of robot " + member.number(), () -> await(member, late));
+        boolean begun = TimeSource.system().tryRunAsync("stop answer timeout", () -> timeOut(late))
+                && member.time()
+                        .tryRunAsync("answering the stop of robot " + member.number(), () -> await(member, late));
         if (!begun) {
             close(member);
         }

@@ -211,7 +211,7 @@ public final class Team implements AutoCloseable {
         });
         CountDownLatch running = new CountDownLatch(callbacks.size());
         for (Runnable callback : callbacks) {
-            time.aside("telling of a stop", () -> {
+            time.runAsync("telling of a stop", () -> {
                 try {
                     callback.run();
                 } finally {
@@ -320,7 +320,7 @@ public final class Team implements AutoCloseable {
         roster.clear();
         AtomicInteger open = new AtomicInteger(all.size());
         for (Member member : all) {
-            member.time().aside("closing robot " + member.number(), () -> {
+            member.time().runAsync("closing robot " + member.number(), () -> {
                 try {
                     member.close();
                 } finally {
@@ -358,7 +358,7 @@ public final class Team implements AutoCloseable {
     private void sendStops(List<Member> members) {
         List<Member> left = members.stream()
                 .filter(member -> !member.time()
-                        .begin(
+                        .tryRunAsync(
                                 "stopping robot " + member.number(),
                                 () -> writeStop(member).run()))
                 .toList();

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
-/** Events that are delivered in the order they were put, by one thread at a time and with no lock held. Thread-safe. */
+/** Delivers events in the order in which they were added, by one thread at a time and with no lock held. Thread-safe. */
 public final class OrderedEvents {
     private final Deque<Runnable> undelivered = new ArrayDeque<>();
     private @Nullable Thread delivering;
@@ -14,7 +14,7 @@ public final class OrderedEvents {
     /**
      * Appends an event; delivers nothing.
      *
-     * @param event its delivery
+     * @param event delivers it
      * @return its number, for {@link #isDelivered}
      */
     public synchronized long put(Runnable event) {
@@ -23,8 +23,8 @@ public final class OrderedEvents {
     }
 
     /**
-     * Delivers on this thread all that is undelivered. Returns at once while another thread delivers: that goes on with
-     * it.
+     * Delivers all undelivered events on this thread. Returns at once while another thread delivers, which then delivers
+     * these too.
      */
     public void deliver() {
         if (!begin()) {
@@ -41,7 +41,7 @@ public final class OrderedEvents {
     }
 
     /**
-     * Returns whether everything that was put has been delivered or is being delivered.
+     * Returns whether every event has been delivered or is being delivered.
      *
      * @return false while an event waits
      */
@@ -49,12 +49,12 @@ public final class OrderedEvents {
         return undelivered.isEmpty();
     }
 
-    /** Whether there is something to deliver that no thread delivers already. */
+    /** Returns whether events wait while no thread delivers. */
     public synchronized boolean areDue() {
         return delivering == null && !undelivered.isEmpty();
     }
 
-    /** Whether an event was delivered, or is to be by this very thread as soon as the present one has been. */
+    /** Returns whether an event was delivered, or will be delivered by this thread after the present one. */
     public synchronized boolean isDelivered(long number) {
         return delivered >= number || delivering == Thread.currentThread();
     }
@@ -67,7 +67,7 @@ public final class OrderedEvents {
         return true;
     }
 
-    /** The next event; without one this thread delivers no more, under the same lock that {@link #put} takes. */
+    /** Returns the next event; if there is none, ends the delivery under the same lock that {@link #put} takes. */
     private synchronized @Nullable Runnable next() {
         Runnable next = undelivered.poll();
         if (next == null) {

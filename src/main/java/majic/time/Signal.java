@@ -3,25 +3,25 @@ package majic.time;
 import java.util.function.BooleanSupplier;
 
 /**
- * A place where threads wait for something to become true, woken by the thread that may have made it true. Thread-safe.
+ * Lets threads wait until a condition holds; a thread that may have made it true wakes them. Thread-safe.
  */
 public interface Signal {
-    /** A time that never comes. */
+    /** No time limit. */
     double FOR_EVER = Double.POSITIVE_INFINITY;
 
     /**
-     * Waits until a condition holds. The condition is looked at on the calling thread, at once and after every
+     * Waits until a condition holds. The condition is evaluated on the calling thread, at once and after every
      * {@link #raise}, without any lock held.
      *
-     * @param condition what to wait for; quick, and without side effects
-     * @param seconds how long at most, on the clock that made this signal; {@link #FOR_EVER} is allowed
-     * @return whether the condition held when this returned
+     * @param condition must be quick and have no side effects
+     * @param seconds time limit on the clock that made this signal; {@link #FOR_EVER} for none
+     * @return whether the condition holds
      * @throws InterruptedException if the thread is interrupted meanwhile
-     * @throws RuntimeException if the clock has ended, as a simulated lab's does by an error in the lab; the message
-     *     contains the reason
+     * @throws RuntimeException if the clock has ended, as that of a simulated lab does after an error in the lab; the
+     *     message contains the reason
      */
     boolean await(BooleanSupplier condition, double seconds) throws InterruptedException;
 
-    /** Wakes all threads waiting here to check their condition again. To be called after the change; never blocks. */
+    /** Wakes all waiting threads, which check their conditions again. Must be called after the change; never blocks. */
     void raise();
 }

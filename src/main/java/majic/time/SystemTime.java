@@ -2,7 +2,6 @@ package majic.time;
 
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
-import java.util.function.BooleanSupplier;
 
 /** The system's monotonic clock. */
 final class SystemTime implements TimeSource {
@@ -34,61 +33,31 @@ final class SystemTime implements TimeSource {
         return NO_MEMBERSHIP;
     }
 
-    /** Counts how often it was raised, so that a raise between looking and waiting is not lost. */
-    private static final class SystemSignal implements Signal {
-        private final ReentrantLock lock = new ReentrantLock();
+    /** A signal whose timeouts are in real time. */
+    private static final class SystemSignal extends CountingSignal {
         private final Condition raised = lock.newCondition();
-        private long raises;
 
-        @Override
-        public boolean await(BooleanSupplier condition, double seconds) throws InterruptedException {
-            long deadline = seconds == FOR_EVER ? Long.MAX_VALUE : System.nanoTime() + (long) Math.ceil(seconds * 1e9);
-            while (true) {
-                long seen = raises();
-                if (condition.getAsBoolean()) {
-                    return true;
-                }
-                if (!pause(seen, deadline)) {
-                    return condition.getAsBoolean();
-                }
-            }
+        SystemSignal() {
+            super(new ReentrantLock());
         }
 
         @Override
-        public void raise() {
-            lock.lock();
-            try {
-                raises++;
-                raised.signalAll();
-            } finally {
-                lock.unlock();
+        protected long nanos() {
+            return System.nanoTime();
+        }
+
+        @Override
+        protected void pause(long deadlineNanos) throws InterruptedException {
+            if (deadlineNanos == Long.MAX_VALUE) {
+                raised.await();
+            } else {
+                raised.awaitNanos(deadlineNanos - System.nanoTime());
             }
         }
 
-        private long raises() {
-            lock.lock();
-            try {
-                return raises;
-            } finally {
-                lock.unlock();
-            }
-        }
-
-        /** Waits for the next raise; false when the deadline came first. */
-        private boolean pause(long seen, long deadline) throws InterruptedException {
-            lock.lockInterruptibly();
-            try {
-                while (raises == seen) {
-                    if (deadline == Long.MAX_VALUE) {
-                        raised.await();
-                    } else if (raised.awaitNanos(deadline - System.nanoTime()) <= 0) {
-                        return raises != seen;
-                    }
-                }
-                return true;
-            } finally {
-                lock.unlock();
-            }
+        @Override
+        protected void wakeAll() {
+            raised.signalAll();
         }
     }
 }

@@ -1,16 +1,14 @@
 package majic.time;
 
 /**
- * The clock that drivers, teams, scripts and acts wait and measure by. Against a simulated lab it is the lab's own
- * clock, which may run fast or step; otherwise it is the system's. A thread that waits in any other way does not
- * follow that time, and a stepped clock does not take it into account.
- *
- * <p>Safe for use from several threads.
+ * The clock through which drivers, teams, scripts and acts wait and measure time. For a simulated robot it is the clock
+ * of its lab, which may run fast or step; otherwise it is the system's. A thread that waits in any other way does not
+ * follow this clock, and a stepped clock does not wait for it. Thread-safe.
  */
 public interface TimeSource {
 
     /**
-     * The system's own clock.
+     * Returns the system's monotonic clock.
      *
      * @return the clock of every robot that is not simulated
      */
@@ -19,14 +17,14 @@ public interface TimeSource {
     }
 
     /**
-     * The time now, since some fixed moment.
+     * Returns the present time.
      *
-     * @return nanoseconds, never going back
+     * @return nanoseconds since an arbitrary moment, never going back
      */
     long nanos();
 
     /**
-     * Makes a place to wait at.
+     * Creates a signal to wait at.
      *
      * @return a new signal on this clock
      */
@@ -36,35 +34,35 @@ public interface TimeSource {
      * Creates a daemon thread that uses this clock: a stepped clock does not advance while it runs, and advances when
      * it waits. The caller starts it; it counts as running from then on.
      *
-     * @param name what a thread dump shows
-     * @param body what it does
+     * @param name of the thread
+     * @param body runs on the thread
      * @return the thread, not yet started
      */
     Thread thread(String name, Runnable body);
 
     /**
-     * Does something on a daemon thread of its own that lives by this clock. When the system has no thread left, the
-     * caller does it, since a robot that is to be stopped cannot wait until there is one.
+     * Runs a task on a new daemon thread that uses this clock. If the system has no thread left, the task runs on the
+     * calling thread, since the stop of a robot cannot wait for a free thread.
      *
-     * @param name what a thread dump shows
-     * @param body what to do
+     * @param name of the thread
+     * @param task the task
      */
-    default void aside(String name, Runnable body) {
-        if (!begin(name, body)) {
-            body.run();
+    default void runAsync(String name, Runnable task) {
+        if (!tryRunAsync(name, task)) {
+            task.run();
         }
     }
 
     /**
-     * Does something on a daemon thread of its own that lives by this clock, if the system has a thread left.
+     * Runs a task on a new daemon thread that uses this clock, if the system has a thread left.
      *
-     * @param name what a thread dump shows
-     * @param body what to do
-     * @return whether it was begun; if not, nothing has happened
+     * @param name of the thread
+     * @param task the task
+     * @return whether the thread was started; if not, the task does not run
      */
-    default boolean begin(String name, Runnable body) {
+    default boolean tryRunAsync(String name, Runnable task) {
         try {
-            thread(name, body).start();
+            thread(name, task).start();
             return true;
         } catch (OutOfMemoryError e) {
             return false;
@@ -72,20 +70,20 @@ public interface TimeSource {
     }
 
     /**
-     * Takes the calling thread into this clock as {@link #thread} does, for a thread that exists already.
+     * Makes the calling thread use this clock, as a thread made by {@link #thread} does.
      *
-     * @return closing it, on the same thread, leaves the clock
+     * @return to be closed on the same thread, which ends the membership
      */
     Membership join();
 
-    /** The time a thread spends under a clock. */
+    /** The use of a clock by a thread that was not made by it. */
     interface Membership extends AutoCloseable {
         @Override
         void close();
     }
 
     /**
-     * Waits.
+     * Waits for a time.
      *
      * @param seconds how long; zero or less returns at once
      * @throws InterruptedException if the thread is interrupted meanwhile
@@ -95,9 +93,9 @@ public interface TimeSource {
     }
 
     /**
-     * The time passed since an earlier moment.
+     * Returns the time passed since an earlier moment.
      *
-     * @param earlierNanos what {@link #nanos} said then
+     * @param earlierNanos what {@link #nanos} returned then
      * @return seconds
      */
     default double secondsSince(long earlierNanos) {

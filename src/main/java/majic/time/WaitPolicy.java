@@ -3,9 +3,9 @@ package majic.time;
 import java.util.function.BooleanSupplier;
 
 /**
- * Whether the current thread may wait for a robot's answer or for a listener. A thread that receives all reports of a
- * robot must not, nor one that sends motion commands, nor one that checks the guard of a moving robot: what
- * cannot be had at once is {@code unknown} to them, and listeners are called on a thread of their own. Drivers ask here
+ * Determines whether the current thread may wait for a robot's answer or for a listener. A thread must not if it
+ * receives all reports of a robot, sends motion commands, or checks the guard condition of a moving robot: there a value
+ * that is not available at once is {@code unknown}, and listeners are called on another thread. Drivers check this
  * before they wait in the reader of a parameter.
  */
 public final class WaitPolicy {
@@ -14,38 +14,38 @@ public final class WaitPolicy {
     private WaitPolicy() {}
 
     /**
-     * Whether waiting is allowed.
+     * Returns whether waiting is allowed.
      *
-     * @return true but inside of {@link #without}
+     * @return false inside of {@link #without}, otherwise true
      */
     public static boolean isAllowed() {
         return !DENIED.get();
     }
 
     /**
-     * Looks at something without waiting for it.
+     * Evaluates a condition without waiting.
      *
-     * @param look what to ask, on this thread
-     * @return what it answered
+     * @param condition evaluated on this thread
+     * @return its result
      */
-    public static boolean without(BooleanSupplier look) {
+    public static boolean without(BooleanSupplier condition) {
         boolean before = DENIED.get();
         DENIED.set(true);
         try {
-            return look.getAsBoolean();
+            return condition.getAsBoolean();
         } finally {
             DENIED.set(before);
         }
     }
 
     /**
-     * Does something that must not wait.
+     * Runs a task that must not wait.
      *
-     * @param deed what to do, on this thread
+     * @param task runs on this thread
      */
-    public static void without(Runnable deed) {
+    public static void without(Runnable task) {
         without(() -> {
-            deed.run();
+            task.run();
             return true;
         });
     }

@@ -187,7 +187,7 @@ public final class Dispatcher {
             return;
         }
         beside.incrementAndGet();
-        boolean begun = team.time().begin("script: " + line.title(), () -> {
+        boolean begun = team.time().tryRunAsync("script: " + line.title(), () -> {
             try {
                 attempt(line);
             } finally {
