@@ -7,20 +7,17 @@ import java.util.List;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Tests parameters and commands of the Aibo's driver with the simulated dog, in MAJIC Script. */
 @Timeout(120)
 class AiboParametersInLabTest {
+    @AutoClose
     private final LabRig rig = LabRig.exact();
-    private final MajicBot dog = rig.add("aibo");
 
-    @AfterEach
-    void close() {
-        rig.close();
-    }
+    private final MajicBot dog = rig.add("aibo");
 
     @Test
     void aLegGoesWhereItIsTold() throws InterruptedException {

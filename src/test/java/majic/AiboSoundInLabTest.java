@@ -16,7 +16,7 @@ import javax.sound.sampled.AudioInputStream;
 import javax.sound.sampled.AudioSystem;
 import majic.bot.MajicBot;
 import majicsim.aibo.PlayedSound;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,16 +26,13 @@ import org.junit.jupiter.api.io.TempDir;
 class AiboSoundInLabTest {
     private static final int AMPLITUDE = 8000;
 
+    @AutoClose
     private final LabRig rig = LabRig.exact();
+
     private final MajicBot dog = rig.add("aibo");
 
     @TempDir
     Path folder;
-
-    @AfterEach
-    void close() {
-        rig.close();
-    }
 
     @Test
     void aFileIsPlayedPieceAfterPieceWithNothingLost() throws Exception {

@@ -26,7 +26,7 @@ import majic.program.UserFolder;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.QueuedCommand;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -43,7 +43,10 @@ class ForgedAnswersTest {
     private Path folder;
 
     private final Screen screen = new Screen();
+
+    @AutoClose
     private Program program;
+
     private Member robot;
     private BufferedReader answers;
 
@@ -64,11 +67,6 @@ class ForgedAnswersTest {
         socket.getOutputStream().write("bots\n".getBytes(StandardCharsets.UTF_8));
         answers = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
         answers.readLine();
-    }
-
-    @AfterEach
-    void close() {
-        program.close();
     }
 
     /** A terminal without input. */

@@ -8,7 +8,7 @@ import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
 import majic.bot.Pose;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,18 +22,15 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 @Timeout(120)
 class HemissonOnAStallingLineTest {
+    @AutoClose
     private LabRig rig;
+
     private MajicBot bot;
 
     @BeforeEach
     void connect() {
         rig = LabRig.exactWithHemisson("kteam+ultrasonic+overrun+paced");
         bot = rig.add("hemisson");
-    }
-
-    @AfterEach
-    void close() {
-        rig.close();
     }
 
     @ParameterizedTest

@@ -10,7 +10,7 @@ import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.Pose;
 import majic.lab.LabAccess.Wall;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,14 +26,11 @@ class PioneerInLabTest {
 
     private static final double TEN_MINUTES_S = 600;
 
+    @AutoClose
     private LabRig rig;
+
     private MajicBot bot;
     private double leastClearMm = Double.MAX_VALUE;
-
-    @AfterEach
-    void closeAll() {
-        rig.close();
-    }
 
     @ParameterizedTest
     @ValueSource(doubles = {1000, -1000, 300, -50, 5})

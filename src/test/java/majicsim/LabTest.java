@@ -14,7 +14,7 @@ import majicsim.net.Client;
 import majicsim.net.LineCount;
 import majicsim.world.Pose;
 import majicsim.world.Room;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,16 +24,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class LabTest {
+    @AutoClose
     private Lab lab;
 
     @BeforeEach
     void open() throws IOException {
         lab = Lab.open(LabOptions.exactOnFreePorts());
-    }
-
-    @AfterEach
-    void close() {
-        lab.close();
     }
 
     @Test

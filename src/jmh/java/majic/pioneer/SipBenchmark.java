@@ -25,7 +25,8 @@ import org.openjdk.jmh.annotations.Warmup;
  * Measures how many SIPs of 16 sonar readings one core converts from the connection's bytes to fields and to the
  * published state.
  *
- * <p>Result: {@link #decode} at least 2 SIPs a microsecond; {@code gc.alloc.rate.norm} is the bytes allocated for each.
+ * <p>Result: {@link #track} divided by {@link #decode}, the share of the time that decoding takes. {@link #decode} must
+ * reach at least 2 SIPs a microsecond; {@code gc.alloc.rate.norm} is the number of bytes allocated for each.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)

@@ -12,7 +12,7 @@ import majic.bot.Guard;
 import majic.bot.MotionFailed;
 import majic.bot.Unit;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -20,17 +20,13 @@ import org.junit.jupiter.api.Timeout;
 /** Walks and drives that something else ends, and a hand that changes its mind. */
 @Timeout(30)
 class AiboDriveTest {
+    @AutoClose
     private Dogs dogs;
 
     @BeforeEach
     void connect() throws IOException {
         dogs = new Dogs();
         dogs.aibo.connect();
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        dogs.close();
     }
 
     @Test

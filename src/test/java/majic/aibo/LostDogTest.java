@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 import majic.aibo.session.AiboSession;
 import majic.bot.LinkLost;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -20,17 +20,13 @@ class LostDogTest {
     private static final int STOP = 0;
     private static final int MOTION = 2;
 
+    @AutoClose
     private Dogs dogs;
 
     @BeforeEach
     void connect() throws IOException {
         dogs = new Dogs();
         dogs.aibo.connect();
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        dogs.close();
     }
 
     @ParameterizedTest

@@ -9,7 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,17 +17,13 @@ import org.junit.jupiter.api.Timeout;
 /** Postures, and a dog that must not fall when its motors go off. */
 @Timeout(30)
 class PostureControlTest {
+    @AutoClose
     private Dogs dogs;
 
     @BeforeEach
     void connect() throws IOException {
         dogs = new Dogs();
         dogs.aibo.connect();
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        dogs.close();
     }
 
     @Test

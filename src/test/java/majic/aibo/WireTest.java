@@ -8,7 +8,7 @@ import java.util.List;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.time.WaitPolicy;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -18,16 +18,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** What parameters look like on the wire, word for word but for the tags. */
 @Timeout(30)
 class WireTest {
+    @AutoClose
     private Dogs dogs;
 
     @BeforeEach
     void start() throws IOException {
         dogs = new Dogs();
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        dogs.close();
     }
 
     @ParameterizedTest

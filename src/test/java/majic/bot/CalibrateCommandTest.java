@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import majic.driver.CalibrateCommand;
 import majic.driver.CalibrateCommand.Trial;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -15,6 +15,8 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(20)
 class CalibrateCommandTest {
     private final List<Double> learned = new ArrayList<>();
+
+    @AutoClose
     private final FakeBot bot = new FakeBot(new FakeType(), BotEnvironment.plain());
 
     @BeforeEach
@@ -32,11 +34,6 @@ class CalibrateCommandTest {
             }
         }));
         bot.connect();
-    }
-
-    @AfterEach
-    void close() {
-        bot.close();
     }
 
     @Test

@@ -8,7 +8,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import majic.bot.MajicBot.Connection;
 import majic.time.TimeSource;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -16,7 +16,9 @@ import org.junit.jupiter.api.Timeout;
 /** A listener for connection changes may call any method, and receives every change in order. */
 @Timeout(20)
 class ConnectionNewsTest implements BotListener {
+    @AutoClose
     private final FakeBot bot = FakeBot.on(TimeSource.system());
+
     private final List<Connection> heard = new CopyOnWriteArrayList<>();
     private volatile Runnable whenLost = () -> {};
 
@@ -24,11 +26,6 @@ class ConnectionNewsTest implements BotListener {
     void connect() {
         bot.connect();
         bot.addListener(this);
-    }
-
-    @AfterEach
-    void close() {
-        bot.close();
     }
 
     @Override

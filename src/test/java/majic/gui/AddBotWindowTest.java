@@ -6,7 +6,7 @@ import java.util.List;
 import majic.bot.Settings;
 import majic.gui.add.AddBotDialog;
 import majic.gui.kit.ProgramServices;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -16,12 +16,8 @@ import org.junit.jupiter.api.Timeout;
 class AddBotWindowTest {
     private static final int SHORT_MS = 300;
 
+    @AutoClose
     private final TestWindow window = TestWindow.open();
-
-    @AfterEach
-    void close() {
-        window.close();
-    }
 
     @Test
     void theMenuStartsTheLabAndAddsItsRobots() {

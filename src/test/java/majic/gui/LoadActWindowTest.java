@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.team.Owner;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -24,18 +24,15 @@ class LoadActWindowTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private TestWindow window;
+
     private OwnActs own;
 
     @BeforeEach
     void open() throws IOException {
         own = new OwnActs(folder).endless("Ahead", 100).endless("Other", 200);
         window = TestWindow.open(own.acts());
-    }
-
-    @AfterEach
-    void close() {
-        window.close();
     }
 
     private void choose(String act) {

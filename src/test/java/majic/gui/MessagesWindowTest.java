@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import javax.swing.JScrollBar;
 import majic.gui.command.MessageArea;
 import majic.log.Line;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -12,12 +12,8 @@ import org.junit.jupiter.api.Timeout;
 @Tag("jdk")
 @Timeout(60)
 class MessagesWindowTest {
+    @AutoClose
     private final TestWindow window = TestWindow.open();
-
-    @AfterEach
-    void close() {
-        window.close();
-    }
 
     @Test
     void theNewestLineStaysInSightWhenTheWindowShrinks() {

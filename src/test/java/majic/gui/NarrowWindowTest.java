@@ -6,7 +6,7 @@ import java.awt.Component;
 import java.awt.Rectangle;
 import javax.swing.JButton;
 import javax.swing.SwingUtilities;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Timeout;
 @Tag("jdk")
 @Timeout(60)
 class NarrowWindowTest {
+    @AutoClose
     private final TestWindow window = TestWindow.open();
 
     @BeforeEach
@@ -23,11 +24,6 @@ class NarrowWindowTest {
         window.await(
                 "a narrow window",
                 () -> window.find("messageArea", Component.class).getWidth() < 700);
-    }
-
-    @AfterEach
-    void close() {
-        window.close();
     }
 
     @Test

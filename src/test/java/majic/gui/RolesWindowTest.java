@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Path;
 import javax.swing.JTabbedPane;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -19,7 +19,9 @@ class RolesWindowTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private TestWindow window;
+
     private OwnActs own;
 
     @BeforeEach
@@ -29,11 +31,6 @@ class RolesWindowTest {
                 .script("Trio", "1 move 100", "2 move 100", "3 move 100")
                 .script("WithDog", "add sim:toy as 1", "add sim:aibo as 2", "1 move 100", "2 move 100")
                 .acts());
-    }
-
-    @AfterEach
-    void close() {
-        window.close();
     }
 
     private void choose(String act) {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Dialog;
 import java.awt.event.KeyEvent;
 import javax.swing.JButton;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -13,12 +13,8 @@ import org.junit.jupiter.api.Timeout;
 @Tag("jdk")
 @Timeout(60)
 class StopWindowTest {
+    @AutoClose
     private final TestWindow window = TestWindow.open();
-
-    @AfterEach
-    void close() {
-        window.close();
-    }
 
     @Test
     void theButtonHaltsEveryRobotAndLatches() {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import javax.swing.JTabbedPane;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -13,12 +13,8 @@ import org.junit.jupiter.api.Timeout;
 @Tag("jdk")
 @Timeout(60)
 class TeamWindowTest {
+    @AutoClose
     private final TestWindow window = TestWindow.open();
-
-    @AfterEach
-    void close() {
-        window.close();
-    }
 
     @Test
     void killBotClosesTheRobotAndItsTabAndReportsIt() {

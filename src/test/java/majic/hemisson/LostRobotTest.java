@@ -8,7 +8,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -16,7 +16,9 @@ import org.junit.jupiter.api.Timeout;
 /** A robot that misses answers, is reset, falls silent or is cut off, above all in motion. */
 @Timeout(20)
 class LostRobotTest {
+    @AutoClose
     private DrivenHemisson pair;
+
     private ScriptedHemisson robot;
     private MajicHemisson bot;
 
@@ -25,11 +27,6 @@ class LostRobotTest {
         pair = new DrivenHemisson();
         robot = pair.robot();
         bot = pair.bot();
-    }
-
-    @AfterEach
-    void closeBoth() throws Exception {
-        pair.close();
     }
 
     @Test

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.charset.StandardCharsets;
 import majic.bot.BotException;
 import majic.time.WaitPolicy;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -14,7 +14,9 @@ import org.junit.jupiter.api.Timeout;
 /** Connecting, closing, and the values that the robot reports. */
 @Timeout(20)
 class MajicHemissonTest {
+    @AutoClose
     private DrivenHemisson pair;
+
     private ScriptedHemisson robot;
     private MajicHemisson bot;
 
@@ -23,11 +25,6 @@ class MajicHemissonTest {
         pair = new DrivenHemisson();
         robot = pair.robot();
         bot = pair.bot();
-    }
-
-    @AfterEach
-    void closeBoth() throws Exception {
-        pair.close();
     }
 
     @Test

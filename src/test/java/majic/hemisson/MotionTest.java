@@ -10,7 +10,7 @@ import majic.bot.Guard;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -18,7 +18,9 @@ import org.junit.jupiter.api.Timeout;
 /** Motions of a robot that obeys. */
 @Timeout(20)
 class MotionTest {
+    @AutoClose
     private DrivenHemisson pair;
+
     private ScriptedHemisson robot;
     private MajicHemisson bot;
 
@@ -27,11 +29,6 @@ class MotionTest {
         pair = new DrivenHemisson();
         robot = pair.robot();
         bot = pair.bot();
-    }
-
-    @AfterEach
-    void closeBoth() throws Exception {
-        pair.close();
     }
 
     @Test

@@ -12,7 +12,7 @@ import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.Value;
 import majic.pioneer.arcos.Bytes;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -24,12 +24,9 @@ class GuardTest {
     private static final byte[] AT_HUNDRED = {100, 0, 0, 0, 0, 0, 0, 0};
 
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
-    private final PioneerRig stage = PioneerRig.connected(robot);
 
-    @AfterEach
-    void close() {
-        stage.close();
-    }
+    @AutoClose
+    private final PioneerRig stage = PioneerRig.connected(robot);
 
     private void encoders(byte[] ticks) {
         stage.line.send(Bytes.wire(ENCODERS, ticks));

@@ -9,7 +9,7 @@ import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.pioneer.arcos.Bytes;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -17,12 +17,9 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(30)
 class HeartbeatTest {
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
-    private final PioneerRig stage = PioneerRig.connected(robot);
 
-    @AfterEach
-    void close() {
-        stage.close();
-    }
+    @AutoClose
+    private final PioneerRig stage = PioneerRig.connected(robot);
 
     @Test
     void noTwoPacketsAreEverHalfASecondApart() {

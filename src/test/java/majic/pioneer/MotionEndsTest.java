@@ -8,7 +8,7 @@ import majic.bot.BotListener;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -23,12 +23,9 @@ class MotionEndsTest {
     private static final int REAR_BUMPER = 0x0002;
 
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
-    private final PioneerRig stage = new PioneerRig(robot);
 
-    @AfterEach
-    void close() {
-        stage.close();
-    }
+    @AutoClose
+    private final PioneerRig stage = new PioneerRig(robot);
 
     private void connect() {
         robot.subclass = "patrolbot-sh";

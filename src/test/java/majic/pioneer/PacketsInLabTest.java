@@ -9,7 +9,7 @@ import majic.pioneer.session.PioneerSession;
 import majic.pioneer.state.EncoderTicks;
 import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,18 +17,15 @@ import org.junit.jupiter.api.Timeout;
 /** The reports of the lab's Pioneer as the driver decodes them. */
 @Timeout(60)
 class PacketsInLabTest {
+    @AutoClose
     private LabRig rig;
+
     private MajicPioneer bot;
 
     @BeforeEach
     void connect() {
         rig = LabRig.exact();
         bot = (MajicPioneer) rig.add("pioneer");
-    }
-
-    @AfterEach
-    void close() {
-        rig.close();
     }
 
     @Test

@@ -10,7 +10,7 @@ import java.util.List;
 import majic.act.ActDetails;
 import majic.act.file.ActFile;
 import majic.act.make.ActMaker;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,12 +23,8 @@ class ActCommandTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private final Desk desk = Desk.withTwo();
-
-    @AfterEach
-    void close() {
-        desk.close();
-    }
 
     private String file(String name, String... lines) throws IOException {
         Path path = Files.write(folder.resolve(name), List.of(lines));

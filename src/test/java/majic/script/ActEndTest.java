@@ -13,7 +13,7 @@ import majic.act.ActDetails;
 import majic.act.make.ActMaker;
 import majic.bot.FakeBot;
 import majic.team.Owner;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -28,17 +28,14 @@ class ActEndTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private final Desk desk = Desk.withTwo();
+
     private FakeBot driver;
 
     @BeforeEach
     void name() {
         driver = desk.bot(1);
-    }
-
-    @AfterEach
-    void close() {
-        desk.close();
     }
 
     private String file(String... lines) throws IOException {

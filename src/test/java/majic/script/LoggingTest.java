@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,12 +15,8 @@ class LoggingTest {
     @TempDir
     Path folder;
 
+    @AutoClose
     private final Desk desk = Desk.withTwo();
-
-    @AfterEach
-    void close() {
-        desk.close();
-    }
 
     @Test
     void readingsAreTakenWhileTheRobotMoves() throws Exception {

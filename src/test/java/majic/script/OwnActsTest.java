@@ -12,7 +12,7 @@ import majic.act.file.ActTrust;
 import majic.act.file.Acts;
 import majic.act.make.ActMaker;
 import majic.bot.Settings;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -26,6 +26,7 @@ class OwnActsTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private Desk desk;
 
     @BeforeEach
@@ -33,11 +34,6 @@ class OwnActsTest {
         desk = new Desk(new Acts(folder, new ActTrust(Settings.inMemory())));
         desk.add(desk.aibo);
         desk.add(desk.pioneer);
-    }
-
-    @AfterEach
-    void close() {
-        desk.close();
     }
 
     private void script(String file, String... lines) throws IOException {

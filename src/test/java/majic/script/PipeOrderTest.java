@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,12 +19,8 @@ class PipeOrderTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private final Desk desk = Desk.withTwo();
-
-    @AfterEach
-    void close() {
-        desk.close();
-    }
 
     private String endless() throws IOException {
         return Files.write(folder.resolve("endless.majic"), List.of("repeat", "me move 300", "end"))

@@ -3,24 +3,20 @@ package majic.script;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import majic.bot.BotException;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(10)
 class ReconnectTest {
+    @AutoClose
     private final Desk desk = new Desk();
 
     @BeforeEach
     void loseARobot() throws InterruptedException {
         desk.runPipe("add sim:aibo");
         desk.bot(1).cut();
-    }
-
-    @AfterEach
-    void close() {
-        desk.close();
     }
 
     @Test

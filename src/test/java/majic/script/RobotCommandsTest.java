@@ -4,19 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import majic.bot.Unit;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** What robots do and answer when they are told one line. Robot 1 is an Aibo, 2 a Pioneer; both go 300 mm/s, 90 deg/s. */
 @Timeout(30)
 class RobotCommandsTest {
+    @AutoClose
     private final Desk desk = Desk.withTwo();
-
-    @AfterEach
-    void close() {
-        desk.close();
-    }
 
     @Test
     void moveAnswersWithTheDistanceAndTheTime() throws InterruptedException {

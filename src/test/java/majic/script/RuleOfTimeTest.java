@@ -2,19 +2,15 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Commands to one robot run in order, different robots run side by side, a wait joins them. */
 @Timeout(30)
 class RuleOfTimeTest {
+    @AutoClose
     private final Desk desk = Desk.withTwo();
-
-    @AfterEach
-    void close() {
-        desk.close();
-    }
 
     @Test
     void linesToOneRobotFollowEachOther() throws InterruptedException {

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import majic.bot.Pose;
 import majic.team.ManualControl;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,12 +19,8 @@ class SessionRecordTest {
     @TempDir
     Path folder;
 
+    @AutoClose
     private final Desk desk = new Desk();
-
-    @AfterEach
-    void close() {
-        desk.close();
-    }
 
     private void type(String line) {
         assertThat(desk.prompt.parseText(line)).isEmpty();

@@ -3,7 +3,7 @@ package majic.script;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,12 +14,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class StopTest {
     private static final String LATCHED = "STOP is latched; \"release\" allows motion again";
 
+    @AutoClose
     private final Desk desk = Desk.withTwo();
-
-    @AfterEach
-    void close() {
-        desk.close();
-    }
 
     @ParameterizedTest
     @ValueSource(

@@ -14,7 +14,7 @@ import majicsim.net.Faults;
 import majicsim.net.TcpPort;
 import majicsim.net.Wiring;
 import majicsim.world.Noise;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,16 +24,13 @@ import org.junit.jupiter.api.Timeout;
 class ManyClientsTest {
     private final Bench bench = Bench.exact();
     private final ReentrantLock lock = new ReentrantLock();
+
+    @AutoClose
     private TcpPort port;
 
     @BeforeEach
     void open() throws IOException {
         port = TcpPort.open(0, Clients.MANY, new Wiring(lock, bench.dog(), new Faults(Noise.exact())));
-    }
-
-    @AfterEach
-    void close() {
-        port.close();
     }
 
     @Test

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import majicsim.world.Noise;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -20,12 +20,9 @@ class TcpPortTest {
     private final EchoFirmware firmware = new EchoFirmware();
     private final ReentrantLock lock = new ReentrantLock(true);
     private final Faults faults = new Faults(Noise.seeded(1));
-    private final TcpPort port = open(Clients.ONE);
 
-    @AfterEach
-    void close() {
-        port.close();
-    }
+    @AutoClose
+    private final TcpPort port = open(Clients.ONE);
 
     @Test
     void aClientIsGreetedAndAnswered() throws IOException {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Random;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -27,16 +27,13 @@ class AgainAndAgainTest {
             link -> new P2osClient(link, true, true));
 
     private final Random random = new Random(4);
+
+    @AutoClose
     private Stand stand;
 
     @BeforeEach
     void open() throws IOException {
         stand = new Stand(Noise.exact());
-    }
-
-    @AfterEach
-    void close() {
-        stand.close();
     }
 
     @Test

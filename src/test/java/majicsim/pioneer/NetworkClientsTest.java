@@ -9,7 +9,7 @@ import java.util.Random;
 import majicsim.pioneer.packet.Hex;
 import majicsim.pioneer.packet.Packet;
 import majicsim.world.Noise;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -25,16 +25,12 @@ class NetworkClientsTest {
     private static final int ADSEL = 35;
     private static final int LOST_STEP = 0xFF;
 
+    @AutoClose
     private Stand stand;
 
     @BeforeEach
     void open() throws IOException {
         stand = new Stand(Noise.exact());
-    }
-
-    @AfterEach
-    void close() {
-        stand.close();
     }
 
     @Test

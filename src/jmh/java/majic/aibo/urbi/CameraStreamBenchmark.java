@@ -31,7 +31,8 @@ import org.openjdk.jmh.annotations.Warmup;
  * Measures how many camera frames a second the driver receives from a peer on loopback that sends at full speed,
  * compared with a bare socket that reads the same bytes and discards them.
  *
- * <p>Result: frames a second; times {@code bytes} it is the largest data rate that the client can process.
+ * <p>Result: {@link #client} divided by {@link #bareRead}, for each size. {@link #client} times {@code bytes} is the
+ * largest data rate that the client can process.
  */
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import majic.TestClock;
 import majic.driver.RobotWait;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -13,14 +13,11 @@ import org.junit.jupiter.api.Timeout;
 class DogClockTest {
     private static final long AHEAD_MS = 50_000;
 
+    @AutoClose
     private final TestClock time = new TestClock();
+
     private final DogClock clock =
             new DogClock(new RobotWait(time.time(), time.time().signal()));
-
-    @AfterEach
-    void stop() {
-        time.close();
-    }
 
     @Test
     void aWordIsNoNewerThanItsTimeStamp() throws InterruptedException {

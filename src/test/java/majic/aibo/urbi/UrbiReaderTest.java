@@ -5,19 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import majic.TestClock;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(20)
 class UrbiReaderTest {
+    @AutoClose
     private final TestClock clock = new TestClock();
-    private final UrbiReader reader = new UrbiReader(clock.time());
 
-    @AfterEach
-    void stopTheClock() {
-        clock.close();
-    }
+    private final UrbiReader reader = new UrbiReader(clock.time());
 
     @Test
     void losesPatienceWithACutBinaryAfterASecond() throws InterruptedException {

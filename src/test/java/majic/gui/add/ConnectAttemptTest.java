@@ -19,22 +19,20 @@ import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
 import majic.time.TimeSource;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(30)
 class ConnectAttemptTest {
     private final ToyType type = new ToyType(BotType.Reach.TCP);
+
+    @AutoClose
     private final Team team = new Team(TimeSource.system(), 1);
+
     private final Session session = new Session(
             team, new BotFactory(List.of(type), Settings.inMemory()), SessionLog.none(), NoActs.here(), () -> {});
     private final BlockingQueue<String> heard = new ArrayBlockingQueue<>(10);
-
-    @AfterEach
-    void close() {
-        team.close();
-    }
 
     @Test
     void aConnectedRobotJoins() throws InterruptedException {

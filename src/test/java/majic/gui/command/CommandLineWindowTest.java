@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.event.KeyEvent;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -13,13 +13,10 @@ import org.junit.jupiter.api.Timeout;
 @Tag("jdk")
 @Timeout(60)
 class CommandLineWindowTest {
+    @AutoClose
     private final TestWindow window = TestWindow.open();
-    private final ToyBot bot = window.add("one");
 
-    @AfterEach
-    void close() {
-        window.close();
-    }
+    private final ToyBot bot = window.add("one");
 
     @Test
     void aValidLineIsClearedAwayAndItsAnswerShown() {

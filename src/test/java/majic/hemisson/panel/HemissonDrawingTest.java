@@ -12,7 +12,7 @@ import majic.bot.BotEnvironment;
 import majic.hemisson.MajicHemisson;
 import majic.hemisson.line.MotorValues;
 import majic.hemisson.readings.Proximity;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -24,12 +24,8 @@ class HemissonDrawingTest {
     private static final List<Integer> BRIGHT = Collections.nCopies(8, 0);
     private static final List<Integer> DARK = Collections.nCopies(8, 255);
 
+    @AutoClose
     private final MajicHemisson bot = new MajicHemisson("//127.0.0.1:1", BotEnvironment.plain());
-
-    @AfterEach
-    void close() {
-        bot.close();
-    }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6, 7})

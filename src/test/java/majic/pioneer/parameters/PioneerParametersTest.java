@@ -17,7 +17,7 @@ import majic.bot.Value;
 import majic.pioneer.MajicPioneer;
 import majic.pioneer.PioneerRig;
 import majic.pioneer.ScriptedPioneer;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -25,13 +25,11 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(60)
 class PioneerParametersTest {
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
-    private final PioneerRig stage = PioneerRig.connected(robot);
-    private final MajicPioneer bot = stage.bot;
 
-    @AfterEach
-    void close() {
-        stage.close();
-    }
+    @AutoClose
+    private final PioneerRig stage = PioneerRig.connected(robot);
+
+    private final MajicPioneer bot = stage.bot;
 
     @Test
     void aPoseThatIsSetIsReportedAndSendsNothing() {

@@ -10,7 +10,7 @@ import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.state.Feed;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -22,13 +22,10 @@ class SubscriptionsTest {
     private static final String ENCODER_ONCE = "19 1";
     private static final Encoders TICKS = new Encoders(1, 2);
 
+    @AutoClose
     private final TestClock clock = new TestClock();
-    private final RecordingLink wire = new RecordingLink();
 
-    @AfterEach
-    void stopTheClock() {
-        clock.close();
-    }
+    private final RecordingLink wire = new RecordingLink();
 
     @Test
     void aFastLineBringsWhatTheRobotHasFromTheStart() {
