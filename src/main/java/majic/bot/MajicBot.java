@@ -16,15 +16,16 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Conventions, as in {@link BotControl}: mm, degrees counterclockwise positive, x ahead and y left of where it was
  * connected. Connecting neither moves the robot nor switches its motors on; the first motion does, and sends a notice
- * to the listeners. All public methods are thread-safe. Motions of several callers run one after the other; {@link
- * #stop()} overtakes them.
+ * to the listeners. All public methods are thread-safe. Motions of several callers run one after the other;
+ * {@link #stop()} overtakes them.
  *
  * <p>Subclasses implement the protected hooks. This class checks arguments, orders callers, stops, ends a {@code drive}
  * that is not renewed, calls listeners and defines the shared parameters.
  */
 public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoCloseable {
     private final BotType type;
-    private final BotEnvironment environment;
+    private final TimeSource time;
+    private final Settings settings;
     private final ParameterTable parameters = new ParameterTable();
     private final List<BotCommand> commands = new CopyOnWriteArrayList<>();
     private final Listeners listeners;
@@ -37,7 +38,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     private final ShutdownHook.Closing atShutdown;
 
     private volatile BotProfile profile;
-    private volatile Pace pace;
+    private volatile MotionLimits limits;
     private volatile String name;
     private volatile @Nullable TeamPlace place;
     private volatile BotState state = BotState.UNKNOWN;
@@ -66,18 +67,18 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     protected MajicBot(BotType type, BotProfile profile, BotEnvironment environment) {
         this.type = type;
         this.profile = profile;
-        this.pace = new Pace(profile);
-        this.environment = environment;
-        this.listeners = new Listeners(this, environment.time());
+        this.limits = new MotionLimits(profile);
+        this.time = environment.time();
+        this.settings = environment.settings();
+        this.listeners = new Listeners(this, time);
         this.life = new ConnectionLife(listeners::connectionChanged);
-        this.changes = environment.time().signal();
-        this.timer = new RobotTimer(environment.time());
+        this.changes = time.signal();
+        this.timer = new RobotTimer(time);
         this.gate = new MotionGate(new Moving(), timer);
         this.name = "the " + type.label();
-        this.atShutdown = new ShutdownHook.Closing(this::name, environment.time(), this::revokeForGood, this::close);
-        SharedParameters.describe(
-                parameters, new SharedParameters.Source(this::state, this::profile, environment.time()));
-        pace.describe(parameters);
+        this.atShutdown = new ShutdownHook.Closing(this::name, time, this::revokeForGood, this::close);
+        SharedParameters.describe(parameters, new SharedParameters.Source(this::state, this::profile, time));
+        limits.describe(parameters);
     }
 
     /**
@@ -94,7 +95,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         try {
             ShutdownHook.add(atShutdown);
             if (first) {
-                listeners.start(time(), type.name());
+                listeners.start(time, type.name());
                 timer.start(type.name());
             }
             listeners.deliver();
@@ -118,7 +119,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     final MotionReport move(double mm, Guard until, Permit permit) {
-        pace.checkMove(mm);
+        limits.checkMove(mm);
         return gate.perform(until, permit, motion -> moveBy(mm, motion));
     }
 
@@ -128,7 +129,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     final MotionReport turn(double degrees, Guard until, Permit permit) {
-        Pace.checkTurn(degrees);
+        limits.checkTurn(degrees);
         return gate.perform(until, permit, motion -> turnBy(degrees, motion));
     }
 
@@ -138,8 +139,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
-        Pace.checkDrive(profile, mmPerSec, degPerSec);
-        Pace.checkDriveTime(seconds);
+        limits.checkDrive(mmPerSec, degPerSec, seconds);
         return gate.drive(mmPerSec, degPerSec, seconds, until, permit);
     }
 
@@ -149,7 +149,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     final void drive(double mmPerSec, double degPerSec, Permit permit) {
-        Pace.checkDrive(profile, mmPerSec, degPerSec);
+        limits.checkDrive(mmPerSec, degPerSec);
         gate.drive(mmPerSec, degPerSec, permit);
     }
 
@@ -163,7 +163,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
 
     /** Revokes the permission to move of all current motions; does not block, sends nothing. */
     public final void revokeMotions() {
-        gate.permits().revokeAll(() -> new MotionStopped("stopped"));
+        gate.revoke(() -> new MotionStopped("stopped"));
         changes.raise();
     }
 
@@ -268,6 +268,26 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Checks arguments for one of the commands that only this type of robot has, without running it.
+     *
+     * @param command its name, whatever the case
+     * @param arguments as for {@link #run(String, List)}
+     * @throws BotException what running it would throw for these arguments
+     */
+    public final void checkRun(String command, List<Value> arguments) {
+        Arguments.forCommand(Arguments.command(name, commands, command), arguments);
+    }
+
+    /**
+     * The limits of its motions.
+     *
+     * @return as known now; connecting may change them
+     */
+    public final MotionLimits limits() {
+        return limits;
+    }
+
+    /**
      * Looks a parameter up.
      *
      * @param parameter its name, whatever the case
@@ -304,7 +324,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
 
     /** Ends all motions and permits no others; does not block, sends nothing. */
     final void revokeForGood(String reason) {
-        gate.permits().close(() -> new BotException(reason));
+        gate.close(() -> new BotException(reason));
         changes.raise();
     }
 
@@ -529,8 +549,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      */
     protected final void profile(BotProfile better) {
         profile = better;
-        pace = pace.fittedTo(better);
-        pace.describe(parameters);
+        limits = limits.fittedTo(better);
+        limits.describe(parameters);
     }
 
     /**
@@ -539,7 +559,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return mm/s, positive
      */
     protected final double cruiseMmPerSec() {
-        return pace.cruiseMmPerSec();
+        return limits.cruiseMmPerSec();
     }
 
     /**
@@ -548,7 +568,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return deg/s, positive
      */
     protected final double cruiseTurnDegPerSec() {
-        return pace.cruiseTurnDegPerSec();
+        return limits.cruiseTurnDegPerSec();
     }
 
     /**
@@ -557,7 +577,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return the only way its driver may wait and measure
      */
     public final TimeSource time() {
-        return environment.time();
+        return time;
     }
 
     /**
@@ -566,7 +586,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return the settings
      */
     protected final Settings settings() {
-        return environment.settings();
+        return settings;
     }
 
     /**
@@ -662,18 +682,18 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return revoked by the next stop or the loss of the connection
      */
     public final Permit permit() {
-        return gate.permits().current();
+        return gate.permit();
     }
 
     /** Refuses all motion until {@link #unlatch()}. */
     public final void latch() {
-        gate.permits().latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
+        gate.latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
         changes.raise();
     }
 
     /** Allows motion again after {@link #latch()}. */
     public final void unlatch() {
-        gate.permits().unlatch();
+        gate.unlatch();
     }
 
     /**
@@ -729,7 +749,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
 
         @Override
         public TimeSource time() {
-            return environment.time();
+            return time;
         }
 
         @Override

@@ -127,12 +127,12 @@ public final class Motion {
     }
 
     /**
-     * Looks at the guard, if there is something new to look at. The first look, when nothing moves yet, may take its
-     * time.
+     * Checks the guard, if there is one and there are new readings. The first check, when nothing moves yet, may wait
+     * for answers of robots.
      */
     private boolean lookAtGuard() {
         long readings = bot.readings();
-        if (!guardReached && readings != readingsSeen) {
+        if (isGuarded() && !guardReached && readings != readingsSeen) {
             boolean first = readingsSeen < 0;
             readingsSeen = readings;
             try {
@@ -156,7 +156,7 @@ public final class Motion {
                             () -> done.getAsBoolean()
                                     || permit.isRevoked()
                                     || !bot.isConnected()
-                                    || bot.readings() != seen,
+                                    || (isGuarded() && bot.readings() != seen),
                             seconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

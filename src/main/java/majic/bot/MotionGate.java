@@ -31,10 +31,12 @@ public final class MotionGate {
 
     private final MovingRobot bot;
     private final RobotTimer timer;
-    private final Permits permits = new Permits();
     private final Object commandLock = new Object();
     private final AtomicBoolean motionUnderWay = new AtomicBoolean();
     private volatile boolean driving;
+    private Permit current = new Permit();
+    private boolean latched;
+    private boolean closed;
 
     /** What a motion does between its beginning and its end. */
     @FunctionalInterface
@@ -48,8 +50,43 @@ public final class MotionGate {
         this.timer = timer;
     }
 
-    Permits permits() {
-        return permits;
+    /** The permit in force: each stop, and the loss of the connection, revokes it and puts another in its place. */
+    synchronized Permit permit() {
+        return current;
+    }
+
+    /** Ends all motions begun under the present permit; later ones get a new one, unless latched. Does not block. */
+    synchronized void revoke(Supplier<? extends BotException> reason) {
+        current.revoke(reason);
+        if (!latched) {
+            current = new Permit();
+        }
+    }
+
+    /** Ends all motions and permits no others until {@link #unlatch()}. Does not block. */
+    synchronized void latch(Supplier<? extends BotException> reason) {
+        if (closed) {
+            return;
+        }
+        current.revoke(() -> new MotionStopped("stopped"));
+        current = new Permit();
+        current.revoke(reason);
+        latched = true;
+    }
+
+    synchronized void unlatch() {
+        if (latched && !closed) {
+            latched = false;
+            current = new Permit();
+        }
+    }
+
+    /** As {@link #latch}, for good: {@link #unlatch()} does nothing any more. The first reason stays. */
+    synchronized void close(Supplier<? extends BotException> reason) {
+        if (!closed) {
+            latch(reason);
+            closed = true;
+        }
     }
 
     boolean isDriving() {
@@ -67,7 +104,7 @@ public final class MotionGate {
      */
     MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
         bot.requireConnected();
-        Permit own = permits.current();
+        Permit own = permit();
         begin(permit);
         Motion motion = new Motion(bot, this, until, permit);
         try {
@@ -94,8 +131,11 @@ public final class MotionGate {
         }
     }
 
-    /** Lets the news of all robots that the guard asks wake the motion. */
+    /** Lets new readings of all other robots that the guard reads wake the motion. */
     private MotionReport watching(Guard until, Supplier<MotionReport> motion) {
+        if (until == Guard.NEVER) {
+            return motion.get();
+        }
         List<? extends Guard.ReadingSource> others = until.alsoWatches();
         Runnable lookAgain = bot::lookAgain;
         others.forEach(other -> other.addWatcher(lookAgain));
@@ -268,6 +308,6 @@ public final class MotionGate {
     /** Handles the loss of the connection: revokes every permission to move the robot. */
     void lost(LinkLost cause) {
         driving = false;
-        permits.revokeAll(() -> new LinkLost(cause.getMessage(), cause));
+        revoke(() -> new LinkLost(cause.getMessage(), cause));
     }
 }

@@ -2,7 +2,6 @@ package majic.script.actions;
 
 import java.util.List;
 import majic.bot.BotControl;
-import majic.bot.Checks;
 import majic.bot.Guard;
 import majic.script.conditions.UntilGuard;
 import majic.script.run.Execution;
@@ -60,7 +59,7 @@ final class MotionActions {
         public void check(RobotCheck check) {
             checkUntil(check);
             if (!check.limitMayChange()) {
-                distance.at().check(() -> Checks.move(check.bot(), number(distance)));
+                distance.at().check(() -> check.bot().limits().checkMove(number(distance)));
             }
         }
 
@@ -80,7 +79,7 @@ final class MotionActions {
 
         @Override
         public void check(RobotCheck check) {
-            angle.at().check(() -> Checks.turn(number(angle)));
+            angle.at().check(() -> check.bot().limits().checkTurn(number(angle)));
             checkUntil(check);
         }
 
@@ -109,7 +108,7 @@ final class MotionActions {
             double seconds = drive.seconds().orElse(DRIVE_S);
             drive.speed()
                     .at()
-                    .check(() -> Checks.drive(check.bot(), number(drive.speed()), number(drive.rate()), seconds));
+                    .check(() -> check.bot().limits().checkDrive(number(drive.speed()), number(drive.rate()), seconds));
             checkUntil(check);
         }
 

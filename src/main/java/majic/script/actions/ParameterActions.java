@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
 import majic.bot.BotCommand;
-import majic.bot.Checks;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.Value;
@@ -188,7 +187,7 @@ final class ParameterActions {
                 throw new ScriptException(word, Help.noSuchCommand(word.text(), check.bot()));
             }
             Token place = arguments.isEmpty() ? word : arguments.get(0).at();
-            place.check(() -> Checks.run(check.bot(), word.text(), values(arguments)));
+            place.check(() -> check.bot().checkRun(word.text(), values(arguments)));
         }
 
         @Override

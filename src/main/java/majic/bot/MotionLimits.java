@@ -1,0 +1,156 @@
+package majic.bot;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How fast and how far one robot may move: the limits of its profile and the parameters that set others. Its checks
+ * throw what the motion itself would throw, so that a script can be checked before any robot moves. Thread-safe.
+ */
+public final class MotionLimits {
+    private static final double MAX_MOVE_MM = 5000;
+    private static final double MAX_TURN_DEG = 36_000;
+    private static final double MAX_DRIVE_SECONDS = 60;
+
+    private final BotProfile profile;
+    private volatile double maxMoveMm = MAX_MOVE_MM;
+    private volatile double cruiseMmPerSec;
+    private volatile double cruiseTurnDegPerSec;
+
+    /** The value that was set; null for the value of the profile. */
+    private volatile @Nullable Double cruiseSet;
+
+    private volatile @Nullable Double cruiseTurnSet;
+    private volatile @Nullable Double nearSet;
+
+    MotionLimits(BotProfile profile) {
+        this.profile = profile;
+        setCruise(null);
+        setCruiseTurn(null);
+    }
+
+    /** Returns the limits for another profile; parameters that were set stay set, as far as the robot allows. */
+    MotionLimits fittedTo(BotProfile better) {
+        MotionLimits fitted = new MotionLimits(better);
+        fitted.maxMoveMm = maxMoveMm;
+        fitted.setCruise(cruiseSet);
+        fitted.setCruiseTurn(cruiseTurnSet);
+        fitted.nearSet = nearSet;
+        return fitted;
+    }
+
+    private void setCruise(@Nullable Double mmPerSec) {
+        cruiseSet = mmPerSec;
+        cruiseMmPerSec = profile.speed().clamp(or(mmPerSec, profile.cruiseMmPerSec()));
+    }
+
+    private void setCruiseTurn(@Nullable Double degPerSec) {
+        cruiseTurnSet = degPerSec;
+        cruiseTurnDegPerSec = profile.turn().clamp(or(degPerSec, profile.cruiseTurnDegPerSec()));
+    }
+
+    double cruiseMmPerSec() {
+        return cruiseMmPerSec;
+    }
+
+    double cruiseTurnDegPerSec() {
+        return cruiseTurnDegPerSec;
+    }
+
+    private double nearMm() {
+        return or(nearSet, profile.nearMm());
+    }
+
+    private static double or(@Nullable Double set, double usual) {
+        return set == null ? usual : set;
+    }
+
+    void describe(ParameterTable table) {
+        table.add(
+                        Parameter.number("cruise", Unit.MM_PER_S, "how fast move goes")
+                                .within(
+                                        profile.slowestMmPerSec(),
+                                        profile.speed().max()),
+                        () -> Value.of(cruiseMmPerSec, Unit.MM_PER_S))
+                .writes(values -> setCruise(values.get(0).number()));
+        table.add(
+                        Parameter.number("cruiseTurn", Unit.DEG_PER_S, "how fast turn goes")
+                                .within(
+                                        profile.slowestTurnDegPerSec(),
+                                        profile.turn().max()),
+                        () -> Value.of(cruiseTurnDegPerSec, Unit.DEG_PER_S))
+                .writes(values -> setCruiseTurn(values.get(0).number()));
+        table.add(
+                        Parameter.number("maxMove", Unit.MM, "the longest single move that is accepted")
+                                .within(1, 1_000_000),
+                        () -> Value.of(maxMoveMm, Unit.MM))
+                .writes(values -> maxMoveMm = values.get(0).number());
+        table.add(
+                        Parameter.number("near", Unit.MM, "what counts as close for this robot")
+                                .within(0, 10_000),
+                        () -> Value.of(nearMm(), Unit.MM))
+                .writes(values -> nearSet = values.get(0).number());
+    }
+
+    /**
+     * Checks the distance of a {@code move} against the present {@code maxMove}.
+     *
+     * @param mm the distance, mm, ahead positive
+     * @throws ParameterException if it is longer, or not finite
+     */
+    public void checkMove(double mm) {
+        double most = maxMoveMm;
+        if (!Double.isFinite(mm)) {
+            throw new ParameterException("move", "move " + mm + ": not a distance");
+        }
+        if (Math.abs(mm) > most) {
+            throw new ParameterException(
+                    "move",
+                    "move " + Value.plain(mm) + ": longer than maxMove, " + Value.plain(most)
+                            + " mm; set maxMove higher to allow it");
+        }
+    }
+
+    /**
+     * Checks the angle of a {@code turn}.
+     *
+     * @param degrees the angle, counterclockwise positive; at most 36000 either way
+     * @throws ParameterException if it is larger, or not finite
+     */
+    public void checkTurn(double degrees) {
+        if (!Double.isFinite(degrees) || Math.abs(degrees) > MAX_TURN_DEG) {
+            throw new ParameterException("turn", "turn " + shown(degrees) + ": not an angle of at most 36000 deg");
+        }
+    }
+
+    private static String shown(double number) {
+        return Double.isFinite(number) ? Value.plain(number) : String.valueOf(number);
+    }
+
+    /**
+     * Checks a {@code drive} for a time against what the robot can do.
+     *
+     * @param mmPerSec the speed, mm/s, ahead positive
+     * @param degPerSec the turn rate, deg/s, counterclockwise positive
+     * @param seconds for how long; more than 0, at most 60
+     * @throws ParameterException if it is too fast or too long
+     */
+    public void checkDrive(double mmPerSec, double degPerSec, double seconds) {
+        checkDrive(mmPerSec, degPerSec);
+        if (!(seconds > 0 && seconds <= MAX_DRIVE_SECONDS)) {
+            throw new ParameterException(
+                    "drive",
+                    "drive … for " + Value.plain(seconds) + " s: outside 0 … " + Value.plain(MAX_DRIVE_SECONDS) + " s");
+        }
+    }
+
+    void checkDrive(double mmPerSec, double degPerSec) {
+        if (!profile.speed().contains(mmPerSec)) {
+            throw new ParameterException(
+                    "drive", "drive " + Value.plain(mmPerSec) + ": outside " + profile.speed() + " mm/s");
+        }
+        if (!profile.turn().contains(degPerSec)) {
+            throw new ParameterException(
+                    "drive", "drive … " + Value.plain(degPerSec) + ": outside " + profile.turn() + " deg/s");
+        }
+    }
+}
