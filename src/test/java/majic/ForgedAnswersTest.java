@@ -111,13 +111,13 @@ class ForgedAnswersTest {
 
     @Test
     void aRobotsNoticeStaysInItsLine() throws Exception {
-        robot.complain(new BotException(FORGED));
+        robot.report(new BotException(FORGED));
         isShownAs("1: " + HARMLESS);
     }
 
     @Test
     void whatAnActSaysStaysInItsLine() throws Exception {
-        robot.tell(new Owner(Owner.Kind.ACT, "Liar", () -> {}), FORGED);
+        robot.report(new Owner(Owner.Kind.ACT, "Liar", () -> {}), FORGED);
         isShownAs("1: Liar: " + HARMLESS);
     }
 
@@ -128,7 +128,7 @@ class ForgedAnswersTest {
             shown = screen.shown.take();
         }
         assertThat(shown).isEqualTo(line);
-        robot.complain(new BotException("the last notice"));
+        robot.report(new BotException("the last notice"));
         assertThat(answers.readLine()).isEqualTo(LAST);
         program.close();
         assertThat(sessionLog())

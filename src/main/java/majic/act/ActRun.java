@@ -44,7 +44,7 @@ public final class ActRun {
     private final Cast cast;
     private final Signal changes;
     private final Owner owner;
-    private final Permit leave;
+    private final Permit permit;
     private final AtomicReference<Phase> phase = new AtomicReference<>(Phase.RUNNING);
     private volatile boolean calledOff;
     private volatile boolean halted;
@@ -57,13 +57,13 @@ public final class ActRun {
      * @param act the act, not started
      * @param name the act's name in messages
      * @param members at least one robot for each of its roles, {@value Role#ME} the first
-     * @param leave the permission to move all these robots, taken when the act was ordered: loading may take time, and
+     * @param permit the permission to move all these robots, taken when the act was ordered: loading may take time, and
      *     a stop of one of the robots meanwhile stops the act
      */
-    public ActRun(MajicAct act, String name, Map<String, List<Member>> members, Permit leave) {
+    public ActRun(MajicAct act, String name, Map<String, List<Member>> members, Permit permit) {
         this.act = act;
         this.name = name;
-        this.leave = leave;
+        this.permit = permit;
         this.members = members.values().stream().flatMap(List::stream).toList();
         Map<String, List<MajicBot>> robots = new LinkedHashMap<>();
         members.forEach(
@@ -84,12 +84,12 @@ public final class ActRun {
     public void run(@Nullable Owner by) {
         List<Member> lent = new ArrayList<>();
         try {
-            leave.check();
+            permit.check();
             for (Member member : members) {
-                member.lend(owner, cast.lease(), by);
+                member.lend(owner, cast.permit(), by);
                 lent.add(member);
             }
-            leave.check();
+            permit.check();
             if (!isCutShort()) {
                 act.start(cast, new Hall());
                 awaitEnd();
@@ -210,7 +210,7 @@ public final class ActRun {
     }
 
     private void tell(String words) {
-        members.get(0).tell(owner, words);
+        members.get(0).report(owner, words);
     }
 
     /** Receives the act's notes and its end. */

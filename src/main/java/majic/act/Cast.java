@@ -12,6 +12,7 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
+import majic.bot.PermittedControl;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -20,10 +21,10 @@ import org.jspecify.annotations.Nullable;
 final class Cast {
     private static final Logger LOG = System.getLogger(Cast.class.getName());
 
-    private final Permit lease = new Permit();
+    private final Permit permit = new Permit();
     private final AtomicBoolean takenBack = new AtomicBoolean();
     private final List<MajicBot> all;
-    private final Map<String, List<BotControl>> leases = new LinkedHashMap<>();
+    private final Map<String, List<BotControl>> robotsByRole = new LinkedHashMap<>();
 
     /**
      * Creates a set of robots that the act may use from now on.
@@ -32,9 +33,11 @@ final class Cast {
      */
     Cast(Map<String, List<MajicBot>> robots) {
         this.all = robots.values().stream().flatMap(List::stream).toList();
-        robots.forEach((role, its) -> leases.put(
+        robots.forEach((role, its) -> robotsByRole.put(
                 role,
-                its.stream().map(robot -> (BotControl) new Lease(robot, lease)).toList()));
+                its.stream()
+                        .map(robot -> (BotControl) new PermittedControl(robot, permit))
+                        .toList()));
     }
 
     /** The name of the act's own robot. */
@@ -44,10 +47,10 @@ final class Cast {
 
     /** Returns the robots of a role while the act may use them; at least one. */
     List<BotControl> robots(String role) {
-        List<BotControl> its = leases.get(role);
+        List<BotControl> its = robotsByRole.get(role);
         if (its == null) {
-            throw new BotException(
-                    "the act has no robot called " + role + " (it has " + String.join(", ", leases.keySet()) + ")");
+            throw new BotException("the act has no robot called " + role + " (it has "
+                    + String.join(", ", robotsByRole.keySet()) + ")");
         }
         return its;
     }
@@ -58,7 +61,7 @@ final class Cast {
      * @return true if it was not revoked before, so the robots are not yet halted
      */
     boolean revoke() {
-        lease.revoke(() -> new MotionStopped("the act has ended"));
+        permit.revoke(() -> new MotionStopped("the act has ended"));
         return takenBack.compareAndSet(false, true);
     }
 
@@ -66,15 +69,15 @@ final class Cast {
      * Returns the permission under which all commands of the act run. A stop or a lost connection of one of the robots
      * revokes it.
      */
-    Permit lease() {
-        return lease;
+    Permit permit() {
+        return permit;
     }
 
     /** Returns why the permission to move was revoked; null while it is valid. */
     @Nullable
     BotException revocation() {
         try {
-            lease.check();
+            permit.check();
             return null;
         } catch (BotException e) {
             return e;

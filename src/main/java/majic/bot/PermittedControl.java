@@ -1,25 +1,59 @@
 package majic.bot;
 
 import java.util.List;
-import java.util.function.Supplier;
 
 /**
- * A robot that is moved under a permit which can be revoked; reading and stopping stay allowed.
- *
- * @param bot the robot
- * @param permit asked for each motion
+ * Lets one user of a robot, such as an act or manual control, use the robot while a permit is valid. Once the permit is
+ * revoked, every method but {@link #name()} throws the exception of the revocation, and nothing reaches the robot any
+ * more. A motion also needs the robot's own permit, which every stop of the robot revokes. {@link #stop()} ends only the
+ * motions that were begun through this object, and revokes no other permit. Thread-safe.
  */
-public record PermittedControl(MajicBot bot, Supplier<Permit> permit) implements BotControl {
+public final class PermittedControl implements BotControl {
+    private final MajicBot bot;
+    private final Permit permit;
+    private final Permit permitToMove;
+    private Permit untilStop = new Permit();
+
     /**
-     * A robot controlled under its own permit and an additional one.
+     * Creates the control.
      *
      * @param bot the robot
-     * @param lease the additional permit; once it is revoked every further motion throws the exception of the
-     *     revocation
-     * @return the robot, for use from any thread
+     * @param permit the permit to use it, checked at each use
      */
-    public static BotControl of(MajicBot bot, Permit lease) {
-        return new PermittedControl(bot, () -> bot.permit().and(lease));
+    public PermittedControl(MajicBot bot, Permit permit) {
+        this(bot, permit, permit);
+    }
+
+    private PermittedControl(MajicBot bot, Permit permit, Permit permitToMove) {
+        this.bot = bot;
+        this.permit = permit;
+        this.permitToMove = permitToMove;
+    }
+
+    /**
+     * Returns a control for one command that is queued now and begins later: it cannot move the robot once the robot
+     * was stopped, its connection was lost, or {@link #endMotions()} was called here, even if the command has not begun
+     * by then. Reading stays allowed as long as the permit is valid.
+     *
+     * @return a new control under the same permit
+     */
+    public PermittedControl forCommand() {
+        return new PermittedControl(bot, permit, permitForMotion());
+    }
+
+    /** Ends all motions begun so far, and those of {@link #forCommand()}; later ones may begin. Sends nothing. */
+    public synchronized void endMotions() {
+        untilStop.revoke(() -> new MotionStopped("stopped"));
+        untilStop = new Permit();
+    }
+
+    private synchronized Permit permitForMotion() {
+        return permitToMove.and(untilStop).and(bot.permit());
+    }
+
+    private MajicBot permitted() {
+        permit.check();
+        return bot;
     }
 
     @Override
@@ -29,51 +63,55 @@ public record PermittedControl(MajicBot bot, Supplier<Permit> permit) implements
 
     @Override
     public MotionReport move(double mm, Guard until) {
-        return bot.move(mm, until, permit.get());
+        return permitted().move(mm, until, permitForMotion());
     }
 
     @Override
     public MotionReport turn(double degrees, Guard until) {
-        return bot.turn(degrees, until, permit.get());
+        return permitted().turn(degrees, until, permitForMotion());
     }
 
     @Override
     public MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until) {
-        return bot.drive(mmPerSec, degPerSec, seconds, until, permit.get());
+        return permitted().drive(mmPerSec, degPerSec, seconds, until, permitForMotion());
     }
 
     @Override
     public void drive(double mmPerSec, double degPerSec) {
-        bot.drive(mmPerSec, degPerSec, permit.get());
+        permitted().drive(mmPerSec, degPerSec, permitForMotion());
     }
 
     @Override
     public void stop() {
-        bot.stop();
+        MajicBot robot = permitted();
+        endMotions();
+        if (robot.isConnected()) {
+            robot.sendStop();
+        }
     }
 
     @Override
     public Value get(String parameter) {
-        return bot.get(parameter);
+        return permitted().get(parameter);
     }
 
     @Override
     public void set(String parameter, List<Value> values) {
-        bot.set(parameter, values, permit.get());
+        permitted().set(parameter, values, permitForMotion());
     }
 
     @Override
     public String run(String command, List<Value> arguments) {
-        return bot.run(command, arguments, permit.get());
+        return permitted().run(command, arguments, permitForMotion());
     }
 
     @Override
     public List<Parameter> parameters() {
-        return bot.parameters();
+        return permitted().parameters();
     }
 
     @Override
     public List<BotCommand> commands() {
-        return bot.commands();
+        return permitted().commands();
     }
 }

@@ -96,12 +96,12 @@ final class SessionActs implements ActRunner {
         @Override
         public QueuedCommand command(Member me, Execution execution) {
             List<Member> others = execution.selection().members(act.others());
-            Permit leave = leave(me, others);
+            Permit permit = permit(me, others);
             return new QueuedCommand(act.text(), true, robot -> {
                 Map<String, List<Member>> robots = assign(me, others);
                 sayIfOwn(act.name().unquoted(), me);
                 long began = me.time().nanos();
-                ActRun run = run(found, robots, leave, execution, actions);
+                ActRun run = run(found, robots, permit, execution, actions);
                 String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
                 return List.of(act.text()
                         + String.format(
@@ -124,22 +124,22 @@ final class SessionActs implements ActRunner {
         }
     }
 
-    private Permit leave(Member me, List<Member> others) {
-        Permit all = leave(me);
+    private Permit permit(Member me, List<Member> others) {
+        Permit all = permit(me);
         for (Member other : others) {
-            all = all.and(leave(other));
+            all = all.and(permit(other));
         }
         return all;
     }
 
-    private Permit leave(Member member) {
-        return member.leave().and(ordered.computeIfAbsent(member, its -> new Permit()));
+    private Permit permit(Member member) {
+        return member.currentPermit().and(ordered.computeIfAbsent(member, its -> new Permit()));
     }
 
     private ActRun run(
-            Found found, Map<String, List<Member>> robots, Permit leave, Execution execution, Actions actions) {
+            Found found, Map<String, List<Member>> robots, Permit permit, Execution execution, Actions actions) {
         MajicAct act = found.fresh().get();
-        ActRun run = new ActRun(act, found.name(), robots, leave);
+        ActRun run = new ActRun(act, found.name(), robots, permit);
         if (act instanceof ScriptAct script) {
             script.enter(execution, actions, run.owner(), robots);
         }

@@ -1,21 +1,28 @@
 package majic.team;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
-import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
 import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** Runs the commands to one robot one after the other, on a thread of its own. Thread-safe. */
 final class CommandQueue {
-    private final Team team;
+    /** How many commands may wait in a queue. */
+    static final int DEPTH = 100;
+
+    private static final Logger LOG = System.getLogger(CommandQueue.class.getName());
+
     private final int robot;
-    private final MajicBot bot;
+    private final TimeSource time;
+    private final TeamEvents events;
     private final BooleanSupplier mayWork;
     private final Signal work;
     private final Deque<QueuedCommand> queue = new ArrayDeque<>();
@@ -26,21 +33,21 @@ final class CommandQueue {
     /**
      * Creates an empty queue.
      *
-     * @param team receives the answers
      * @param robot the robot's number in the team
-     * @param bot the robot
+     * @param time the robot's clock
+     * @param events receives the answers
      * @param mayWork whether a command may be begun now; evaluated again after {@link #wake()}
      */
-    CommandQueue(Team team, int robot, MajicBot bot, BooleanSupplier mayWork) {
-        this.team = team;
+    CommandQueue(int robot, TimeSource time, TeamEvents events, BooleanSupplier mayWork) {
         this.robot = robot;
-        this.bot = bot;
+        this.time = time;
+        this.events = events;
         this.mayWork = mayWork;
-        this.work = bot.time().signal();
+        this.work = time.signal();
     }
 
     void start(String thread) {
-        Thread begun = bot.time().thread(thread, this::work);
+        Thread begun = time.thread(thread, this::work);
         synchronized (this) {
             worker = begun;
         }
@@ -57,7 +64,7 @@ final class CommandQueue {
     }
 
     synchronized boolean hasRoom() {
-        return queue.size() < Member.QUEUE_DEPTH;
+        return queue.size() < DEPTH;
     }
 
     synchronized void add(QueuedCommand command) {
@@ -76,9 +83,9 @@ final class CommandQueue {
         return dropped;
     }
 
-    /** Reports dropped commands as not carried out. */
-    void tellDropped(List<QueuedCommand> dropped, String because) {
-        dropped.forEach(command -> tell(command, Ending.of(Answer.Outcome.NOT_RUN, command, "not run: " + because)));
+    /** Answers commands that were removed from the queue. */
+    void answerNotRun(List<QueuedCommand> commands, String because) {
+        commands.forEach(command -> end(command, Ending.of(Answer.Outcome.NOT_RUN, command, "not run: " + because)));
     }
 
     /** Begins no further command, and ends the thread. */
@@ -116,9 +123,9 @@ final class CommandQueue {
         return current;
     }
 
-    /** Runs a command outside the queue, so its failure drops no queued command. */
+    /** Runs a command beside the queue: its failure drops no queued command. */
     void runBeside(QueuedCommand command) {
-        tell(command, attempt(command));
+        end(command, attempt(command));
     }
 
     /** A failed command drops what is queued behind it by then; commands submitted in response to the failure run. */
@@ -130,32 +137,32 @@ final class CommandQueue {
                 command.settle(ending.outcome());
             }
         }
-        tell(command, ending);
-        tellDropped(dropped, robot + " " + command.text() + " failed");
+        end(command, ending);
+        answerNotRun(dropped, robot + " " + command.text() + " failed");
         synchronized (this) {
             current = null;
         }
-        team.changes().raise();
+        events.changes().raise();
     }
 
     private Ending attempt(QueuedCommand command) {
         try {
-            return new Ending(Answer.Outcome.DONE, command.run(bot));
+            return new Ending(Answer.Outcome.DONE, command.run());
         } catch (MotionStopped e) {
             return Ending.of(Answer.Outcome.STOPPED, command, "stopped");
         } catch (BotException e) {
             return Ending.of(Answer.Outcome.FAILED, command, "failed: " + e.getMessage());
         } catch (RuntimeException | Error e) {
-            Team.LOG.log(System.Logger.Level.ERROR, "a command to robot " + robot + " failed", e);
+            LOG.log(Level.ERROR, "a command to robot " + robot + " failed", e);
             return Ending.of(Answer.Outcome.FAILED, command, "failed: an error in MAJIC, see its log");
         }
     }
 
-    private void tell(QueuedCommand command, Ending ending) {
+    private void end(QueuedCommand command, Ending ending) {
         Object asker = command.asker();
-        ending.answers().forEach(line -> team.answer(new Answer(robot, ending.outcome(), robot + " " + line, asker)));
+        ending.answers().forEach(line -> events.answer(new Answer(robot, ending.outcome(), robot + " " + line, asker)));
         command.end(ending.outcome());
-        team.changes().raise();
+        events.changes().raise();
     }
 
     /** How a command ended, and the answers to report for it. */

@@ -1,5 +1,7 @@
 package majic.team;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -19,14 +21,15 @@ import org.jspecify.annotations.Nullable;
  * later. Thread-safe.
  */
 public final class ManualControl implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(ManualControl.class.getName());
     private static final String DRIVE = "";
 
     private final Member member;
     private final Owner owner;
-    private final Permit lease = new Permit();
-    private final Signal wanted;
-    private final ManualLog done;
-    private final Map<String, Consumer<BotControl>> wishes = new LinkedHashMap<>();
+    private final Permit permit = new Permit();
+    private final Signal newSetting;
+    private final ManualLog log;
+    private final Map<String, Consumer<BotControl>> settings = new LinkedHashMap<>();
     private boolean finishing;
     private volatile boolean released;
     private volatile boolean off;
@@ -39,9 +42,9 @@ public final class ManualControl implements AutoCloseable {
      */
     public ManualControl(Member member) {
         this.member = member;
-        this.owner = new Owner(Owner.Kind.HAND, "the hand", this::release);
-        this.wanted = member.bot().time().signal();
-        this.done = new ManualLog(member.teamTime());
+        this.owner = new Owner(Owner.Kind.MANUAL, "manual control", this::release);
+        this.newSetting = member.bot().time().signal();
+        this.log = new ManualLog(member.teamTime());
         member.check(true, null);
         if (!member.isIdle()) {
             throw new BotException(member.number() + " is busy; \"" + member.number() + " stop\" ends it");
@@ -60,9 +63,9 @@ public final class ManualControl implements AutoCloseable {
      * @param degPerSec counterclockwise positive
      */
     public void drive(double mmPerSec, double degPerSec) {
-        wish(DRIVE, robot -> {
+        put(DRIVE, robot -> {
             robot.drive(mmPerSec, degPerSec);
-            done.drove(mmPerSec, degPerSec);
+            log.drove(mmPerSec, degPerSec);
         });
     }
 
@@ -75,21 +78,21 @@ public final class ManualControl implements AutoCloseable {
      * @return false if the robot was released already, or is about to be; nothing will be set then
      */
     public boolean set(String parameter, double number) {
-        return wish(parameter, robot -> {
+        return put(parameter, robot -> {
             robot.set(parameter, number);
-            done.set(parameter, number);
+            log.set(parameter, number);
         });
     }
 
-    private boolean wish(String what, Consumer<BotControl> how) {
+    private boolean put(String what, Consumer<BotControl> setter) {
         synchronized (this) {
             if (released) {
                 return false;
             }
             finishing = false;
-            wishes.put(what, how);
+            settings.put(what, setter);
         }
-        wanted.raise();
+        newSetting.raise();
         return true;
     }
 
@@ -98,7 +101,7 @@ public final class ManualControl implements AutoCloseable {
         synchronized (this) {
             finishing = true;
         }
-        wanted.raise();
+        newSetting.raise();
     }
 
     /**
@@ -118,17 +121,17 @@ public final class ManualControl implements AutoCloseable {
 
     private synchronized void release() {
         released = true;
-        lease.revoke(() -> new MotionStopped("the hand is off"));
-        wanted.raise();
+        permit.revoke(() -> new MotionStopped("manual control has ended"));
+        newSetting.raise();
     }
 
-    /** Always ends by stopping the robot; the permission is revoked before, so that no drive follows a stop. */
+    /** Always ends by stopping the robot; the permit is revoked before, so that no drive follows that stop. */
     private void run() {
-        BotControl robot = PermittedControl.of(member.bot(), lease);
+        BotControl robot = new PermittedControl(member.bot(), permit);
         @Nullable BotException problem = null;
         try {
             while (!released) {
-                wanted.await(this::hasWork, Signal.FOR_EVER);
+                newSetting.await(this::hasWork, Signal.FOR_EVER);
                 Consumer<BotControl> next = take();
                 if (next != null && !released) {
                     next.accept(robot);
@@ -140,31 +143,31 @@ public final class ManualControl implements AutoCloseable {
             problem = e;
         } finally {
             release();
-            stand(robot);
+            endDrive();
             if (problem != null && !(problem instanceof MotionStopped)) {
-                member.complain(problem);
+                member.report(problem);
             }
             member.free(owner);
             off = true;
-            member.tellByHand(done.end());
+            member.reportManual(log.end());
         }
     }
 
-    private void stand(BotControl robot) {
+    private void endDrive() {
         try {
-            robot.drive(0, 0);
+            member.bot().drive(0, 0);
         } catch (RuntimeException | Error e) {
-            Team.LOG.log(System.Logger.Level.DEBUG, "a hand could not let robot " + member.number() + " stand", e);
+            LOG.log(Level.DEBUG, "manual control could not stop robot " + member.number(), e);
         }
     }
 
     private synchronized boolean hasWork() {
-        return released || finishing || !wishes.isEmpty();
+        return released || finishing || !settings.isEmpty();
     }
 
     /** Returns the oldest pending setting; if there is none and none can follow, ends manual control. */
     private synchronized @Nullable Consumer<BotControl> take() {
-        Iterator<Consumer<BotControl>> oldest = wishes.values().iterator();
+        Iterator<Consumer<BotControl>> oldest = settings.values().iterator();
         if (!oldest.hasNext()) {
             released |= finishing;
             return null;

@@ -3,6 +3,7 @@ package majic.team;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
@@ -17,28 +18,28 @@ import org.jspecify.annotations.Nullable;
  * Thread-safe.
  */
 public final class Member implements TeamPlace {
-    /** How many commands may wait for one robot. */
-    public static final int QUEUE_DEPTH = 100;
-
-    /** How many commands may run outside the queue of one robot, each on a thread of its own. */
+    /** How many commands may run beside the queue of one robot, each on a thread of its own. */
     private static final int MOST_BESIDE = 16;
 
-    private final Team team;
+    /** How long the end of a loan waits for the borrower's last command, seconds of the team's clock. */
+    private static final double LAST_COMMAND_S = 1;
+
     private final int number;
     private final MajicBot bot;
-    private final CommandQueue lane;
-    private final Tenure tenure;
-    private final Stops stops;
+    private final TeamEvents events;
+    private final Ownership ownership;
     private final AtomicInteger beside = new AtomicInteger();
-    private boolean gone;
 
-    Member(Team team, int number, MajicBot bot) {
-        this.team = team;
+    /**
+     * Creates the member; {@link #start} begins its work.
+     *
+     * @param stopIsLatched whether STOP is latched
+     */
+    Member(int number, MajicBot bot, TeamEvents events, BooleanSupplier stopIsLatched) {
         this.number = number;
         this.bot = bot;
-        this.lane = new CommandQueue(team, number, bot, () -> mayWork(null));
-        this.tenure = new Tenure(number);
-        this.stops = new Stops(team, bot, lane, tenure);
+        this.events = events;
+        this.ownership = new Ownership(number, bot, events, stopIsLatched);
     }
 
     /**
@@ -74,13 +75,27 @@ public final class Member implements TeamPlace {
         return bot.time();
     }
 
+    /** The clock of the team, which may differ from the robot's. */
+    TimeSource teamTime() {
+        return events.time();
+    }
+
     /**
      * Returns the current holder of the robot.
      *
      * @return the borrower if it is lent, otherwise its owner; null if there is neither
      */
-    public synchronized @Nullable Owner owner() {
-        return tenure.holder();
+    public @Nullable Owner owner() {
+        return ownership.holder();
+    }
+
+    /**
+     * Returns the owner that gets the robot back when a loan ends.
+     *
+     * @return the owner of a robot that is lent; null if it is not lent, or has no owner
+     */
+    public @Nullable Owner lender() {
+        return ownership.lender();
     }
 
     /**
@@ -88,8 +103,8 @@ public final class Member implements TeamPlace {
      *
      * @return true when the queue is empty, no command or stop is running, and the robot is not lent
      */
-    public synchronized boolean isIdle() {
-        return tenure.loan() == null && lane.isIdle() && !stops.areUnderWay();
+    public boolean isIdle() {
+        return isIdle(null);
     }
 
     /**
@@ -98,9 +113,8 @@ public final class Member implements TeamPlace {
      * @param by the source of the commands; differs from {@link #isIdle()} only for the borrower
      * @return true when no command from this source, and no stop, is running
      */
-    public synchronized boolean isIdle(@Nullable Owner by) {
-        Loan his = tenure.loanTo(by);
-        return his != null ? his.lane().isIdle() && !stops.areUnderWay() : isIdle();
+    public boolean isIdle(@Nullable Owner by) {
+        return ownership.isIdle(by);
     }
 
     /**
@@ -108,8 +122,8 @@ public final class Member implements TeamPlace {
      *
      * @return true until the stop was sent to the robot and confirmed by it
      */
-    public synchronized boolean isStopping() {
-        return stops.areUnderWay();
+    public boolean isStopping() {
+        return ownership.isStopping();
     }
 
     /**
@@ -137,27 +151,17 @@ public final class Member implements TeamPlace {
      * @param by the source of the commands; differs from {@link #hasRoom()} only for the borrower
      * @return false while the queue of this source is full
      */
-    public synchronized boolean hasRoom(@Nullable Owner by) {
-        return laneOf(by).hasRoom();
-    }
-
-    private CommandQueue laneOf(@Nullable Owner by) {
-        Loan his = tenure.loanTo(by);
-        return his != null ? his.lane() : lane;
+    public boolean hasRoom(@Nullable Owner by) {
+        return ownership.hasRoom(by);
     }
 
     /**
-     * Returns the current permission to move, for work that is requested now and started later.
+     * Returns the present permit to move, for work that is requested now and started later.
      *
-     * @return revoked by the next stop, or when the connection is lost
+     * @return a new permit, revoked by the next stop or when the connection is lost
      */
-    public Permit leave() {
+    public Permit currentPermit() {
         return bot.permit().and(new Permit());
-    }
-
-    private Permit leaveOf(@Nullable Owner by) {
-        Loan his = tenure.loanTo(by);
-        return his != null ? his.leave(bot) : bot.permit();
     }
 
     /**
@@ -167,45 +171,31 @@ public final class Member implements TeamPlace {
      * @param by the source of the command; null for a person at the command line
      * @throws BotException what {@link #submit} would throw now
      */
-    public synchronized void check(boolean moves, @Nullable Owner by) {
-        if (gone) {
-            throw new BotException(number + ": robot " + number + " was removed");
-        }
-        if (moves) {
-            team.checkLatch();
-            tenure.check(by);
-        }
-        if (!hasRoom(by)) {
-            throw new BotException(number + ": its queue is full (" + QUEUE_DEPTH + " commands); wait, or \"" + number
-                    + " stop\" empties it");
-        }
+    public void check(boolean moves, @Nullable Owner by) {
+        ownership.check(moves, by);
     }
 
     /**
      * Puts a command at the end of the queue.
      *
-     * @param command what to do
+     * @param command what to do; not submitted before
      * @param by the source of the command; null for a person at the command line
-     * @throws BotException if the queue is full, or the command moves and the robot has another owner or STOP is latched;
-     *     nothing was queued then
-     * @throws MotionStopped if the command moves and its source was ended, or no longer has the robot; nothing was queued
+     * @throws BotException if the queue is full, or the command moves and the robot has another owner or STOP is
+     *     latched; nothing was queued then
+     * @throws MotionStopped if the command moves and its source was ended, or no longer has the robot; nothing was
+     *     queued
+     * @throws IllegalStateException if the command was submitted before
      */
     public void submit(QueuedCommand command, @Nullable Owner by) {
-        CommandQueue used;
-        synchronized (this) {
-            check(command.moves(), by);
-            command.accept(leaveOf(by));
-            used = laneOf(by);
-            used.add(command);
-        }
-        used.wake();
+        ownership.submit(command, by);
     }
 
     /**
-     * Runs a command at once, outside the queue, on a thread of its own: a {@code get} at the prompt.
+     * Runs a command at once, beside the queue, on a thread of its own: a {@code get} at the prompt.
      *
-     * @param command what to do; must not move the robot
+     * @param command what to do; must not move the robot; not submitted before
      * @throws BotException if {@value #MOST_BESIDE} such commands have not ended yet
+     * @throws IllegalStateException if the command was submitted before
      */
     public void runNow(QueuedCommand command) {
         if (beside.incrementAndGet() > MOST_BESIDE) {
@@ -213,23 +203,22 @@ public final class Member implements TeamPlace {
             throw new BotException(number + ": " + MOST_BESIDE + " commands beside its queue have no answer yet; wait");
         }
         try {
-            command.accept(bot.permit());
-            startBeside(command);
+            command.accept(ownership.controlFor(null));
+            bot.time()
+                    .thread("robot " + number + " " + command.text(), () -> runBeside(command))
+                    .start();
         } catch (RuntimeException | Error e) {
             beside.decrementAndGet();
             throw e;
         }
     }
 
-    private void startBeside(QueuedCommand command) {
-        Runnable body = () -> {
-            try {
-                lane.runBeside(command);
-            } finally {
-                beside.decrementAndGet();
-            }
-        };
-        bot.time().thread("robot " + number + " " + command.text(), body).start();
+    private void runBeside(QueuedCommand command) {
+        try {
+            ownership.queue().runBeside(command);
+        } finally {
+            beside.decrementAndGet();
+        }
     }
 
     /**
@@ -239,10 +228,8 @@ public final class Member implements TeamPlace {
      * @throws BotException if it has another owner already
      */
     public void claim(Owner newOwner) {
-        synchronized (this) {
-            tenure.claim(newOwner);
-        }
-        team.tell(listener -> listener.ownerChanged(this));
+        ownership.claim(newOwner);
+        events.publish(listener -> listener.ownerChanged(this));
     }
 
     /**
@@ -251,63 +238,50 @@ public final class Member implements TeamPlace {
      * @param oldOwner the previous owner; has no effect if the robot has another owner by now
      */
     public void free(Owner oldOwner) {
-        synchronized (this) {
-            if (!tenure.free(oldOwner)) {
-                return;
-            }
+        if (ownership.free(oldOwner)) {
+            publishGivenBack();
         }
-        team.changes().raise();
-        team.tell(listener -> listener.ownerChanged(this));
     }
 
-    /**
-     * Returns the owner that gets the robot back when a loan ends.
-     *
-     * @return the owner of a robot that is lent; null if it is not lent, or has no owner
-     */
-    public synchronized @Nullable Owner lender() {
-        return tenure.lender();
+    private void publishGivenBack() {
+        events.changes().raise();
+        events.publish(listener -> listener.ownerChanged(this));
     }
 
     /**
      * Lends the robot: until {@link #takeBack} only the borrower's commands run, and those of the owner wait.
      *
      * @param to the borrower
-     * @param lease the permission under which the borrower's commands run; a stop revokes it
+     * @param permit the permit under which the borrower's commands run; a stop revokes it
      * @param by the owner, which remains the owner; null if there is none
-     * @throws BotException if it has another owner, or is lent already, or a stop is pending, or it still runs a command
-     *     other than the one that lends it
+     * @throws BotException if it has another owner, or is lent already, or a stop is pending, or it still runs a
+     *     command other than the one that lends it
      */
-    public void lend(Owner to, Permit lease, @Nullable Owner by) {
-        Loan begun = new Loan(to, lease, new CommandQueue(team, number, bot, () -> mayWork(to)));
-        synchronized (this) {
-            if (tenure.holder() == by && (stops.areUnderWay() || !lane.isAtRest())) {
-                throw new BotException(number + " is still busy; \"" + number + " wait\" lets it finish first");
-            }
-            tenure.lend(begun, by);
-        }
-        begun.begin(number);
-        team.tell(listener -> listener.ownerChanged(this));
+    public void lend(Owner to, Permit permit, @Nullable Owner by) {
+        ownership.lend(to, permit, by);
+        events.publish(listener -> listener.ownerChanged(this));
     }
 
     /**
-     * Ends a loan. Orders still queued under it are not run and not reported. The running command ends with the
-     * permission: revoke the permission, and halt the robot, before this call.
+     * Ends a loan. Commands still queued under it are not run and not answered. A running command ends with the permit:
+     * revoke the permit, and halt the robot, before this call. Waits for that command for at most
+     * {@value #LAST_COMMAND_S} s, so that nothing it sends reaches a robot that has been given back.
      *
      * @param from the borrower; has no effect if the robot is not lent to it
      */
     public void takeBack(Owner from) {
-        Loan ended;
-        synchronized (this) {
-            ended = tenure.takeBack(from);
-        }
-        if (ended == null) {
+        CommandQueue lent = ownership.closeLoan(from);
+        if (lent == null) {
             return;
         }
-        ended.close();
-        lane.wake();
-        team.changes().raise();
-        team.tell(listener -> listener.ownerChanged(this));
+        try {
+            events.changes().await(lent::isAtRest, LAST_COMMAND_S);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        if (ownership.takeBack(from)) {
+            publishGivenBack();
+        }
     }
 
     /**
@@ -316,9 +290,9 @@ public final class Member implements TeamPlace {
      * @param from the holder
      * @param words half a sentence or a whole one
      */
-    public void tell(Owner from, String words) {
-        from.said(words);
-        team.tell(listener -> listener.noticed(number, number + ": " + from.name() + ": " + words));
+    public void report(Owner from, String words) {
+        from.status(words);
+        notice(from.name() + ": " + words);
     }
 
     /**
@@ -326,82 +300,57 @@ public final class Member implements TeamPlace {
      *
      * @param problem its message is shown
      */
-    public void complain(BotException problem) {
-        team.tell(listener -> listener.noticed(number, number + ": " + problem.getMessage()));
+    public void report(BotException problem) {
+        notice(String.valueOf(problem.getMessage()));
     }
 
-    /** The clock of the team, which may differ from the robot's. */
-    TimeSource teamTime() {
-        return team.time();
+    private void notice(String words) {
+        events.publish(listener -> listener.noticed(number, number + ": " + words));
     }
 
     /** Reports the manual commands, once the robot was released. */
-    void tellByHand(List<ManualCommand> commands) {
+    void reportManual(List<ManualCommand> commands) {
         if (!commands.isEmpty()) {
-            team.tell(listener -> listener.drivenByHand(this, commands));
+            events.publish(listener -> listener.drivenManually(this, commands));
         }
     }
 
     /** After a lost connection nothing resumes by itself, not even when the robot is connected again. */
     @Override
     public void linkLost(String reason) {
-        Loan ended;
-        synchronized (this) {
-            ended = tenure.loan();
-        }
-        if (ended != null) {
-            ended.end(() -> new LinkLost(reason));
-            bot.time().runAsync("ending " + ended.to().name(), ended.to()::endWhateverHappens);
+        Owner borrower = ownership.revokeLoan(() -> new LinkLost(reason));
+        if (borrower != null) {
+            bot.time().runAsync("ending " + borrower.name(), borrower::endLoggingErrors);
         }
     }
 
     void start() {
-        lane.start("robot " + number + " worker");
+        ownership.queue().start("robot " + number + " worker");
     }
 
-    /**
-     * Revokes the permission, empties the queue and blocks the worker until {@link #stopEnded} was called twice: when
-     * the robot was stopped, and when all listeners were notified. Notifies nothing itself.
-     */
-    synchronized Stops.Aftermath stopBegins(@Nullable Owner by) {
-        return stops.begin(by);
+    /** Revokes permits and empties the queues; see {@link Ownership#beginStop}. Notifies nothing itself. */
+    Ownership.Stopped beginStop(@Nullable Owner by) {
+        return ownership.beginStop(by);
+    }
+
+    /** Ends one of the two parts of a stop; after both, commands run again. */
+    void endStop() {
+        ownership.endStop();
+        events.changes().raise();
     }
 
     /** Allows motion again, unless another STOP came meanwhile. */
-    synchronized void release() {
-        if (!team.isLatched()) {
-            bot.unlatch();
-        }
+    void release() {
+        ownership.release();
     }
 
-    void stopEnded() {
-        synchronized (this) {
-            stops.end();
-        }
-        lanes().forEach(CommandQueue::wake);
-        team.changes().raise();
-    }
-
-    private synchronized List<CommandQueue> lanes() {
-        return tenure.lanes(lane);
-    }
-
-    private synchronized boolean mayWork(@Nullable Owner by) {
-        return !stops.areUnderWay() && (tenure.loan() == null || tenure.loanTo(by) != null);
-    }
-
-    /** Closes the robot, then reports the queued commands that are not run. */
+    /** Closes the robot, then answers the queued commands, which are not run. */
     void close() {
-        List<QueuedCommand> left;
-        synchronized (this) {
-            gone = true;
-            left = lane.drop();
-        }
-        lanes().forEach(CommandQueue::close);
+        List<QueuedCommand> notRun = ownership.remove();
         try {
             bot.close();
         } finally {
-            lane.tellDropped(left, "robot " + number + " was removed");
+            ownership.queue().answerNotRun(notRun, "robot " + number + " was removed");
         }
     }
 }

@@ -5,26 +5,26 @@ import majic.bot.MajicBot;
 
 /** Forwards the messages and connection changes of one robot to the team's listeners. */
 final class MemberListener implements BotListener {
-    private final Team team;
+    private final TeamEvents events;
     private final Member member;
 
-    MemberListener(Team team, Member member) {
-        this.team = team;
+    MemberListener(TeamEvents events, Member member) {
+        this.events = events;
         this.member = member;
     }
 
     @Override
     public void notice(MajicBot bot, String message) {
-        team.tell(listener -> listener.noticed(member.number(), member.number() + ": " + message));
+        events.publish(listener -> listener.noticed(member.number(), member.number() + ": " + message));
     }
 
     @Override
     public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
         if (connection == MajicBot.Connection.LOST) {
-            bot.lostReason().ifPresent(reason -> team.tell(listener -> listener.lost(member, reason)));
+            bot.lostReason().ifPresent(reason -> events.publish(listener -> listener.lost(member, reason)));
         } else if (connection == MajicBot.Connection.CONNECTED) {
-            team.tell(listener -> listener.regained(member));
+            events.publish(listener -> listener.regained(member));
         }
-        team.changes().raise();
+        events.changes().raise();
     }
 }

@@ -1,5 +1,7 @@
 package majic.team;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import majic.bot.BotException;
 
 /**
@@ -13,13 +15,15 @@ public final class Owner {
         /** A running act. */
         ACT,
         /** A person in manual control. */
-        HAND
+        MANUAL
     }
+
+    private static final Logger LOG = System.getLogger(Owner.class.getName());
 
     private final Kind kind;
     private final String name;
     private final Runnable end;
-    private volatile String said = "";
+    private volatile String status = "";
     private volatile boolean dismissed;
 
     /**
@@ -58,12 +62,12 @@ public final class Owner {
      *
      * @return the message; empty until there is one
      */
-    public String said() {
-        return said;
+    public String status() {
+        return status;
     }
 
-    void said(String words) {
-        said = words;
+    void status(String words) {
+        status = words;
     }
 
     /**
@@ -73,12 +77,12 @@ public final class Owner {
         end.run();
     }
 
-    /** As {@link #end}; exceptions are logged. */
-    void endWhateverHappens() {
+    /** Does as {@link #end}; errors are logged. */
+    void endLoggingErrors() {
         try {
             end();
         } catch (RuntimeException | Error e) {
-            Team.LOG.log(System.Logger.Level.ERROR, name + " did not end well", e);
+            LOG.log(Level.ERROR, name + " failed to end", e);
         }
     }
 
@@ -96,8 +100,9 @@ public final class Owner {
         return dismissed;
     }
 
-    BotException inTheWay(int robot) {
-        String what = kind == Kind.HAND ? " is driven by hand" : " is running " + name;
+    /** Returns what refuses another source's command to a robot of this owner. */
+    BotException refusal(int robot) {
+        String what = kind == Kind.MANUAL ? " is driven by hand" : " is running " + name;
         return new BotException(robot + what + "; \"" + robot + " stop\" ends it");
     }
 }

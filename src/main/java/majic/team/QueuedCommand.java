@@ -4,9 +4,6 @@ import java.util.List;
 import java.util.Objects;
 import majic.bot.BotControl;
 import majic.bot.BotException;
-import majic.bot.MajicBot;
-import majic.bot.Permit;
-import majic.bot.PermittedControl;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,7 +16,7 @@ public final class QueuedCommand {
     private final boolean moves;
     private final Work work;
     private final @Nullable Object asker;
-    private volatile @Nullable Permit permit;
+    private volatile @Nullable BotControl control;
     private volatile Answer.@Nullable Outcome outcome;
     private volatile boolean ended;
 
@@ -29,7 +26,7 @@ public final class QueuedCommand {
         /**
          * Does the work, and blocks until it is done.
          *
-         * @param robot the robot, under the permit with which the command was submitted
+         * @param robot the robot, which no longer moves once it was stopped after the command was submitted
          * @return the answers, each without the robot's number: {@code move 500: done (498 mm, 2.1 s)}
          * @throws BotException if it could not be done; the command has failed then
          */
@@ -121,24 +118,22 @@ public final class QueuedCommand {
     }
 
     /**
-     * Accepts the command: it will run under a permit.
+     * Accepts the command.
+     *
+     * @param robot how it will use the robot
      *
      * @throws IllegalStateException if it was accepted before
      */
-    synchronized void accept(Permit given) {
-        if (permit != null) {
+    synchronized void accept(BotControl robot) {
+        if (control != null) {
             throw new IllegalStateException(text + " was submitted before");
         }
-        permit = given;
+        control = robot;
     }
 
     /** Runs the accepted command and returns its answers; blocks until it is done. */
-    List<String> run(MajicBot bot) {
-        return work.run(new PermittedControl(bot, this::permit));
-    }
-
-    private Permit permit() {
-        return Objects.requireNonNull(permit, "not submitted");
+    List<String> run() {
+        return work.run(Objects.requireNonNull(control, "not submitted"));
     }
 
     void settle(Answer.Outcome how) {

@@ -2,7 +2,6 @@ package majic.team;
 
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.Consumer;
 import majic.time.Signal;
 import majic.time.TimeSource;
 
@@ -14,17 +13,11 @@ final class StopAnswers {
     /** Longer than an act that does not end keeps its robots, seconds of the system's clock. */
     private static final double BOUND_S = 2.5;
 
-    private final Signal changes;
-    private final Consumer<Answer> answers;
+    private final TeamEvents events;
     private final AtomicInteger open = new AtomicInteger();
 
-    /**
-     * @param changes raised when a robot was given back
-     * @param answers receives each answer
-     */
-    StopAnswers(Signal changes, Consumer<Answer> answers) {
-        this.changes = changes;
-        this.answers = answers;
+    StopAnswers(TeamEvents events) {
+        this.events = events;
     }
 
     /** Whether all stops that were confirmed have been answered. */
@@ -64,12 +57,12 @@ final class StopAnswers {
             Thread.currentThread().interrupt();
         }
         late.set(true);
-        changes.raise();
+        events.changes().raise();
     }
 
     private void await(Member member, AtomicBoolean late) {
         try {
-            changes.await(() -> late.get() || !member.hasDismissedOwner(), Signal.FOR_EVER);
+            events.changes().await(() -> late.get() || !member.hasDismissedOwner(), Signal.FOR_EVER);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
@@ -90,11 +83,11 @@ final class StopAnswers {
             }
         } finally {
             open.decrementAndGet();
-            changes.raise();
+            events.changes().raise();
         }
     }
 
     private void answer(Member member, Answer.Outcome outcome, String how) {
-        answers.accept(new Answer(member.number(), outcome, member.number() + " stop: " + how));
+        events.answer(new Answer(member.number(), outcome, member.number() + " stop: " + how));
     }
 }

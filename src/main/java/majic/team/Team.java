@@ -1,16 +1,12 @@
 package majic.team;
 
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.time.OrderedEvents;
@@ -32,12 +28,10 @@ public final class Team implements AutoCloseable {
     /** How long a stop waits for owners and listeners once it has been sent, ms; longer only if one of them blocks. */
     private static final int CALLBACK_BOUND_MS = 500;
 
-    static final Logger LOG = System.getLogger(Team.class.getName());
-
     private final TimeSource time;
     private final Signal changes;
+    private final TeamEvents events;
     private final Roster roster;
-    private final List<TeamListener> listeners = new CopyOnWriteArrayList<>();
     private final OrderedEvents latchEvents = new OrderedEvents();
     private final StopCount stops = new StopCount();
     private final StopAnswers stopAnswers;
@@ -61,7 +55,8 @@ public final class Team implements AutoCloseable {
     public Team(TimeSource time, int maxBots) {
         this.time = time;
         this.changes = time.signal();
-        this.stopAnswers = new StopAnswers(changes, this::answer);
+        this.events = new TeamEvents(time, changes);
+        this.stopAnswers = new StopAnswers(events);
         this.roster = new Roster(maxBots);
     }
 
@@ -75,15 +70,15 @@ public final class Team implements AutoCloseable {
      */
     public Member add(MajicBot bot, OptionalInt wanted) {
         Member member = roster.add(wanted, number -> place(number, bot));
-        bot.addListener(new MemberListener(this, member));
+        bot.addListener(new MemberListener(events, member));
         member.start();
-        tell(listener -> listener.added(member));
+        events.publish(listener -> listener.added(member));
         return member;
     }
 
     /** Either STOP includes the new robot, or this method finds STOP latched. */
     private Member place(int number, MajicBot bot) {
-        Member member = new Member(this, number, bot);
+        Member member = new Member(number, bot, events, this::isLatched);
         bot.join(member, "robot " + number + " (" + bot.type().label() + ")");
         if (latched) {
             bot.latch();
@@ -109,15 +104,15 @@ public final class Team implements AutoCloseable {
      */
     public void remove(int number) {
         Member member = member(number);
-        Stops.Aftermath aftermath = member.stopBegins(null);
-        boolean ours = roster.remove(member);
+        Ownership.Stopped stopped = member.beginStop(null);
+        boolean wasMember = roster.remove(member);
         member.close();
-        member.stopEnded();
-        callBack(List.of(aftermath), () -> {
-            if (ours) {
-                tell(listener -> listener.removed(member));
+        member.endStop();
+        notifyAfterStop(List.of(stopped), () -> {
+            if (wasMember) {
+                events.publish(listener -> listener.removed(member));
             }
-            member.stopEnded();
+            member.endStop();
         });
     }
 
@@ -176,7 +171,7 @@ public final class Team implements AutoCloseable {
             stop(stopped, by, () -> {});
         } else {
             stops.stopped(stopped);
-            stop(stopped, null, () -> tell(listener -> listener.stopped(stopped)));
+            stop(stopped, null, () -> events.publish(listener -> listener.stopped(stopped)));
         }
     }
 
@@ -188,30 +183,30 @@ public final class Team implements AutoCloseable {
     }
 
     /** Revokes, writes to every connection, then notifies. */
-    private void stop(List<Member> members, @Nullable Owner by, Runnable news) {
-        List<Stops.Aftermath> aftermaths =
-                members.stream().map(member -> member.stopBegins(by)).toList();
+    private void stop(List<Member> members, @Nullable Owner by, Runnable announcement) {
+        List<Ownership.Stopped> stopped =
+                members.stream().map(member -> member.beginStop(by)).toList();
         sendStops(members);
         changes.raise();
-        callBack(aftermaths, () -> {
-            news.run();
-            members.forEach(Member::stopEnded);
+        notifyAfterStop(stopped, () -> {
+            announcement.run();
+            members.forEach(Member::endStop);
         });
     }
 
     /**
      * Calls owners and listeners on other threads, and waits briefly for them, so that later work follows the calls.
      */
-    private void callBack(List<Stops.Aftermath> aftermaths, Runnable afterwards) {
+    private void notifyAfterStop(List<Ownership.Stopped> stopped, Runnable afterwards) {
         List<Runnable> callbacks = new ArrayList<>();
-        aftermaths.forEach(aftermath -> aftermath.ended().forEach(owner -> callbacks.add(owner::endWhateverHappens)));
+        stopped.forEach(one -> one.ended().forEach(owner -> callbacks.add(owner::endLoggingErrors)));
         callbacks.add(() -> {
-            aftermaths.forEach(Stops.Aftermath::tell);
+            stopped.forEach(Ownership.Stopped::answer);
             afterwards.run();
         });
         CountDownLatch running = new CountDownLatch(callbacks.size());
         for (Runnable callback : callbacks) {
-            time.runAsync("telling of a stop", () -> {
+            time.runAsync("notifying of a stop", () -> {
                 try {
                     callback.run();
                 } finally {
@@ -237,7 +232,7 @@ public final class Team implements AutoCloseable {
     private void latch(boolean on) {
         synchronized (latchEvents) {
             latched = on;
-            latchEvents.put(() -> tell(listener -> listener.latchChanged(on)));
+            latchEvents.put(() -> events.publish(listener -> listener.latchChanged(on)));
         }
     }
 
@@ -268,12 +263,6 @@ public final class Team implements AutoCloseable {
         return latched;
     }
 
-    void checkLatch() {
-        if (latched) {
-            throw new BotException("STOP is latched; \"release\" allows motion again");
-        }
-    }
-
     /**
      * Returns the signal to wait at for commands to end, robots to become idle or owners to give them back.
      *
@@ -298,7 +287,7 @@ public final class Team implements AutoCloseable {
      * @param listener called on worker threads
      */
     public void addListener(TeamListener listener) {
-        listeners.add(listener);
+        events.add(listener);
     }
 
     /**
@@ -307,7 +296,7 @@ public final class Team implements AutoCloseable {
      * @param listener the listener to remove
      */
     public void removeListener(TeamListener listener) {
-        listeners.remove(listener);
+        events.remove(listener);
     }
 
     /** Stops and closes all robots in parallel; takes at most 3 s, whatever the state of the connections. */
@@ -315,8 +304,8 @@ public final class Team implements AutoCloseable {
     public void close() {
         latched = true;
         List<Member> all = members();
-        List<Stops.Aftermath> aftermaths =
-                all.stream().map(member -> member.stopBegins(null)).toList();
+        List<Ownership.Stopped> stopped =
+                all.stream().map(member -> member.beginStop(null)).toList();
         roster.clear();
         AtomicInteger open = new AtomicInteger(all.size());
         for (Member member : all) {
@@ -329,25 +318,11 @@ public final class Team implements AutoCloseable {
                 }
             });
         }
-        callBack(aftermaths, () -> {});
+        notifyAfterStop(stopped, () -> {});
         try {
             changes.await(() -> open.get() == 0, CLOSE_BOUND_S);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        }
-    }
-
-    void answer(Answer answer) {
-        tell(listener -> listener.answered(answer));
-    }
-
-    void tell(Consumer<TeamListener> news) {
-        for (TeamListener listener : listeners) {
-            try {
-                news.accept(listener);
-            } catch (RuntimeException | Error e) {
-                LOG.log(Level.WARNING, "a listener of the team failed", e);
-            }
         }
     }
 
@@ -388,7 +363,7 @@ public final class Team implements AutoCloseable {
         } catch (RuntimeException | Error e) {
             stopAnswers.failed(member, e.getMessage());
         } finally {
-            member.stopEnded();
+            member.endStop();
         }
     }
 }

@@ -65,7 +65,7 @@ public interface TeamListener {
      * @param member the robot
      * @param commands what was done, oldest first; at least one
      */
-    default void drivenByHand(Member member, List<ManualCommand> commands) {}
+    default void drivenManually(Member member, List<ManualCommand> commands) {}
 
     /**
      * A person has stopped some robots, but not all by STOP; called when the stops are being written to the robots.

@@ -104,7 +104,7 @@ class ActRunTest implements TeamListener {
         Map<String, List<Member>> cast = new LinkedHashMap<>();
         cast.put(Role.ME, List.of(first));
         cast.put("second", List.of(second));
-        return new ActRun(act, "Pair", cast, first.leave().and(second.leave()));
+        return new ActRun(act, "Pair", cast, first.currentPermit().and(second.currentPermit()));
     }
 
     /** Moves all followers away. */
@@ -130,7 +130,7 @@ class ActRunTest implements TeamListener {
         Map<String, List<Member>> cast = new LinkedHashMap<>();
         cast.put(Role.ME, List.of(first));
         cast.put("follower", List.of(second, third));
-        submit(new ActRun(new Scatter(), "Scatter", cast, first.leave()));
+        submit(new ActRun(new Scatter(), "Scatter", cast, first.currentPermit()));
         awaitIdle();
         assertThat(List.of(follower, last))
                 .allSatisfy(robot -> assertThat(robot.sent()).startsWith("move 300"));
@@ -138,7 +138,7 @@ class ActRunTest implements TeamListener {
     }
 
     private ActRun alone(MajicAct act) {
-        return new ActRun(act, "Alone", Map.of(Role.ME, List.of(first)), first.leave());
+        return new ActRun(act, "Alone", Map.of(Role.ME, List.of(first)), first.currentPermit());
     }
 
     private void awaitIdle() throws InterruptedException {
@@ -281,7 +281,7 @@ class ActRunTest implements TeamListener {
         FakeBot robot = FakeBot.on(new ClosedToActs(time));
         robot.connect();
         Member third = team.add(robot, OptionalInt.empty());
-        ActRun run = new ActRun(new Scatter(), "Alone", Map.of(Role.ME, List.of(third)), third.leave());
+        ActRun run = new ActRun(new Scatter(), "Alone", Map.of(Role.ME, List.of(third)), third.currentPermit());
         third.submit(
                 new QueuedCommand("act", true, control -> {
                     run.run(null);
@@ -354,7 +354,7 @@ class ActRunTest implements TeamListener {
             Deaf deaf = new Deaf();
             member.submit(
                     new QueuedCommand("act", true, control -> {
-                        new ActRun(deaf, "Deaf", Map.of(Role.ME, List.of(member)), member.leave()).run(null);
+                        new ActRun(deaf, "Deaf", Map.of(Role.ME, List.of(member)), member.currentPermit()).run(null);
                         return List.of();
                     }),
                     null);

@@ -231,22 +231,48 @@ class TeamTest {
     }
 
     @Test
-    void aRevokedLeaseLeavesItsHolderPowerless() {
+    void aRevokedPermitLeavesItsHolderNoUseOfTheRobot() {
         FakeBot bot = join();
-        Permit lease = new Permit();
-        BotControl held = PermittedControl.of(team.member(1).bot(), lease);
-        lease.revoke(() -> new MotionStopped("revoked"));
+        Permit permit = new Permit();
+        BotControl control = new PermittedControl(team.member(1).bot(), permit);
+        permit.revoke(() -> new MotionStopped("revoked"));
 
-        assertThatThrownBy(() -> held.move(100)).hasMessage("revoked");
+        assertThatThrownBy(() -> control.move(100)).hasMessage("revoked");
+        assertThatThrownBy(() -> control.get("voltage")).hasMessage("revoked");
+        assertThatThrownBy(control::stop).hasMessage("revoked");
         assertThat(bot.sent()).isEmpty();
-        assertThat(held.get("voltage")).hasToString("12.6 V");
+    }
+
+    @Test
+    void aCommandOfBeforeAStopCanReadButNotMove() {
+        FakeBot bot = join();
+        BotControl control = new PermittedControl(bot, new Permit()).forCommand();
+        bot.revokeMotions();
+
+        assertThatThrownBy(() -> control.move(100)).isInstanceOf(MotionStopped.class);
+        assertThat(control.get("voltage")).hasToString("12.6 V");
+        assertThat(bot.sent()).isEmpty();
+    }
+
+    @Test
+    void aStopByOneUserOfARobotEndsItsCommandsOnly() {
+        FakeBot bot = join();
+        PermittedControl control = new PermittedControl(bot, new Permit());
+        BotControl queued = control.forCommand();
+        BotControl other = new PermittedControl(bot, new Permit()).forCommand();
+        control.stop();
+
+        assertThatThrownBy(() -> queued.move(100)).isInstanceOf(MotionStopped.class);
+        other.move(100);
+        control.move(200);
+        assertThat(bot.sent()).containsExactly("halt", "move 100", "move 200");
     }
 
     @Test
     void aLeaseRevokedInAMotionLeavesTheRobotStanding() throws InterruptedException {
         FakeBot bot = join();
         Permit lease = new Permit();
-        BotControl held = PermittedControl.of(bot, lease);
+        BotControl held = new PermittedControl(bot, lease);
         CompletableFuture<Void> move = clock.aside(() -> {
             held.move(3000);
         });
@@ -261,7 +287,7 @@ class TeamTest {
     @Test
     void aFullQueueRefusesAndSaysWhatEmptiesIt() {
         join();
-        int oneUnderWayAndOneTooMany = Member.QUEUE_DEPTH + 2;
+        int oneUnderWayAndOneTooMany = CommandQueue.DEPTH + 2;
         assertThatThrownBy(() -> {
                     for (int count = 0; count < oneUnderWayAndOneTooMany; count++) {
                         team.member(1).submit(move(5000), null);
@@ -374,6 +400,51 @@ class TeamTest {
         team.member(1).takeBack(act);
 
         assertThatThrownBy(() -> team.member(1).submit(move(100), act)).isInstanceOf(MotionStopped.class);
+    }
+
+    /** Lends robot 1 and submits a command of the borrower that sleeps on after its permit was revoked. */
+    private QueuedCommand sleepInLoan(Owner borrower, double seconds) throws InterruptedException {
+        Permit permit = new Permit();
+        QueuedCommand command = new QueuedCommand("sleep", false, robot -> {
+            sleep(seconds);
+            return List.of();
+        });
+        team.member(1).lend(borrower, permit, null);
+        team.member(1).submit(command, borrower);
+        clock.time().sleep(0.1);
+        permit.revoke(() -> new MotionStopped("the act has ended"));
+        return command;
+    }
+
+    private void sleep(double seconds) {
+        try {
+            clock.time().sleep(seconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Test
+    void aRobotIsGivenBackWhenTheBorrowersLastCommandHasEnded() throws InterruptedException {
+        join();
+        Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
+        QueuedCommand last = sleepInLoan(act, 0.5);
+        team.member(1).takeBack(act);
+
+        assertThat(last.hasEnded()).isTrue();
+        assertThat(team.member(1).owner()).isNull();
+    }
+
+    @Test
+    void aRobotIsGivenBackThoughTheBorrowersLastCommandGoesOn() throws InterruptedException {
+        join();
+        Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
+        QueuedCommand last = sleepInLoan(act, 100);
+        team.member(1).takeBack(act);
+
+        assertThat(last.hasEnded()).isFalse();
+        assertThat(team.member(1).owner()).isNull();
+        assertThat(clock.time().nanos()).isLessThan(10_000_000_000L);
     }
 
     @Test

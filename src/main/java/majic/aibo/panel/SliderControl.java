@@ -52,7 +52,7 @@ final class SliderControl {
                 hand.set(joint, degrees);
             } catch (BotException e) {
                 hand = null;
-                member.complain(e);
+                member.report(e);
             }
         });
         return hand != null;

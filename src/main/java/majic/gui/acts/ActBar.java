@@ -81,8 +81,8 @@ public final class ActBar extends JPanel {
         name.setText(owner.name());
         time.setText(clock(member.time().secondsSince(beganNanos)));
         time.setForeground(Palette.faint());
-        said.setText(owner.said().isEmpty() ? " " : owner.said());
-        said.setToolTipText(owner.said().isEmpty() ? null : "<html>" + Html.escaped(owner.said()));
+        said.setText(owner.status().isEmpty() ? " " : owner.status());
+        said.setToolTipText(owner.status().isEmpty() ? null : "<html>" + Html.escaped(owner.status()));
         setVisible(true);
     }
 

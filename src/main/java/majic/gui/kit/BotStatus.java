@@ -28,7 +28,7 @@ public final class BotStatus {
             return "";
         }
         return switch (owner.kind()) {
-            case HAND -> "driven by hand";
+            case MANUAL -> "driven by hand";
             case ACT, SCRIPT -> "running " + owner.name();
         };
     }

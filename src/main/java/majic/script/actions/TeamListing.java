@@ -41,7 +41,7 @@ final class TeamListing {
     private static String doing(Member member) {
         Owner owner = member.owner();
         if (owner != null) {
-            return owner.kind() == Owner.Kind.HAND ? "driven by hand" : "running " + owner.name();
+            return owner.kind() == Owner.Kind.MANUAL ? "driven by hand" : "running " + owner.name();
         }
         return member.isIdle() ? "idle" : "busy";
     }

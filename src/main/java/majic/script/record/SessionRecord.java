@@ -199,7 +199,7 @@ public final class SessionRecord {
         @Override
         public void ownerChanged(Member member) {
             Owner owner = member.owner();
-            if (owner != null && owner.kind() == Owner.Kind.HAND) {
+            if (owner != null && owner.kind() == Owner.Kind.MANUAL) {
                 synchronized (SessionRecord.this) {
                     finishedBeforeHand.put(member.number(), finishedOthers(Set.of(member.number()), null));
                 }
@@ -207,7 +207,7 @@ public final class SessionRecord {
         }
 
         @Override
-        public void drivenByHand(Member member, List<ManualCommand> commands) {
+        public void drivenManually(Member member, List<ManualCommand> commands) {
             synchronized (SessionRecord.this) {
                 Set<Integer> robot = Set.of(member.number());
                 Map<Integer, Long> finished = finishedBeforeHand.getOrDefault(member.number(), Map.of());
