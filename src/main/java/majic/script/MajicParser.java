@@ -161,7 +161,7 @@ public final class MajicParser {
     }
 
     private String refuse(String line, String place, String why) {
-        dispatcher.lines().fail(line);
+        dispatcher.commands().fail(line);
         String message = VisibleText.of(place + why);
         if (STOP.matcher(line).find()) {
             message = VisibleText.of(place + "taken as STOP: " + why);
@@ -300,7 +300,7 @@ public final class MajicParser {
     public boolean awaitAll() throws InterruptedException {
         finish();
         dispatcher.awaitAll();
-        session.flush();
+        output.flush();
         return allSucceeded();
     }
 
@@ -376,7 +376,7 @@ public final class MajicParser {
      * @return false once a line was refused, or one of its commands failed or was stopped from elsewhere
      */
     public boolean allSucceeded() {
-        return dispatcher.lines().trouble().isEmpty();
+        return dispatcher.commands().trouble().isEmpty();
     }
 
     /**

@@ -18,8 +18,8 @@ import majic.script.run.Actions;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.Interpreter;
+import majic.script.run.ScriptExecution;
 import majic.script.run.ScriptFiles;
-import majic.script.run.SessionState;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.team.Answer;
@@ -42,12 +42,7 @@ public final class ScriptAct extends MajicAct {
     private transient volatile @Nullable Stage stage;
 
     /** Where it runs. */
-    private record Stage(
-            SessionState state,
-            Actions actions,
-            Owner act,
-            Map<String, Member> cast,
-            @Nullable Object asker) {}
+    private record Stage(Execution line, Actions actions, Owner act, Map<String, Member> robots) {}
 
     /**
      * A behaviour from a script or a saved session.
@@ -111,7 +106,7 @@ public final class ScriptAct extends MajicAct {
 
     /** Sets where it runs, before it is started; a robot for each role. */
     void enter(Execution line, Actions actions, Owner act, Map<String, List<Member>> robots) {
-        stage = new Stage(line.state(), actions, act, first(robots), line.asker());
+        stage = new Stage(line, actions, act, first(robots));
     }
 
     private static Map<String, Member> first(Map<String, List<Member>> cast) {
@@ -137,13 +132,9 @@ public final class ScriptAct extends MajicAct {
             throw new BotException("a behaviour in MAJIC Script runs in a session: 1 act FILE");
         }
         Behaviour behaviour = Behaviour.of(title, text);
-        refuse(behaviour.check(here.actions, here.cast), here);
+        refuse(behaviour.check(here.actions, here.robots), here);
         try {
-            run(
-                    behaviour,
-                    here.actions,
-                    Execution.ofAct(here.state, here.act, behaviour.among(here.cast))
-                            .askedBy(here.asker));
+            run(behaviour, here.actions, here.line.asAct(here.act, behaviour.among(here.robots)));
         } catch (ExecutionEnded e) {
             throw e.outcome() == Answer.Outcome.STOPPED
                     ? new MotionStopped("stopped")
@@ -155,14 +146,13 @@ public final class ScriptAct extends MajicAct {
 
     /** As of a script that is run, each mistake is said once and the answer counts them. */
     private void refuse(List<Mistake> mistakes, Stage here) {
-        Mistake.inOrder(mistakes, title)
-                .forEach(mistake -> here.state.output().send(Line.Kind.ERROR, mistake, here.asker));
+        Mistake.inOrder(mistakes, title).forEach(mistake -> here.line.send(Line.Kind.ERROR, mistake));
         if (!mistakes.isEmpty()) {
             throw new BotException(Mistake.counted(mistakes.size()) + " in it, nothing was run");
         }
     }
 
-    private static void run(Behaviour behaviour, Actions actions, Execution execution) {
+    private static void run(Behaviour behaviour, Actions actions, ScriptExecution execution) {
         new Interpreter(execution, actions).run(behaviour.statements());
         execution.finish();
     }

@@ -2,6 +2,8 @@ package majic.script.actions;
 
 import java.util.List;
 import majic.bot.BotException;
+import majic.script.record.RecordedBlock;
+import majic.script.record.SessionRecord;
 import majic.script.run.ActRunner;
 import majic.script.run.ActRunner.CheckedAct;
 import majic.script.run.Actions;
@@ -82,6 +84,14 @@ final class ActActions {
         @Override
         public void run(Execution execution, List<Member> robots) {
             execution.runToEnd(robots, acts::callOff);
+        }
+
+        @Override
+        public void runRecorded(
+                Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
+            long atNanos = record.nanos();
+            run(execution, robots);
+            record.calledOff(SessionRecord.numbers(robots), atNanos, block);
         }
     }
 

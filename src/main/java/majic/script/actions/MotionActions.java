@@ -4,6 +4,8 @@ import java.util.List;
 import majic.bot.BotControl;
 import majic.bot.Guard;
 import majic.script.conditions.UntilGuard;
+import majic.script.record.RecordedBlock;
+import majic.script.record.SessionRecord;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
 import majic.script.run.RobotCheck;
@@ -38,7 +40,7 @@ final class MotionActions {
         }
 
         private QueuedCommand command(Member member, Execution execution) {
-            Guard guard = UntilGuard.of(until, execution.selection(), member);
+            Guard guard = until == null ? Guard.NEVER : new UntilGuard(until, execution.selection(), member);
             return new QueuedCommand(text(), true, robot -> List.of(text() + ": done (" + move(robot, guard) + ")"));
         }
 
@@ -130,6 +132,17 @@ final class MotionActions {
         @Override
         public void run(Execution execution, List<Member> robots) {
             execution.stop(robots);
+        }
+
+        /** Is recorded here only in a script; the team reports the stop of a line to the record. */
+        @Override
+        public void runRecorded(
+                Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
+            long atNanos = record.nanos();
+            run(execution, robots);
+            if (execution.isScript()) {
+                record.stopped(SessionRecord.numbers(robots), atNanos, block);
+            }
         }
     }
 

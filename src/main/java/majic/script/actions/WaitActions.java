@@ -1,7 +1,10 @@
 package majic.script.actions;
 
-import java.util.Collection;
 import java.util.List;
+import java.util.Set;
+import majic.script.record.RecordedBlock;
+import majic.script.record.RecordedEvent;
+import majic.script.record.SessionRecord;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
 import majic.script.run.RobotCheck;
@@ -11,6 +14,7 @@ import majic.script.run.SessionCheck;
 import majic.script.syntax.Command;
 import majic.script.syntax.SessionCommand;
 import majic.team.Member;
+import org.jspecify.annotations.Nullable;
 
 /** The commands that hold the lines behind them. */
 final class WaitActions {
@@ -29,6 +33,15 @@ final class WaitActions {
         public void run(Execution execution, List<Member> robots) {
             execution.awaitFinished(robots);
         }
+
+        /** Is recorded with the time at which the robots had finished. */
+        @Override
+        public void runRecorded(
+                Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
+            run(execution, robots);
+            Set<Integer> numbers = SessionRecord.numbers(robots);
+            record.waited(RecordedEvent.names(numbers) + " " + text(), numbers, block);
+        }
     }
 
     /** Waits until all robots of a line or script have finished. */
@@ -42,9 +55,7 @@ final class WaitActions {
 
         @Override
         public void run(Execution execution) {
-            Collection<Member> all = execution.allRobots();
-            execution.awaitFinished(all);
-            execution.recording().waitedForAll(all);
+            execution.awaitAll();
         }
     }
 

@@ -7,7 +7,6 @@ import majic.bot.MajicBot;
 import majic.script.syntax.Condition;
 import majic.script.syntax.ScriptException;
 import majic.team.Member;
-import org.jspecify.annotations.Nullable;
 
 /** The condition behind {@code until}, as a driver asks it. */
 public final class UntilGuard implements Guard {
@@ -15,23 +14,19 @@ public final class UntilGuard implements Guard {
     private final ConditionEvaluator readings;
     private final List<MajicBot> others;
 
-    private UntilGuard(Condition condition, Selection selection, Member own) {
+    /**
+     * The guard of a motion.
+     *
+     * @param own the robot that moves
+     * @throws ScriptException if a robot that the condition names is not there
+     */
+    public UntilGuard(Condition condition, Selection selection, Member own) {
         this.condition = condition;
         this.readings = new ConditionEvaluator(selection, own);
         this.others = ConditionEvaluator.allAsked(condition, selection, own).stream()
                 .filter(member -> member != own)
                 .map(Member::bot)
                 .toList();
-    }
-
-    /**
-     * The guard of a motion.
-     *
-     * @param condition null for none
-     * @throws ScriptException if a robot it asks is not there
-     */
-    public static Guard of(@Nullable Condition condition, Selection selection, Member own) {
-        return condition == null ? Guard.NEVER : new UntilGuard(condition, selection, own);
     }
 
     @Override

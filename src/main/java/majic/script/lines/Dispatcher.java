@@ -1,21 +1,21 @@
 package majic.script.lines;
 
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import majic.bot.BotException;
+import majic.bot.Permit;
 import majic.log.Line;
+import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
 import majic.script.run.Actions;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
-import majic.script.run.Interpreter;
-import majic.script.run.QueuedCommands;
 import majic.script.run.Scheduling;
-import majic.script.run.ScriptRun;
 import majic.script.run.SessionState;
+import majic.script.run.SubmittedCommands;
 import majic.script.run.Trait;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
@@ -24,21 +24,19 @@ import majic.team.StopCount;
 import majic.team.Team;
 import majic.time.Signal;
 
-/**
- * Runs checked lines: at once on the caller's thread, beside it, or in their turn. Thread-safe.
- */
+/** Runs prepared lines: at once on the caller's thread, beside it, or in their turn. Thread-safe. */
 public final class Dispatcher {
-    /** How many lines of a person may wait behind a {@code wait}. */
-    static final int MOST_HELD = 100;
+    /** How many typed lines may wait behind a {@code wait}. */
+    static final int MOST_WAITING = 100;
 
-    private final SessionState state;
     private final Actions actions;
     private final Team team;
+    private final SessionOutput output;
     private final Source source;
     private final Object asker;
     private final Selection selection;
-    private final LinePreparation preparation;
-    private final QueuedCommands lines = new QueuedCommands();
+    private final SubmittedCommands commands = new SubmittedCommands();
+    private final Execution.Origin origin;
     private final LineQueue queue;
     private final LineQueue adding;
     private final AtomicInteger beside = new AtomicInteger();
@@ -51,46 +49,46 @@ public final class Dispatcher {
      */
     public Dispatcher(SessionState state, Actions actions, Source source, Object asker) {
         this.asker = asker;
-        this.state = state;
         this.actions = actions;
         this.team = state.team();
+        this.output = state.output();
         this.source = source;
         this.selection = new Selection(team);
-        this.preparation = new LinePreparation(actions, selection);
+        this.origin = new Execution.Origin(state, commands, asker);
         this.queue = new LineQueue(team, "script lines", this::inTurn);
-        this.adding = new LineQueue(team, "adding robots", this::attempt);
+        this.adding = new LineQueue(team, "adding robots", this::runInTurn);
     }
 
-    Selection selection() {
-        return selection;
-    }
-
-    /** What all lines came to so far. */
-    public QueuedCommands lines() {
-        return lines;
+    /** What all lines have submitted so far, and whether one failed. */
+    public SubmittedCommands commands() {
+        return commands;
     }
 
     /**
-     * Resolves a line and checks it as far as that needs no file. Never waits. Behind a line that changes the team the
-     * check waits for the line's turn.
+     * Resolves a line, takes the permissions to move its robots, and checks it as far as that needs no file. Never waits.
+     * Behind a line that changes the team the check waits for the line's turn.
      *
      * @throws BotException if it cannot be done now
      * @throws ScriptException if it cannot be done with the robots that are there
      */
     public PreparedLine prepare(Statement statement, String text) {
-        return preparation.prepare(statement, text, !queue.teamMayChange());
+        boolean check = !queue.teamMayChange();
+        PreparedLine line = PreparedLine.of(statement, text, actions, selection, check);
+        line.typedAfter(stops(line));
+        if (check) {
+            line.check(actions, selection);
+        }
+        return line;
     }
 
     /** Checks the head of a block that is still being typed; throws as {@link #prepare}. */
     public void checkHead(Statement head) {
-        if (!queue.teamMayChange()) {
-            preparation.checkBlock(head);
-        }
+        prepare(head, "");
     }
 
     /** Whether a statement stops robots. */
     public boolean isStop(Statement statement) {
-        return preparation.scheduling(statement) == Scheduling.STOP;
+        return PreparedLine.of(statement, "", actions, selection, false).scheduling() == Scheduling.STOP;
     }
 
     /** Waits until a line would not have to wait behind many others. */
@@ -104,7 +102,7 @@ public final class Dispatcher {
     }
 
     public boolean hasRoom() {
-        return queue.size() < MOST_HELD;
+        return queue.size() < MOST_WAITING;
     }
 
     /** Whether all lines have ended, with all that they began. */
@@ -112,7 +110,7 @@ public final class Dispatcher {
         return queue.isEmpty()
                 && adding.isEmpty()
                 && beside.get() == 0
-                && lines.allEnded()
+                && commands.allEnded()
                 && team.areStopsAnswered()
                 && team.members().stream().noneMatch(Member::isStopping);
     }
@@ -126,62 +124,50 @@ public final class Dispatcher {
      * @throws BotException if it cannot be done now; nothing happened
      * @throws ScriptException if it cannot be done with the robots that are there; nothing happened
      */
-    public void submit(PreparedLine prepared, Consumer<String> refused, Consumer<String> failed) {
-        SubmittedLine line = SubmittedLine.of(prepared, stops(prepared), refused, failed);
-        if (goesNow(line)) {
-            perform(line.asChecked(prepared.checked()), Execution.Manner.AT_ONCE);
-        } else if (goesBeside(line) && !line.has(Trait.READS_FILES) && queue.isEmpty()) {
+    public void submit(PreparedLine line, Consumer<String> refused, Consumer<String> failed) {
+        line.reportTo(refused, failed);
+        if (runsNow(line)) {
+            Execution execution = execution(line, Execution.Manner.AT_ONCE, line.permits());
+            perform(line, () -> line.runChecked(execution, actions));
+        } else if (runsBeside(line) && !line.has(Trait.READS_FILES) && queue.isEmpty()) {
+            line.waits();
             begin(line);
-        } else if (source == Source.PROMPT && queue.size() >= MOST_HELD) {
-            throw new BotException("too many lines wait already (" + MOST_HELD + "); \"stop\" ends the wait");
+        } else if (source == Source.PROMPT && !hasRoom()) {
+            throw new BotException("too many lines wait already (" + MOST_WAITING + "); \"stop\" ends the wait");
         } else {
+            line.waits();
             queue.add(line);
         }
     }
 
-    private boolean goesNow(SubmittedLine line) {
-        Scheduling scheduling = line.scheduling();
-        boolean free = queue.isEmpty() && scheduling.isQuick() && !line.has(Trait.READS_FILES);
-        boolean inTurn = free && hasRoom(line) && scheduling != Scheduling.AT_ONCE_IF_TYPED;
-        return switch (source) {
-            case PROMPT -> free || scheduling.overtakes();
-            case PIPE -> inTurn;
-            case SOCKET -> scheduling == Scheduling.STOP || inTurn;
+    /** Whether the caller's thread runs the line, which it can if no line waits and no robot has to be waited for. */
+    private boolean runsNow(PreparedLine line) {
+        boolean typed = source == Source.PROMPT;
+        boolean free = queue.isEmpty() && !line.has(Trait.READS_FILES);
+        return switch (line.scheduling()) {
+            case STOP -> source != Source.PIPE || (free && robotsHaveRoom(line));
+            case OVERTAKES -> typed || (free && robotsHaveRoom(line));
+            case AT_ONCE -> free && (typed || robotsHaveRoom(line));
+            case AT_ONCE_IF_TYPED -> free && typed;
+            case BESIDE, BESIDE_IN_ORDER, HOLDS -> false;
         };
     }
 
-    /** If typed, all that takes its time runs beside the next line, except for a wait, which holds it. */
-    private boolean goesBeside(SubmittedLine line) {
+    private static boolean robotsHaveRoom(PreparedLine line) {
+        return line.robots().stream().allMatch(Member::hasRoom);
+    }
+
+    /** Whether the lines behind it do not wait for it: if it was typed, unless it is a {@code wait}. */
+    private boolean runsBeside(PreparedLine line) {
         return source == Source.PROMPT
-                && line.scheduling() != Scheduling.HOLDS
-                && !line.scheduling().isQuick();
+                && switch (line.scheduling()) {
+                    case BESIDE, BESIDE_IN_ORDER -> true;
+                    case STOP, OVERTAKES, AT_ONCE, AT_ONCE_IF_TYPED, HOLDS -> false;
+                };
     }
 
-    /** Checks a line with the files that it names, which may block; empty if it was refused. */
-    private Optional<SubmittedLine> checkedWithFiles(SubmittedLine line) {
-        if (!line.has(Trait.READS_FILES)) {
-            return Optional.of(line);
-        }
-        try {
-            return Optional.of(line.asChecked(preparation.checkWithFiles(line.line())));
-        } catch (BotException | ScriptException e) {
-            line.refused().accept(String.valueOf(e.getMessage()));
-        } catch (RuntimeException | Error e) {
-            line.refused().accept(InternalError.report(line.title(), e));
-        }
-        return Optional.empty();
-    }
-
-    private boolean wasStopped(SubmittedLine line) {
-        return line.has(Trait.COMMANDS_ROBOTS) && line.stops() != stops(line.line());
-    }
-
-    private boolean hasRoom(SubmittedLine line) {
-        return line.line().robots().stream().allMatch(Member::hasRoom);
-    }
-
-    /** Robots that are added one after the other get their numbers in that order. */
-    private void begin(SubmittedLine line) {
+    /** Starts a line beside the others. Robots that are added one after the other get their numbers in that order. */
+    private void begin(PreparedLine line) {
         if (line.scheduling() == Scheduling.BESIDE_IN_ORDER) {
             adding.add(line);
             return;
@@ -189,14 +175,14 @@ public final class Dispatcher {
         beside.incrementAndGet();
         boolean begun = team.time().tryRunAsync("script: " + line.title(), () -> {
             try {
-                attempt(line);
+                runInTurn(line);
             } finally {
                 ended();
             }
         });
         if (!begun) {
             ended();
-            line.failed().accept(line.title() + ": the system has no thread left for it; end an act or a program");
+            line.fail(line.title() + ": the system has no thread left for it; end an act or a program");
         }
     }
 
@@ -205,107 +191,107 @@ public final class Dispatcher {
         team.changes().raise();
     }
 
-    private void inTurn(SubmittedLine line) {
+    /** Runs a line whose turn has come. */
+    private void inTurn(PreparedLine line) {
         if (wasStopped(line)) {
-            tellStopped(line);
-        } else if (line.sent()) {
+            answerStopped(line);
+        } else if (line.isStopSent()) {
             awaitFreed(line);
-        } else {
-            checkedWithFiles(line).ifPresent(this::takeTurn);
+        } else if (filesAllow(line)) {
+            inTurnWithFiles(line);
         }
     }
 
-    /** Waits until the robots of a stop have stopped, and what it ended has given them back. */
-    private void awaitFreed(SubmittedLine stop) {
-        try {
-            team.changes().await(() -> stopped(stop).stream().noneMatch(Execution::isEnding), Signal.FOR_EVER);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    private List<Member> stopped(SubmittedLine stop) {
-        return stop.line().statement() instanceof Statement.ForRobots line
-                ? selection.present(line.robots())
-                : team.members();
-    }
-
-    private void tellStopped(SubmittedLine line) {
-        lines.fail(line.title());
-        state.output().send(Line.Kind.ANSWER, line.title() + ": not run: stopped", asker);
-    }
-
-    private void takeTurn(SubmittedLine line) {
+    /** Reading the files may have taken long, so a stop may have come meanwhile. */
+    private void inTurnWithFiles(PreparedLine line) {
         if (wasStopped(line)) {
-            tellStopped(line);
-        } else if (goesBeside(line)) {
+            answerStopped(line);
+        } else if (runsBeside(line)) {
             begin(line);
         } else {
-            attempt(line);
+            runInTurn(line);
         }
     }
 
-    /** Runs a line asynchronously; what goes wrong can only be reported. */
-    private void attempt(SubmittedLine line) {
+    /** Whether the files that a line names let it be done; if not, reports that. Reads them, so it may block. */
+    private boolean filesAllow(PreparedLine line) {
         try {
-            perform(line, Execution.Manner.IN_TURN);
-        } catch (ExecutionEnded e) {
-            lines.fail(line.title());
-            state.output().send(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
-        } catch (ScriptException | BotException e) {
-            line.failed().accept(String.valueOf(e.getMessage()));
+            if (line.has(Trait.READS_FILES)) {
+                line.checkWithFiles(actions, selection);
+            }
+            return true;
+        } catch (BotException | ScriptException e) {
+            line.refuse(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
-            line.failed().accept(line.title() + ": " + InternalError.report(line.title(), e));
+            line.refuse(InternalError.report(line.title(), e));
         }
+        return false;
     }
 
-    private void perform(SubmittedLine line, Execution.Manner unlessTyped) {
-        Execution execution = Execution.ofLine(
-                        state, source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped, lines)
-                .askedBy(asker)
-                .unless(() -> wasStopped(line));
-        if (line.scheduling() == Scheduling.STOP) {
-            stop(line, () -> run(line, execution));
-        } else if (line.line().isBlock()) {
-            runBlock(line.line(), execution);
-        } else {
-            run(line, execution);
-        }
-    }
-
-    private void run(SubmittedLine line, Execution execution) {
-        Consumer<Execution> checked = line.checked();
-        if (checked == null) {
-            new Interpreter(execution, actions).run(List.of(line.line().statement()));
-        } else {
-            execution.checkAlive();
-            checked.accept(execution);
-        }
-    }
-
-    private void runBlock(PreparedLine block, Execution execution) {
-        boolean waits = source == Source.PROMPT;
-        Execution script = execution.asScript(block.title(), block.text().strip(), waits);
-        if (!new ScriptRun(script, actions, block.title(), "", waits).run(List.of(block.statement()))) {
-            lines.fail(block.title());
-        }
-    }
-
-    /** A stop drops the lines that are held for its robots, unless it is one of the held itself and had its turn. */
-    private void stop(SubmittedLine line, Runnable stopping) {
-        if (queue.isEmpty() || queue.isCurrent(line)) {
-            ownStops.during(stopping);
-        } else {
-            stopping.run();
-        }
-        if (queue.isCurrent(line)) {
-            awaitFreed(line);
-        } else if (source != Source.PROMPT) {
-            queue.add(line.asSent());
-        }
+    private boolean wasStopped(PreparedLine line) {
+        return line.has(Trait.COMMANDS_ROBOTS) && line.stopsBefore() != stops(line);
     }
 
     private long stops(PreparedLine line) {
         return team.stops().ofOthers(line.commanded(), ownStops);
+    }
+
+    private void answerStopped(PreparedLine line) {
+        commands.fail(line.title());
+        output.send(Line.Kind.ANSWER, line.title() + ": not run: stopped", asker);
+    }
+
+    /** Runs a line asynchronously; errors can only be reported. Permissions to move are taken as they are now. */
+    private void runInTurn(PreparedLine line) {
+        try {
+            Execution execution = execution(line, Execution.Manner.IN_TURN, Map.of());
+            perform(line, () -> line.runChecked(execution, actions));
+        } catch (ExecutionEnded e) {
+            commands.fail(line.title());
+            output.send(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
+        } catch (ScriptException | BotException e) {
+            line.fail(String.valueOf(e.getMessage()));
+        } catch (RuntimeException | Error e) {
+            line.fail(line.title() + ": " + InternalError.report(line.title(), e));
+        }
+    }
+
+    private Execution execution(PreparedLine line, Execution.Manner unlessTyped, Map<Member, Permit> permits) {
+        Execution.Manner manner = source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped;
+        return new Execution(origin, selection, manner, permits, () -> wasStopped(line));
+    }
+
+    /** Runs a line, after what a stop needs first. */
+    private void perform(PreparedLine line, Runnable run) {
+        if (line.scheduling() == Scheduling.STOP) {
+            stop(line, run);
+        } else {
+            run.run();
+        }
+    }
+
+    /** A stop drops the lines that wait for its robots, unless it waited itself and has its turn now. */
+    private void stop(PreparedLine line, Runnable run) {
+        if (queue.isEmpty() || queue.isCurrent(line)) {
+            ownStops.during(run);
+        } else {
+            run.run();
+        }
+        if (queue.isCurrent(line)) {
+            awaitFreed(line);
+        } else if (source != Source.PROMPT) {
+            line.markStopSent();
+            queue.add(line);
+        }
+    }
+
+    /** Waits until the robots of a stop have stopped, and the owners that it ended have given them back. */
+    private void awaitFreed(PreparedLine stop) {
+        List<Member> stopped = stop.robots().isEmpty() ? team.members() : stop.robots();
+        try {
+            team.changes().await(() -> stopped.stream().noneMatch(Execution::isEnding), Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 }

@@ -11,29 +11,29 @@ import org.jspecify.annotations.Nullable;
 final class LineQueue {
     private final Team team;
     private final String name;
-    private final Consumer<SubmittedLine> carryOut;
-    private final Deque<SubmittedLine> waiting = new ArrayDeque<>();
+    private final Consumer<PreparedLine> work;
+    private final Deque<PreparedLine> waiting = new ArrayDeque<>();
     private boolean running;
-    private @Nullable SubmittedLine current;
+    private @Nullable PreparedLine current;
 
     /**
      * An empty queue without a thread.
      *
      * @param team whose clock the thread uses, and whose changes wake threads that wait for the queue
      * @param name what a thread dump shows
-     * @param carryOut runs a line, however long it takes; must not throw
+     * @param work runs a line, however long it takes; must not throw
      */
-    LineQueue(Team team, String name, Consumer<SubmittedLine> carryOut) {
+    LineQueue(Team team, String name, Consumer<PreparedLine> work) {
         this.team = team;
         this.name = name;
-        this.carryOut = carryOut;
+        this.work = work;
     }
 
     synchronized boolean isEmpty() {
         return !running;
     }
 
-    synchronized boolean isCurrent(SubmittedLine line) {
+    synchronized boolean isCurrent(PreparedLine line) {
         return line == current;
     }
 
@@ -41,16 +41,16 @@ final class LineQueue {
         return waiting.size();
     }
 
-    /** Whether a line before the next one may let robots come or go. */
+    /** Whether a line before the next one may add or remove robots. */
     synchronized boolean teamMayChange() {
         return waiting.stream().anyMatch(LineQueue::changesTeam) || (current != null && changesTeam(current));
     }
 
-    private static boolean changesTeam(SubmittedLine line) {
+    private static boolean changesTeam(PreparedLine line) {
         return line.has(Trait.CHANGES_TEAM);
     }
 
-    void add(SubmittedLine line) {
+    void add(PreparedLine line) {
         synchronized (this) {
             waiting.add(line);
             if (running) {
@@ -62,14 +62,14 @@ final class LineQueue {
     }
 
     private void run() {
-        for (SubmittedLine line = next(); line != null; line = next()) {
-            carryOut.accept(line);
+        for (PreparedLine line = next(); line != null; line = next()) {
+            work.accept(line);
             team.changes().raise();
         }
         team.changes().raise();
     }
 
-    private synchronized @Nullable SubmittedLine next() {
+    private synchronized @Nullable PreparedLine next() {
         current = waiting.poll();
         running = current != null;
         return current;

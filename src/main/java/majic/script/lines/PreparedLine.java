@@ -1,48 +1,310 @@
 package majic.script.lines;
 
+import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import majic.bot.BotException;
+import majic.bot.Permit;
+import majic.script.conditions.Selection;
+import majic.script.run.Actions;
+import majic.script.run.Checker;
 import majic.script.run.Execution;
+import majic.script.run.Interpreter;
+import majic.script.run.RobotAction;
+import majic.script.run.RobotCheck;
+import majic.script.run.RobotsIn;
 import majic.script.run.Scheduling;
+import majic.script.run.ScriptRun;
+import majic.script.run.SessionAction;
+import majic.script.run.SessionCheck;
 import majic.script.run.Trait;
+import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
 import majic.team.Member;
-import org.jspecify.annotations.Nullable;
 
 /**
- * A line or block with what decides when it runs. Immutable.
- *
- * @param statement its tree
- * @param text as it was typed
- * @param scheduling when it runs
- * @param traits of its commands
- * @param robots those it is for; of a block those it commands; as far as they are in the team
- * @param checked runs it without another check; null if it has to be checked in its turn
+ * A line or block, from when it was typed until it has run: its commands and robots are resolved, and it is checked once.
+ * Where that is not possible when it is typed, because it waits or names files, it is checked in its turn.
  */
-public record PreparedLine(
-        Statement statement,
-        String text,
-        Scheduling scheduling,
-        Set<Trait> traits,
-        List<Member> robots,
-        @Nullable Consumer<Execution> checked) {
-    public boolean has(Trait trait) {
+public abstract class PreparedLine {
+    private final String text;
+    private final Scheduling scheduling;
+    private final Set<Trait> traits;
+    private List<Member> robots;
+    private final Map<Member, Permit> permits = new HashMap<>();
+    private boolean isChecked;
+    private boolean stopSent;
+    private long stops;
+    private Consumer<String> refused = why -> {};
+    private Consumer<String> failed = why -> {};
+
+    private PreparedLine(String text, Scheduling scheduling, Set<Trait> traits, List<Member> robots) {
+        this.text = text;
+        this.scheduling = scheduling;
+        this.traits = traits;
+        this.robots = robots;
+        if (has(Trait.COMMANDS_ROBOTS)) {
+            robots.forEach(robot -> permits.put(robot, robot.leave()));
+        }
+    }
+
+    /**
+     * Resolves a line and takes the permissions to move its robots. Reads no file and never waits.
+     *
+     * @param complete whether all robots that it names by number have to be there; if not, those are left out that are
+     *     not there
+     * @throws majic.script.syntax.ScriptException if robots have to be there and are not
+     */
+    static PreparedLine of(Statement statement, String text, Actions actions, Selection selection, boolean complete) {
+        if (statement instanceof Statement.ForRobots line) {
+            List<Member> robots = complete ? selection.members(line.robots()) : selection.present(line.robots());
+            return new RobotLine(line, text, actions.of(line.command()), robots);
+        }
+        return statement instanceof Statement.ForSession line
+                ? new SessionLine(line, text, actions.of(line.command()))
+                : new Block(statement, text, RobotsIn.of(List.of(statement), actions, selection));
+    }
+
+    /**
+     * Checks the line when it is typed, without its files.
+     *
+     * @throws BotException if it cannot be done
+     * @throws majic.script.syntax.ScriptException if it cannot be done with the robots that are there
+     */
+    abstract void check(Actions actions, Selection selection);
+
+    /** Checks the line in its turn, with its files, so it may block; throws as {@link #check}. */
+    abstract void checkWithFiles(Actions actions, Selection selection);
+
+    /** Sets that {@link #run} needs no other check. */
+    final void markChecked() {
+        isChecked = true;
+    }
+
+    /** Runs the line; checks it first if it was not checked just now. */
+    final void runChecked(Execution execution, Actions actions) {
+        if (isChecked) {
+            execution.checkAlive();
+            run(execution, actions);
+        } else {
+            new Interpreter(execution, actions).run(List.of(statement()));
+        }
+    }
+
+    /** Runs the line as it was resolved and checked. */
+    abstract void run(Execution execution, Actions actions);
+
+    /** Sets that the line waits: other robots may be there when its turn comes, so it has to be checked again. */
+    void waits() {
+        isChecked = false;
+    }
+
+    /** Sets how often the robots that it commands had been stopped when it was typed. */
+    final void typedAfter(long stopCount) {
+        stops = stopCount;
+    }
+
+    /** How often the robots that it commands had been stopped when it was typed. */
+    final long stopsBefore() {
+        return stops;
+    }
+
+    /**
+     * Sets what receives the reason if the line is not run.
+     *
+     * @param byFiles called if its files do not let it be done
+     * @param inTurn called if the session or a robot refuses it when its turn comes
+     */
+    final void reportTo(Consumer<String> byFiles, Consumer<String> inTurn) {
+        refused = byFiles;
+        failed = inTurn;
+    }
+
+    final void refuse(String why) {
+        refused.accept(why);
+    }
+
+    final void fail(String why) {
+        failed.accept(why);
+    }
+
+    /** Marks a stop as sent, so that in its turn only its end is waited for. */
+    final void markStopSent() {
+        stopSent = true;
+    }
+
+    final boolean isStopSent() {
+        return stopSent;
+    }
+
+    abstract Statement statement();
+
+    /** When it runs. */
+    final Scheduling scheduling() {
+        return scheduling;
+    }
+
+    /** Whether one of its commands has a trait. */
+    public final boolean has(Trait trait) {
         return traits.contains(trait);
     }
 
-    boolean isBlock() {
-        return !(statement instanceof Statement.ForRobots) && !(statement instanceof Statement.ForSession);
+    /** The robots that it is for; of a block those that it commands. As far as they were in the team when it was typed. */
+    final List<Member> robots() {
+        return robots;
     }
 
-    /** Its first line, as answers call it. */
-    String title() {
-        return text.strip().lines().findFirst().orElse("").replaceAll("\\s+", " ");
+    /** Sets the robots that it is for, as found in its turn. */
+    final void useRobots(List<Member> found) {
+        robots = found;
     }
 
     /** The numbers of the robots it makes do something. */
-    Set<Integer> commanded() {
-        return has(Trait.COMMANDS_ROBOTS) ? robots.stream().map(Member::number).collect(Collectors.toSet()) : Set.of();
+    final Set<Integer> commanded() {
+        return permits.keySet().stream().map(Member::number).collect(Collectors.toSet());
+    }
+
+    /** For each robot that it commands, the permission to move that was in force when it was typed. */
+    final Map<Member, Permit> permits() {
+        return permits;
+    }
+
+    /** The lines of text as they were typed. */
+    final String text() {
+        return text;
+    }
+
+    /** Its first line, as answers call it. */
+    final String title() {
+        return text.strip().lines().findFirst().orElse("").replaceAll("\\s+", " ");
+    }
+
+    private static void requireNone(List<Mistake> mistakes) {
+        if (!mistakes.isEmpty()) {
+            throw new BotException(mistakes.get(0).message());
+        }
+    }
+
+    /** A command for robots. */
+    private static final class RobotLine extends PreparedLine {
+        private final Statement.ForRobots line;
+        private final RobotAction action;
+
+        RobotLine(Statement.ForRobots line, String text, RobotAction action, List<Member> robots) {
+            super(text, action.scheduling(), action.traits(), robots);
+            this.line = line;
+            this.action = action;
+        }
+
+        @Override
+        Statement statement() {
+            return line;
+        }
+
+        @Override
+        void check(Actions actions, Selection selection) {
+            robots().forEach(robot -> action.check(new RobotCheck(selection, robot, false, false)));
+            if (!has(Trait.READS_FILES)) {
+                markChecked();
+            }
+        }
+
+        @Override
+        void checkWithFiles(Actions actions, Selection selection) {
+            useRobots(selection.members(line.robots()));
+            robots().forEach(robot -> action.check(new RobotCheck(selection, robot, false, true)));
+            markChecked();
+        }
+
+        @Override
+        void run(Execution execution, Actions actions) {
+            execution.run(action, robots());
+        }
+    }
+
+    /** A command for the session. */
+    private static final class SessionLine extends PreparedLine {
+        private final Statement.ForSession line;
+        private final SessionAction action;
+
+        SessionLine(Statement.ForSession line, String text, SessionAction action) {
+            super(text, action.scheduling(), action.traits(), List.of());
+            this.line = line;
+            this.action = action;
+        }
+
+        @Override
+        Statement statement() {
+            return line;
+        }
+
+        @Override
+        void check(Actions actions, Selection selection) {
+            if (!has(Trait.READS_FILES)) {
+                checkWithFiles(actions, selection);
+            }
+        }
+
+        @Override
+        void checkWithFiles(Actions actions, Selection selection) {
+            action.check(new SessionCheck(selection, false));
+            markChecked();
+        }
+
+        @Override
+        void run(Execution execution, Actions actions) {
+            action.run(execution);
+        }
+    }
+
+    /** A block; its commands are checked again when they run, since a loop or a condition may change what is true now. */
+    private static final class Block extends PreparedLine {
+        private final Statement block;
+
+        Block(Statement block, String text, RobotsIn robots) {
+            super(text, Scheduling.BESIDE, traits(robots), List.copyOf(robots.commanded()));
+            this.block = block;
+            markChecked();
+        }
+
+        private static Set<Trait> traits(RobotsIn robots) {
+            Set<Trait> traits = EnumSet.of(Trait.COMMANDS_ROBOTS, Trait.CHANGES_TEAM);
+            if (robots.readsFiles()) {
+                traits.add(Trait.READS_FILES);
+            }
+            return traits;
+        }
+
+        @Override
+        Statement statement() {
+            return block;
+        }
+
+        @Override
+        void check(Actions actions, Selection selection) {
+            requireNone(Checker.checkWithoutFiles(List.of(block), actions, selection));
+        }
+
+        @Override
+        void checkWithFiles(Actions actions, Selection selection) {
+            requireNone(Checker.check(List.of(block), actions, selection));
+        }
+
+        @Override
+        void run(Execution execution, Actions actions) {
+            boolean waits = execution.isTyped();
+            ScriptRun script =
+                    new ScriptRun(execution.asScript(title(), text().strip(), waits), actions, title(), "", waits);
+            if (!script.run(List.of(block))) {
+                execution.fail(title());
+            }
+        }
+
+        @Override
+        void waits() {}
     }
 }

@@ -1,7 +1,9 @@
 package majic.script.record;
 
+import java.util.Collection;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,6 +25,11 @@ public record RecordedEvent(
         Set<Integer> begins,
         Map<Integer, Long> finished,
         @Nullable RecordedBlock block) {
+    /** Robots as a line names them: {@code 1,3}. */
+    public static String names(Collection<Integer> robots) {
+        return robots.stream().sorted().map(String::valueOf).collect(Collectors.joining(","));
+    }
+
     /** What can be recorded. */
     enum Kind {
         /** A robot was connected, which takes its own time when it is done again. */

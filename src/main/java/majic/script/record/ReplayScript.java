@@ -2,21 +2,18 @@ package majic.script.record;
 
 import java.math.BigDecimal;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
-import java.util.stream.Collectors;
 
 /**
  * Writes what was done in a session as a script that does it again. Robots that had finished before another was started
  * are waited for; otherwise time decides. A motion that was stopped is replayed by time alone, from its beginning to the
  * stop, so that it ends no later than it did.
  */
-public final class ReplayScript {
+final class ReplayScript {
     private static final long NANOS_PER_MS = 1_000_000;
     private static final long SHORTEST_PAUSE_MS = 100;
 
@@ -93,7 +90,7 @@ public final class ReplayScript {
                     .mapToLong(Long::longValue)
                     .max()
                     .orElseThrow();
-            await(numbers(event.finished().keySet()) + " wait", last);
+            await(RecordedEvent.names(event.finished().keySet()) + " wait", last);
         }
         if (event.kind() == RecordedEvent.Kind.ADD) {
             reachedNanos = Math.max(reachedNanos, event.atNanos());
@@ -113,7 +110,7 @@ public final class ReplayScript {
         }
         reachedNanos = Math.max(reachedNanos, block.endedNanos());
         if (block.hasFinished() && !event.robots().isEmpty()) {
-            lines.add(numbers(event.robots()) + " wait");
+            lines.add(RecordedEvent.names(event.robots()) + " wait");
         }
     }
 
@@ -133,10 +130,5 @@ public final class ReplayScript {
                     + BigDecimal.valueOf(pauseMs, 3).stripTrailingZeros().toPlainString() + "s");
             reachedNanos += pauseMs * NANOS_PER_MS;
         }
-    }
-
-    /** Robots as a line names them. */
-    public static String numbers(Collection<Integer> robots) {
-        return new TreeSet<>(robots).stream().map(String::valueOf).collect(Collectors.joining(","));
     }
 }

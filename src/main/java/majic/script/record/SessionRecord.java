@@ -37,14 +37,15 @@ public final class SessionRecord {
         team.addListener(new PastTheScript());
     }
 
-    private long now() {
+    /** The time on the clock of the team, nanoseconds. */
+    public long nanos() {
         return team.time().nanos();
     }
 
     /** Keeps that a robot joined. */
     public synchronized void added(String address, int number) {
         String line = "add " + quoted(address) + " as " + number;
-        keep(new RecordedEvent(RecordedEvent.Kind.ADD, now(), line, Set.of(number), Set.of(), Map.of(), null));
+        keep(new RecordedEvent(RecordedEvent.Kind.ADD, nanos(), line, Set.of(number), Set.of(), Map.of(), null));
     }
 
     /** Keeps that a robot was removed at a time, and stopped by that if it was busy. */
@@ -69,12 +70,12 @@ public final class SessionRecord {
         Set<Integer> begins =
                 robots.stream().filter(number -> hasFinished(number, by)).collect(Collectors.toSet());
         Map<Integer, Long> finished = robots.isEmpty() ? Map.of() : finishedOthers(robots, by);
-        return new RecordedEvent(RecordedEvent.Kind.COMMAND, now(), text, robots, begins, finished, block);
+        return new RecordedEvent(RecordedEvent.Kind.COMMAND, nanos(), text, robots, begins, finished, block);
     }
 
     /** Keeps that robots were waited for. */
     public synchronized void waited(String text, Set<Integer> robots, @Nullable RecordedBlock block) {
-        keep(event(RecordedEvent.Kind.WAIT, now(), text, robots, block));
+        keep(event(RecordedEvent.Kind.WAIT, nanos(), text, robots, block));
     }
 
     /** Keeps that robots were stopped. */
@@ -84,13 +85,13 @@ public final class SessionRecord {
                 && last.kind() == RecordedEvent.Kind.STOP
                 && last.robots().containsAll(robots);
         if (!robots.isEmpty() && !again) {
-            keep(stop(atNanos, ReplayScript.numbers(robots) + " stop", robots, block));
+            keep(stop(atNanos, RecordedEvent.names(robots) + " stop", robots, block));
         }
     }
 
     /** Keeps that the act of robots was ended. */
     public synchronized void calledOff(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
-        keep(stop(atNanos, ReplayScript.numbers(robots) + " act off", robots, block));
+        keep(stop(atNanos, RecordedEvent.names(robots) + " act off", robots, block));
     }
 
     private RecordedEvent stop(long atNanos, String text, Set<Integer> robots, @Nullable RecordedBlock block) {
@@ -101,12 +102,12 @@ public final class SessionRecord {
 
     /** Begins a block or a file that is run as a script. */
     public synchronized RecordedBlock begin(String text, boolean waits) {
-        return new RecordedBlock(text, now(), waits);
+        return new RecordedBlock(text, nanos(), waits);
     }
 
     /** Ends a block; {@code completed} tells whether it came to its own end. */
     public synchronized void end(RecordedBlock block, boolean completed) {
-        block.end(now(), completed);
+        block.end(nanos(), completed);
     }
 
     private static RecordedEvent event(
@@ -136,7 +137,7 @@ public final class SessionRecord {
         Map<Integer, Long> finished = new TreeMap<>();
         for (int number : started) {
             if (!robots.contains(number) && hasFinished(number, by)) {
-                finished.put(number, lastAnswerNanos.getOrDefault(number, now()));
+                finished.put(number, lastAnswerNanos.getOrDefault(number, nanos()));
             }
         }
         return finished;
@@ -170,7 +171,8 @@ public final class SessionRecord {
         return value.matches("[^\\s#\"]+") ? value : '"' + value + '"';
     }
 
-    private static Set<Integer> numbers(Collection<Member> members) {
+    /** The numbers of robots. */
+    public static Set<Integer> numbers(Collection<Member> members) {
         return members.stream().map(Member::number).collect(Collectors.toCollection(TreeSet::new));
     }
 
@@ -179,19 +181,19 @@ public final class SessionRecord {
         @Override
         public void answered(Answer answer) {
             synchronized (SessionRecord.this) {
-                lastAnswerNanos.put(answer.robot(), now());
+                lastAnswerNanos.put(answer.robot(), nanos());
             }
         }
 
         @Override
         public void stopped(Collection<Member> members) {
-            SessionRecord.this.stopped(numbers(members), now(), null);
+            SessionRecord.this.stopped(numbers(members), nanos(), null);
         }
 
         @Override
         public void latchChanged(boolean latched) {
             if (latched) {
-                SessionRecord.this.stopped(numbers(team.members()), now(), null);
+                SessionRecord.this.stopped(numbers(team.members()), nanos(), null);
             }
         }
 
@@ -220,7 +222,7 @@ public final class SessionRecord {
                     finished = Map.of();
                     begins = Set.of();
                 }
-                lastAnswerNanos.put(member.number(), now());
+                lastAnswerNanos.put(member.number(), nanos());
             }
         }
     }

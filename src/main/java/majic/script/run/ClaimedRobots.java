@@ -10,22 +10,22 @@ import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robots that a script owns: those it has commanded so far. A behaviour has them on loan, and neither takes
- * nor gives back any; a line has none. Used by one thread.
+ * The robots that a script has commanded so far and therefore owns. Those of a behaviour are lent to it, so it neither
+ * claims nor frees any. Used by one thread.
  */
 final class ClaimedRobots {
     private final Team team;
-    private final @Nullable Owner owner;
+    private final Owner owner;
     private final boolean lent;
     private final Set<Member> used = new LinkedHashSet<>();
 
     /**
      * None as yet.
      *
-     * @param owner their owner; null for a line
-     * @param lent whether they are on loan to the owner
+     * @param owner their owner or borrower
+     * @param lent whether they are lent to it
      */
-    ClaimedRobots(Team team, @Nullable Owner owner, boolean lent) {
+    ClaimedRobots(Team team, Owner owner, boolean lent) {
         this.team = team;
         this.owner = owner;
         this.lent = lent;
@@ -42,9 +42,6 @@ final class ClaimedRobots {
      * @throws majic.bot.BotException if one has another owner; those before it were claimed
      */
     void claim(Collection<Member> members) {
-        if (owner == null) {
-            return;
-        }
         for (Member member : members) {
             if (!lent) {
                 member.claim(owner);
@@ -53,7 +50,7 @@ final class ClaimedRobots {
         }
     }
 
-    /** Stops and returns those that still do something, but for one, and those that a stop is on its way to. */
+    /** Stops and returns those that are busy, except one, and except those with a pending stop. */
     Collection<Member> stopBusy(@Nullable Member exempt) {
         Collection<Member> busy = used.stream()
                 .filter(member -> member != exempt && !member.isIdle(owner) && !member.isStopping())
@@ -67,8 +64,6 @@ final class ClaimedRobots {
 
     /** Gives them all back. */
     void free() {
-        if (owner != null) {
-            used.forEach(member -> member.free(owner));
-        }
+        used.forEach(member -> member.free(owner));
     }
 }

@@ -1,14 +1,18 @@
 package majic.script.run;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
-import majic.bot.MotionStopped;
+import majic.bot.Permit;
 import majic.log.Line;
+import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
-import majic.script.syntax.ScriptException;
+import majic.script.record.RecordedBlock;
+import majic.script.record.SessionRecord;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
@@ -18,32 +22,22 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One line or one script while it runs: its commands, its robots, whether it may go on. Used by the thread
- * that runs it; {@link #end()} comes from any.
+ * One line while it runs: submits its commands to the robots, waits, answers. A line owns no robot. Used by the thread
+ * that runs it.
  */
-public final class Execution {
-    private static final int MOST_FILES = 8;
-
-    private final SessionState state;
-    private final Team team;
+public class Execution {
+    private final Origin origin;
     private final Selection selection;
     private final Manner manner;
-    private final QueuedCommands lines;
-    private final QueuedCommands own = new QueuedCommands();
-    private final @Nullable Owner owner;
-    private final ClaimedRobots holdings;
-    private final Recording recording;
+    private final Map<Member, Permit> permits;
+    private final BooleanSupplier wasStopped;
     private final long stopsBefore;
     private final boolean latchedBefore;
-    private BooleanSupplier overtaken = () -> false;
-    private @Nullable Object asker;
-    private volatile boolean ended;
     private long motions;
-    private int files;
 
-    /** How commands are given. */
+    /** How commands are submitted. */
     public enum Manner {
-        /** By a person: readings at once, nothing waits for room in a queue. */
+        /** Typed at a prompt: readings at once, nothing waits for room in a queue. */
         TYPED,
         /** One after the other, as in a pipe or a file. */
         IN_TURN,
@@ -51,185 +45,222 @@ public final class Execution {
         AT_ONCE
     }
 
-    private Execution(
-            SessionState state,
-            Selection selection,
-            Manner manner,
-            QueuedCommands lines,
-            @Nullable Owner act,
-            Recording recording) {
-        this.state = state;
-        this.team = state.team();
-        this.selection = selection;
-        this.manner = manner;
-        this.lines = lines;
-        this.owner = act;
-        this.holdings = new ClaimedRobots(team, act, act != null);
-        this.recording = recording;
-        this.stopsBefore = team.stops().all();
-        this.latchedBefore = state.team().isLatched();
-    }
+    /** Where lines come from: the session, and the parser that receives their answers. Immutable. */
+    public static final class Origin {
+        private final Team team;
+        private final SessionOutput output;
+        private final SessionRecord record;
+        private final SubmittedCommands commands;
+        private final Object asker;
 
-    private Execution(Execution line, String script, Recording recording) {
-        this.state = line.state;
-        this.team = line.team;
-        this.selection = line.selection;
-        this.manner = Manner.IN_TURN;
-        this.lines = line.lines;
-        this.owner = new Owner(Owner.Kind.SCRIPT, script, this::end);
-        this.holdings = new ClaimedRobots(team, owner, false);
-        this.recording = recording;
-        this.asker = line.asker;
-        this.stopsBefore = line.stopsBefore;
-        this.latchedBefore = line.team.isLatched();
-    }
+        /**
+         * The origin of all lines of one parser.
+         *
+         * @param commands receives what the lines submit
+         * @param asker what the answers to the lines carry
+         */
+        public Origin(SessionState state, SubmittedCommands commands, Object asker) {
+            this.team = state.team();
+            this.output = state.output();
+            this.record = state.record();
+            this.commands = commands;
+            this.asker = asker;
+        }
 
-    /** One line, which has no robot to itself and ends only by its own end. */
-    public static Execution ofLine(SessionState state, Manner manner, QueuedCommands lines) {
-        return new Execution(
-                state, new Selection(state.team()), manner, lines, null, new Recording(state.record(), null));
-    }
-
-    /** Lets its answers carry where its lines come from. */
-    public Execution askedBy(@Nullable Object source) {
-        asker = source;
-        return this;
-    }
-
-    public @Nullable Object asker() {
-        return asker;
-    }
-
-    /** Sends an answer or another line. */
-    void send(Line.Kind kind, String text) {
-        state.output().send(kind, text, asker);
-    }
-
-    /** Answers the line. */
-    public void answer(String text) {
-        send(Line.Kind.ANSWER, text);
-    }
-
-    /** Orders nothing any more once this holds: a stop came since the line was given. */
-    public Execution unless(BooleanSupplier overtakenByStop) {
-        overtaken = overtakenByStop;
-        return this;
-    }
-
-    /** A behaviour, with its robots on loan. */
-    public static Execution ofAct(SessionState state, Owner act, Selection robots) {
-        return new Execution(state, robots, Manner.IN_TURN, new QueuedCommands(), act, Recording.OFF);
+        /** The same, where other commands do not count. */
+        Origin withoutOthers() {
+            return new Origin(new SessionState(team, output, record), new SubmittedCommands(), asker);
+        }
     }
 
     /**
-     * A script that this line begins, which has every robot it commands to itself.
+     * A line.
+     *
+     * @param selection finds the robots it names
+     * @param permits the permissions to move that were in force when the line was typed; for a robot without one, that
+     *     in force when a command is submitted
+     * @param wasStopped whether its robots were stopped since it was typed
+     */
+    public Execution(
+            Origin origin,
+            Selection selection,
+            Manner manner,
+            Map<Member, Permit> permits,
+            BooleanSupplier wasStopped) {
+        this.origin = origin;
+        this.selection = selection;
+        this.manner = manner;
+        this.permits = permits;
+        this.wasStopped = wasStopped;
+        this.stopsBefore = origin.team.stops().all();
+        this.latchedBefore = origin.team.isLatched();
+    }
+
+    /** A script that a line begins, or a behaviour that it runs. */
+    Execution(Execution line, Origin origin, Selection selection, BooleanSupplier wasStopped) {
+        this.origin = origin;
+        this.selection = selection;
+        this.manner = Manner.IN_TURN;
+        this.permits = Map.of();
+        this.wasStopped = wasStopped;
+        this.stopsBefore = line.stopsBefore;
+        this.latchedBefore = origin.team.isLatched();
+    }
+
+    /**
+     * A script that this line begins; it owns every robot it commands.
      *
      * @param name what messages call it
      * @param text the lines that run it again
      * @param waits whether it ends only when its robots have finished
      */
-    public Execution asScript(String name, String text, boolean waits) {
-        return new Execution(this, name, recording.begin(text, waits));
+    public ScriptExecution asScript(String name, String text, boolean waits) {
+        return ScriptExecution.ofLine(this, name, origin.record.begin(text, waits));
     }
 
-    /** Keeps what this does, for a saved session. */
-    public Recording recording() {
-        return recording;
+    /**
+     * A behaviour that this line runs.
+     *
+     * @param act the borrower of its robots
+     * @param robots finds the robots that it was given
+     */
+    public ScriptExecution asAct(Owner act, Selection robots) {
+        return ScriptExecution.ofAct(this, act, robots);
     }
 
-    /** Counts the line as not succeeded. */
-    void fail(String what) {
-        lines.fail(what);
+    final Team team() {
+        return origin.team;
     }
 
-    /** Runs a file within this script; its mistakes are reported with its name. */
-    void nested(String file, Runnable body) {
-        if (files == MOST_FILES) {
-            throw new ExecutionEnded(Answer.Outcome.FAILED, file + ": files run each other too deeply");
-        }
-        files++;
-        try {
-            body.run();
-        } catch (ScriptException e) {
-            throw new ExecutionEnded(Answer.Outcome.FAILED, e.mistake().in(file));
-        } finally {
-            files--;
-        }
+    final Origin origin() {
+        return origin;
     }
 
-    public SessionState state() {
-        return state;
+    final BooleanSupplier wasStoppedSinceTyped() {
+        return wasStopped;
     }
 
     /** The clock of the team. */
-    TimeSource time() {
-        return team.time();
+    final TimeSource time() {
+        return origin.team.time();
     }
 
-    /** Runs a command on robots for which it was checked, and records it. */
-    public void run(RobotAction action, List<Member> robots) {
-        recording.run(action, robots, this);
-    }
-
-    public Selection selection() {
+    /** Finds the robots that its commands name. */
+    public final Selection selection() {
         return selection;
     }
 
-    public boolean isTyped() {
+    /** Whether its commands are submitted as typed at a prompt. */
+    public final boolean isTyped() {
         return manner == Manner.TYPED;
     }
 
-    public boolean isScript() {
-        return owner != null;
+    /** Whether it belongs to a script or a behaviour. */
+    public final boolean isScript() {
+        return owner() != null;
     }
 
-    /** How many orders that move a robot were given so far. */
-    long motions() {
+    /** The owner of the robots; null for a line, which owns none. */
+    public @Nullable Owner owner() {
+        return null;
+    }
+
+    /** Sends an answer or another line. */
+    public final void send(Line.Kind kind, String text) {
+        origin.output.send(kind, text, origin.asker);
+    }
+
+    /** Answers the line. */
+    public final void answer(String text) {
+        send(Line.Kind.ANSWER, text);
+    }
+
+    /** Counts the line as not succeeded. */
+    public final void fail(String what) {
+        origin.commands.fail(what);
+    }
+
+    /** How many commands that move a robot were submitted so far. */
+    final long motions() {
         return motions;
     }
 
-    /** Ends a script at the next thing it does; returns at once. */
-    void end() {
-        ended = true;
-        team.changes().raise();
+    /** Runs a command on robots for which it was checked, and records it. */
+    public final void run(RobotAction action, List<Member> robots) {
+        SessionRecord record = record();
+        if (record == null) {
+            action.run(this, robots);
+        } else {
+            action.runRecorded(this, robots, record, block());
+        }
     }
 
-    /** The owner of the robots; null for a line, which claims none. */
-    public @Nullable Owner owner() {
-        return owner;
+    /** Where it is recorded for a saved session; null for a behaviour, since the line that runs it is recorded. */
+    @Nullable
+    SessionRecord record() {
+        return origin.record;
     }
 
-    /** Takes robots into a script. */
-    public void claim(Collection<Member> members) {
-        holdings.claim(members);
+    /** The block that it belongs to in the record; null for a line. */
+    @Nullable
+    RecordedBlock block() {
+        return null;
     }
+
+    /** Makes robots its own for as long as it runs; has no effect for a line. */
+    public void claim(Collection<Member> members) {}
 
     /** Submits a command to each of some robots, or to none. */
-    public void submit(List<Member> members, Function<Member, QueuedCommand> commands) {
+    public final void submit(List<Member> members, Function<Member, QueuedCommand> commands) {
+        List<Permit> taken = members.stream().map(this::permit).toList();
         checkAlive();
         claim(members);
-        read(members, commands);
+        List<QueuedCommand> ready = ready(members, commands);
+        List<QueuedCommand> permitted = new ArrayList<>();
+        for (int index = 0; index < ready.size(); index++) {
+            permitted.add(permitted(ready.get(index), taken.get(index)));
+        }
+        queue(members, permitted);
     }
 
-    /** As {@link #submit}, for commands that only read: a script needs no robot to itself for them. */
-    void read(List<Member> members, Function<Member, QueuedCommand> commands) {
-        List<QueuedCommand> ready = ready(members, commands);
+    /** The permit is taken before the check for stops, so that a stop after that check revokes it. */
+    private Permit permit(Member member) {
+        Permit typed = permits.get(member);
+        return typed == null ? member.leave() : typed;
+    }
+
+    /** The command as it may be submitted: when its turn comes it does not begin without permission. */
+    QueuedCommand permitted(QueuedCommand command, Permit permit) {
+        return command.moves() ? command.checkedBy(permit::check) : command;
+    }
+
+    /** As {@link #submit}, for commands that only read: they need neither ownership nor permission. */
+    final void read(List<Member> members, Function<Member, QueuedCommand> commands) {
+        queue(members, ready(members, commands));
+    }
+
+    private void queue(List<Member> members, List<QueuedCommand> commands) {
         if (manner == Manner.IN_TURN) {
-            await(() -> members.stream().allMatch(member -> member.hasRoom(owner)), Double.POSITIVE_INFINITY);
+            await(() -> members.stream().allMatch(member -> member.hasRoom(owner())), Double.POSITIVE_INFINITY);
         }
-        for (int index = 0; index < ready.size(); index++) {
-            members.get(index).check(ready.get(index).moves(), owner);
+        for (int index = 0; index < commands.size(); index++) {
+            members.get(index).check(commands.get(index).moves(), owner());
         }
-        for (int index = 0; index < ready.size(); index++) {
-            QueuedCommand command = whileAlive(ready.get(index));
-            motions += command.moves() ? 1 : 0;
-            members.get(index).submit(command, owner);
-            track(members.get(index), command);
+        for (int index = 0; index < commands.size(); index++) {
+            motions += commands.get(index).moves() ? 1 : 0;
+            members.get(index).submit(commands.get(index), owner());
+            track(members.get(index), commands.get(index));
         }
+    }
+
+    private List<QueuedCommand> ready(List<Member> members, Function<Member, QueuedCommand> commands) {
+        return members.stream()
+                .map(member -> commands.apply(member).askedBy(origin.asker))
+                .toList();
     }
 
     /** Runs a command that moves nothing: beside the queue if it is typed, otherwise in its turn. */
-    public void readBeside(List<Member> members, Function<Member, QueuedCommand> commands) {
+    public final void readBeside(List<Member> members, Function<Member, QueuedCommand> commands) {
         if (isTyped()) {
             runNow(members, commands);
         } else {
@@ -237,14 +268,8 @@ public final class Execution {
         }
     }
 
-    private List<QueuedCommand> ready(List<Member> members, Function<Member, QueuedCommand> commands) {
-        return members.stream()
-                .map(member -> commands.apply(member).askedBy(asker))
-                .toList();
-    }
-
     /** Runs a command beside the queue. */
-    public List<QueuedCommand> runNow(List<Member> members, Function<Member, QueuedCommand> commands) {
+    public final List<QueuedCommand> runNow(List<Member> members, Function<Member, QueuedCommand> commands) {
         List<QueuedCommand> ready = ready(members, commands);
         for (int index = 0; index < ready.size(); index++) {
             members.get(index).runNow(ready.get(index));
@@ -253,68 +278,85 @@ public final class Execution {
         return ready;
     }
 
-    /** As {@link #runNow}; in a pipe or script what follows waits for the answers. */
-    public void runToEnd(List<Member> members, Function<Member, QueuedCommand> commands) {
+    /** As {@link #runNow}; in a pipe or script the next command waits for the answers. */
+    public final void runToEnd(List<Member> members, Function<Member, QueuedCommand> commands) {
         List<QueuedCommand> begun = runNow(members, commands);
         if (manner == Manner.IN_TURN) {
             await(() -> begun.stream().allMatch(QueuedCommand::hasEnded), Double.POSITIVE_INFINITY);
         }
     }
 
-    private void track(Member member, QueuedCommand command) {
-        lines.add(member, command);
-        if (owner != null) {
-            own.add(member, command);
-        }
+    void track(Member member, QueuedCommand command) {
+        origin.commands.add(member, command);
     }
 
-    /** When a script was ended or something of it failed, what was queued elsewhere must not begin before the stop gets there. */
-    private QueuedCommand whileAlive(QueuedCommand command) {
-        if (owner == null) {
-            return command;
-        }
-        return command.checkedBy(() -> {
-            if (ended || owner.isDismissed() || own.trouble().isPresent()) {
-                throw new MotionStopped("stopped");
-            }
-        });
-    }
-
+    /** Stops robots; that their commands end with it is not a failure. */
     public void stop(List<Member> members) {
-        own.forget(members);
-        lines.forget(members);
-        team.stop(members, owner);
-        if (owner != null) {
-            await(() -> members.stream().noneMatch(Execution::isEnding), Double.POSITIVE_INFINITY);
-        }
+        forget(members);
+        team().stop(members, owner());
     }
 
-    /** Whether a stop is on its way to a robot, or what it ended has not given the robot back yet. */
+    /** STOP. It ends the script that contains it like all others. */
+    public final void stopEverything() {
+        forget(team().members());
+        team().stopAll();
+    }
+
+    void forget(Collection<Member> members) {
+        origin.commands.forget(members);
+    }
+
+    /** Whether a stop of a robot is pending, or the owner that it ended has not given the robot back yet. */
     public static boolean isEnding(Member member) {
         return member.isStopping() || member.hasDismissedOwner();
     }
 
     /** Waits until the commands of some kind that were submitted before have had their turn. */
-    public void awaitCommands(Predicate<QueuedCommand> kind) {
-        await(() -> !lines.hasOpen(kind), Double.POSITIVE_INFINITY);
+    public final void awaitCommands(Predicate<QueuedCommand> kind) {
+        await(() -> !origin.commands.hasOpen(kind), Double.POSITIVE_INFINITY);
     }
 
-    /** STOP. It ends the script that contains it like all others. */
-    public void stopEverything() {
-        own.forget(team.members());
-        lines.forget(team.members());
-        team.stopAll();
-    }
-
-    /** Lets time pass. */
-    public void pause(double seconds) {
+    /** Waits for a time. */
+    public final void pause(double seconds) {
         await(() -> false, seconds);
     }
 
-    /** Waits for something, unless this has to end before. */
-    void await(BooleanSupplier condition, double seconds) {
+    /** Waits until robots are idle and have no other owner. */
+    public final void awaitFinished(Collection<Member> members) {
+        await(() -> members.stream().allMatch(this::isFinished), Double.POSITIVE_INFINITY);
+    }
+
+    /** Waits for all robots of the line or script, and records that. */
+    public final void awaitAll() {
+        Collection<Member> all = allRobots();
+        awaitFinished(all);
+        SessionRecord record = record();
+        if (record != null) {
+            record.waited("wait", SessionRecord.numbers(all), block());
+        }
+    }
+
+    Collection<Member> allRobots() {
+        return team().members();
+    }
+
+    private boolean isFinished(Member member) {
+        return member.isIdle(owner()) && (member.owner() == null || member.owner() == owner());
+    }
+
+    /** Waits until robots have finished their commands, unless they have another owner. */
+    final void awaitReadable(Collection<Member> members) {
+        await(() -> members.stream().allMatch(this::isReadable), Double.POSITIVE_INFINITY);
+    }
+
+    private boolean isReadable(Member member) {
+        return member.isIdle(owner()) || (member.owner() != null && member.owner() != owner());
+    }
+
+    /** Waits for a condition, unless this has to end before. */
+    final void await(BooleanSupplier condition, double seconds) {
         try {
-            team.changes().await(() -> condition.getAsBoolean() || isOver(), seconds);
+            team().changes().await(() -> condition.getAsBoolean() || isOver(), seconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
@@ -322,70 +364,24 @@ public final class Execution {
         checkAlive();
     }
 
-    /** Waits until robots are idle and have no other owner. */
-    public void awaitFinished(Collection<Member> members) {
-        await(() -> members.stream().allMatch(this::isFinished), Double.POSITIVE_INFINITY);
-    }
-
-    private boolean isFinished(Member member) {
-        Owner other = member.owner();
-        return member.isIdle(owner) && (other == null || other == owner);
-    }
-
-    /** Waits until robots have finished their commands, unless they have another owner. */
-    void awaitReadable(Collection<Member> members) {
-        await(
-                () -> members.stream()
-                        .allMatch(
-                                member -> member.isIdle(owner) || (member.owner() != null && member.owner() != owner)),
-                Double.POSITIVE_INFINITY);
-    }
-
-    /** The robots that a plain {@code wait} waits for. */
-    public Collection<Member> allRobots() {
-        return owner == null ? team.members() : holdings.all();
-    }
-
-    /** Waits for all orders of a script. */
-    public void finish() {
-        await(own::allEnded, Double.POSITIVE_INFINITY);
+    /** Whether it has to end, looked at while it waits. */
+    boolean isOver() {
+        return team().stops().all() != stopsBefore;
     }
 
     /**
-     * Stops the robots of a script that still do something; those a stop is on its way to are left alone, and so is the
-     * one whose order failed: it is stationary, and its queue is dropped with the reason.
+     * Checks that it may continue.
+     *
+     * @throws ExecutionEnded if its robots were stopped, or something in it failed
      */
-    void stopAllUsed() {
-        ended = true;
-        long atNanos = team.time().nanos();
-        Collection<Member> stopped = holdings.stopBusy(
-                own.trouble().map(QueuedCommands.Trouble::robot).orElse(null));
-        recording.stopped(stopped, atNanos);
-    }
-
-    /** Gives the robots of a script back. */
-    void freeAll() {
-        holdings.free();
-    }
-
     public void checkAlive() {
-        if (ended || team.stops().all() != stopsBefore || overtaken.getAsBoolean()) {
+        if (team().stops().all() != stopsBefore || wasStopped.getAsBoolean()) {
             throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
         }
-        own.trouble().ifPresent(trouble -> {
-            boolean failed = trouble.outcome() == Answer.Outcome.FAILED;
-            throw failed
-                    ? new ExecutionEnded(trouble.outcome(), trouble.text() + " failed")
-                    : new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
-        });
     }
 
-    /** Whether a STOP came since this began; an order of the script may be refused before that. */
+    /** Whether a STOP came since this began; a command may be refused because of it before {@link #isOver}. */
     boolean wasStopped() {
-        return ended || team.stops().all() != stopsBefore || (team.isLatched() && !latchedBefore);
-    }
-
-    private boolean isOver() {
-        return ended || team.stops().all() != stopsBefore || own.trouble().isPresent();
+        return team().stops().all() != stopsBefore || (team().isLatched() && !latchedBefore);
     }
 }

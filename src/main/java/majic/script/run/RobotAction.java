@@ -2,10 +2,14 @@ package majic.script.run;
 
 import java.util.List;
 import java.util.Set;
+import majic.script.record.RecordedBlock;
+import majic.script.record.RecordedEvent;
+import majic.script.record.SessionRecord;
 import majic.script.syntax.Command;
 import majic.team.Member;
+import org.jspecify.annotations.Nullable;
 
-/** How a command for robots is scheduled, checked, run and repeated; one subclass for each kind of {@link Command}. */
+/** How a command for robots is scheduled, checked, run, recorded and repeated; one subclass for each kind of {@link Command}. */
 public abstract class RobotAction {
     private final Command command;
     private final Scheduling scheduling;
@@ -43,6 +47,24 @@ public abstract class RobotAction {
 
     /** Runs it on robots for which it was checked. */
     public abstract void run(Execution execution, List<Member> robots);
+
+    /**
+     * Runs it as {@link #run} does, and records it with the time at which it was submitted.
+     *
+     * @param block the block that the command stands in; null for a line of its own
+     */
+    public void runRecorded(
+            Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
+        Set<Integer> numbers = SessionRecord.numbers(robots);
+        String text = replayText(execution.isTyped());
+        RecordedEvent event = record.command(
+                text.isEmpty() ? "" : RecordedEvent.names(numbers) + " " + text,
+                has(Trait.COMMANDS_ROBOTS) ? numbers : Set.of(),
+                execution.owner(),
+                block);
+        run(execution, robots);
+        record.keep(event);
+    }
 
     /** The words with which a saved session repeats it; empty if there is nothing to repeat. */
     public String replayText(boolean typed) {

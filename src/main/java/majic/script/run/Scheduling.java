@@ -15,15 +15,5 @@ public enum Scheduling {
     /** Connects a robot: beside the next lines, but one such line after the other. */
     BESIDE_IN_ORDER,
     /** Holds the lines behind it until it has ended. */
-    HOLDS;
-
-    /** Whether it is done at once, so that the caller's thread can do it. */
-    public boolean isQuick() {
-        return compareTo(BESIDE) < 0;
-    }
-
-    /** Whether it goes past a wait if it is typed. */
-    public boolean overtakes() {
-        return this == STOP || this == OVERTAKES;
-    }
+    HOLDS
 }

@@ -37,11 +37,11 @@ public record ScriptFiles(BotFactory factory, Actions actions) {
     public void run(Path path, Execution execution) {
         String file = path.toString();
         List<Statement> script = checked(file, read(path), execution);
-        if (execution.isScript()) {
-            execution.nested(file, () -> new Interpreter(execution, actions).run(script));
+        if (execution instanceof ScriptExecution outer) {
+            outer.nested(file, () -> new Interpreter(execution, actions).run(script));
             return;
         }
-        Execution alone = execution.asScript(
+        ScriptExecution alone = execution.asScript(
                 String.valueOf(path.getFileName()),
                 "run " + SessionRecord.quoted(path.toAbsolutePath().toString()),
                 true);

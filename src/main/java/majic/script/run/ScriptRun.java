@@ -13,7 +13,7 @@ import majic.time.TimeSource;
  * it fails it ends and stops every robot that it used.
  */
 public final class ScriptRun {
-    private final Execution execution;
+    private final ScriptExecution execution;
     private final Actions actions;
     private final String title;
     private final String file;
@@ -22,13 +22,13 @@ public final class ScriptRun {
     /**
      * A run.
      *
-     * @param execution of a script
+     * @param execution the execution of the script
      * @param actions for its commands
      * @param title what answers call it
      * @param file where it stands; empty if it was typed
      * @param waits whether it ends, with an answer, only when its robots have finished
      */
-    public ScriptRun(Execution execution, Actions actions, String title, String file, boolean waits) {
+    public ScriptRun(ScriptExecution execution, Actions actions, String title, String file, boolean waits) {
         this.execution = execution;
         this.actions = actions;
         this.title = title;
@@ -46,17 +46,18 @@ public final class ScriptRun {
         long began = time.nanos();
         try {
             execution.claim(RobotsIn.of(script, actions, execution.selection()).commanded());
+            execution.checkAlive();
             new Interpreter(execution, actions).run(script);
             if (waits) {
                 execution.finish();
                 answer(String.format(Locale.ROOT, "done (%.1f s)", time.secondsSince(began)));
             }
-            execution.recording().end(true);
+            execution.endRecord(true);
             return true;
         } catch (RuntimeException | Error e) {
             String ending = ending(e);
             execution.stopAllUsed();
-            execution.recording().end(false);
+            execution.endRecord(false);
             answer(ending);
         } finally {
             execution.freeAll();

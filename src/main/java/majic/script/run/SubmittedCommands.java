@@ -14,7 +14,7 @@ import majic.team.QueuedCommand;
 import org.jspecify.annotations.Nullable;
 
 /** Counts submitted commands: which are still under way, and whether one did not come to a good end. Thread-safe. */
-public final class QueuedCommands {
+public final class SubmittedCommands {
     private final Map<QueuedCommand, Member> open = new LinkedHashMap<>();
     private final Set<QueuedCommand> forgiven = new HashSet<>();
     private Optional<Trouble> trouble = Optional.empty();

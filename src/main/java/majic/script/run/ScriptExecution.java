@@ -1,0 +1,184 @@
+package majic.script.run;
+
+import java.util.Collection;
+import java.util.List;
+import majic.bot.MotionStopped;
+import majic.bot.Permit;
+import majic.script.conditions.Selection;
+import majic.script.record.RecordedBlock;
+import majic.script.record.SessionRecord;
+import majic.script.syntax.ScriptException;
+import majic.team.Answer;
+import majic.team.Member;
+import majic.team.Owner;
+import majic.team.QueuedCommand;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One script or behaviour while it runs. A script owns the robots it commands, a behaviour has borrowed its robots. The
+ * first command that fails ends it. Used by the thread that runs it; {@link #end()} may be called on any.
+ */
+public final class ScriptExecution extends Execution {
+    private static final int MOST_FILES = 8;
+
+    private final Owner owner;
+    private final ClaimedRobots robots;
+    private final SubmittedCommands own = new SubmittedCommands();
+    private final @Nullable RecordedBlock block;
+    private volatile boolean ended;
+    private int files;
+
+    private ScriptExecution(Execution line, String name, RecordedBlock block) {
+        super(line, line.origin(), line.selection(), line.wasStoppedSinceTyped());
+        this.owner = new Owner(Owner.Kind.SCRIPT, name, this::end);
+        this.robots = new ClaimedRobots(team(), owner, false);
+        this.block = block;
+    }
+
+    private ScriptExecution(Execution line, Owner act, Selection robots) {
+        super(line, line.origin().withoutOthers(), robots, () -> false);
+        this.owner = act;
+        this.robots = new ClaimedRobots(team(), owner, true);
+        this.block = null;
+    }
+
+    static ScriptExecution ofLine(Execution line, String name, RecordedBlock block) {
+        return new ScriptExecution(line, name, block);
+    }
+
+    static ScriptExecution ofAct(Execution line, Owner act, Selection robots) {
+        return new ScriptExecution(line, act, robots);
+    }
+
+    @Override
+    public Owner owner() {
+        return owner;
+    }
+
+    @Override
+    @Nullable
+    SessionRecord record() {
+        return block == null ? null : super.record();
+    }
+
+    @Override
+    @Nullable
+    RecordedBlock block() {
+        return block;
+    }
+
+    /** Ends the record of a script; {@code completed} tells whether it came to its own end. */
+    void endRecord(boolean completed) {
+        if (block != null) {
+            super.record().end(block, completed);
+        }
+    }
+
+    /** Runs a file within this script; its mistakes are reported with its name. */
+    void nested(String file, Runnable body) {
+        if (files == MOST_FILES) {
+            throw new ExecutionEnded(Answer.Outcome.FAILED, file + ": files run each other too deeply");
+        }
+        files++;
+        try {
+            body.run();
+        } catch (ScriptException e) {
+            throw new ExecutionEnded(Answer.Outcome.FAILED, e.mistake().in(file));
+        } finally {
+            files--;
+        }
+    }
+
+    @Override
+    public void claim(Collection<Member> members) {
+        robots.claim(members);
+    }
+
+    @Override
+    Collection<Member> allRobots() {
+        return robots.all();
+    }
+
+    /** A command that is still queued when the script has ended or failed must not begin before the stop reaches it. */
+    @Override
+    QueuedCommand permitted(QueuedCommand command, Permit permit) {
+        return command.checkedBy(() -> {
+            if (ended || owner.isDismissed() || own.trouble().isPresent()) {
+                throw new MotionStopped("stopped");
+            }
+        });
+    }
+
+    @Override
+    void track(Member member, QueuedCommand command) {
+        super.track(member, command);
+        own.add(member, command);
+    }
+
+    @Override
+    public void stop(List<Member> members) {
+        super.stop(members);
+        await(() -> members.stream().noneMatch(Execution::isEnding), Double.POSITIVE_INFINITY);
+    }
+
+    @Override
+    void forget(Collection<Member> members) {
+        own.forget(members);
+        super.forget(members);
+    }
+
+    /** Waits for all commands of the script. */
+    public void finish() {
+        await(own::allEnded, Double.POSITIVE_INFINITY);
+    }
+
+    /** Ends the script at the next thing it does; returns at once. */
+    void end() {
+        ended = true;
+        team().changes().raise();
+    }
+
+    /**
+     * Stops the robots of a script that are still busy, except those with a pending stop and the one whose command
+     * failed: it is stationary, and its queue is dropped with the reason.
+     */
+    void stopAllUsed() {
+        ended = true;
+        long atNanos = time().nanos();
+        Member failed = own.trouble().map(SubmittedCommands.Trouble::robot).orElse(null);
+        Collection<Member> stopped = robots.stopBusy(failed);
+        SessionRecord record = record();
+        if (record != null) {
+            record.stopped(SessionRecord.numbers(stopped), atNanos, block);
+        }
+    }
+
+    /** Gives the robots of a script back. */
+    void freeAll() {
+        robots.free();
+    }
+
+    @Override
+    boolean isOver() {
+        return ended || super.isOver() || own.trouble().isPresent();
+    }
+
+    @Override
+    public void checkAlive() {
+        if (ended) {
+            throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
+        }
+        super.checkAlive();
+        own.trouble().ifPresent(trouble -> {
+            boolean failed = trouble.outcome() == Answer.Outcome.FAILED;
+            throw failed
+                    ? new ExecutionEnded(trouble.outcome(), trouble.text() + " failed")
+                    : new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
+        });
+    }
+
+    @Override
+    boolean wasStopped() {
+        return ended || super.wasStopped();
+    }
+}
