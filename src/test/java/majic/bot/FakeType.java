@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /** A type of robot that is made up for tests: {@code fake://anything}. */
@@ -11,6 +12,7 @@ public class FakeType implements BotType {
     private final String name;
     private final Map<String, FakeBot> made = new ConcurrentHashMap<>();
     private volatile boolean broken;
+    private volatile Runnable whenNamed = () -> {};
     private volatile Consumer<FakeBot> preparation = bot -> {};
 
     public FakeType() {
@@ -37,8 +39,19 @@ public class FakeType implements BotType {
         broken = true;
     }
 
+    /** Runs an event once, during a later reading of the name: while a line that names the type finds its robots. */
+    public void duringName(int reading, Runnable event) {
+        AtomicInteger left = new AtomicInteger(reading);
+        whenNamed = () -> {
+            if (left.decrementAndGet() == 0) {
+                event.run();
+            }
+        };
+    }
+
     @Override
     public String name() {
+        whenNamed.run();
         if (broken) {
             throw new IllegalStateException("a mistake in a plug-in");
         }

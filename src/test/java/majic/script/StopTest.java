@@ -155,4 +155,40 @@ class StopTest {
         assertThat(desk.prompt.parseText("aibo stop")).get().asString().startsWith("taken as STOP: an error in MAJIC");
         assertThat(desk.team.isLatched()).isTrue();
     }
+
+    /** The type in the condition is looked up by the check (1) and by the submission (2) of the line. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void revokesALineThatIsChecked(int lookup) throws InterruptedException {
+        desk.aibo.duringName(lookup, () -> desk.team.stop(List.of(desk.team.member(1)), null));
+        desk.prompt.parseText("1 move 1m until aibo bumped == yes");
+        desk.prompt.awaitAll();
+        assertThat(desk.bot(1).sent()).doesNotContain("move 1000");
+        assertThat(desk.said().toString()).contains("stopped").doesNotContain("done (");
+    }
+
+    /** As above; a line that waited is checked again (2) before its submission (3). */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3})
+    void revokesALineWhoseTurnHasCome(int lookup) throws InterruptedException {
+        desk.aibo.duringName(lookup, () -> desk.team.stop(List.of(desk.team.member(1)), null));
+        desk.prompt.parseText("wait 1s");
+        desk.prompt.parseText("1 move 1m until aibo bumped == yes");
+        desk.prompt.awaitAll();
+        assertThat(desk.bot(1).sent()).doesNotContain("move 1000");
+        assertThat(desk.said().toString()).contains("stopped").doesNotContain("done (");
+    }
+
+    /** The type is looked up as the block is checked (3) and as it takes its robots (4). */
+    @ParameterizedTest
+    @ValueSource(ints = {3, 4})
+    void endsABlockThatHasNotTakenItsRobots(int lookup) throws InterruptedException {
+        desk.aibo.duringName(lookup, () -> desk.team.stop(List.of(desk.team.member(1)), null));
+        for (String line : new String[] {"repeat 1", "aibo move 1m", "end"}) {
+            desk.prompt.parseText(line);
+        }
+        desk.prompt.awaitAll();
+        assertThat(desk.bot(1).sent()).doesNotContain("move 1000");
+        assertThat(desk.said().toString()).contains("stopped").doesNotContain("done (");
+    }
 }
