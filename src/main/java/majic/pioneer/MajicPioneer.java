@@ -1,5 +1,6 @@
 package majic.pioneer;
 
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.UnaryOperator;
@@ -14,19 +15,22 @@ import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.Pose;
 import majic.bot.Value;
+import majic.driver.RobotWait;
 import majic.link.Link;
 import majic.link.Links;
 import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.PioneerIdentity;
+import majic.pioneer.line.ArcosConnection;
+import majic.pioneer.line.ArcosHandshake;
+import majic.pioneer.line.BaudRates;
 import majic.pioneer.panel.PioneerPanel;
 import majic.pioneer.panel.PioneerScene;
 import majic.pioneer.parameters.PioneerAccess;
 import majic.pioneer.parameters.PioneerCommands;
 import majic.pioneer.parameters.PioneerParameters;
 import majic.pioneer.parameters.RampParameters;
-import majic.pioneer.session.ArcosHandshake;
-import majic.pioneer.session.ArcosLine;
-import majic.pioneer.session.BaudRates;
+import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.LinkWatch;
 import majic.pioneer.session.Maneuver;
 import majic.pioneer.session.MotionFaults;
@@ -142,10 +146,12 @@ public final class MajicPioneer extends MajicBot {
     }
 
     private void openOnce() {
+        ConnectWait wait = new ConnectWait(
+                new RobotWait(time(), changes()), () -> connection() == Connection.CLOSED);
         PioneerSession opening =
-                new PioneerSession(new ArcosLine(link(), time()), time(), changes(), new SessionEvents());
+                new PioneerSession(new ArcosConnection(link(), wait), wait, lastPose, new SessionEvents());
         session.set(opening);
-        opening.open(lastPose, requestedRamps);
+        opening.open(requestedRamps);
         try {
             adopt(opening);
         } catch (RuntimeException e) {
@@ -248,7 +254,7 @@ public final class MajicPioneer extends MajicBot {
                 open.equipment().bumpers(),
                 connection(),
                 get("age").number(),
-                open.packetCounts(),
+                Objects.requireNonNullElse(open.packetCounts(), PacketCounts.NONE),
                 profile().speed(),
                 profile().turn());
     }
@@ -320,11 +326,6 @@ public final class MajicPioneer extends MajicBot {
         @Override
         public void notice(String message) {
             MajicPioneer.this.notice(message);
-        }
-
-        @Override
-        public boolean isCanceled() {
-            return connection() == Connection.CLOSED;
         }
     }
 }

@@ -1,10 +1,13 @@
 package majic.pioneer.parameters;
 
+import java.util.function.Supplier;
+import java.util.function.ToLongFunction;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.ParameterTheme;
+import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.state.Equipment;
 
 /** The quality of the link. */
@@ -26,9 +29,16 @@ final class LinkParameters implements ParameterTheme<Equipment> {
                 access.state(state -> Value.of(state.longestSilenceS() * 1000, Unit.MS)));
         table.add(
                 Parameter.number("damagedPackets", Unit.NONE, "with a wrong checksum, since it was connected"),
-                access.session(open -> Value.of(open.packetCounts().damagedPackets(), Unit.NONE)));
+                count(PacketCounts::damagedPackets));
         table.add(
                 Parameter.number("skippedBytes", Unit.NONE, "that belonged to no whole packet, since it was connected"),
-                access.session(open -> Value.of(open.packetCounts().skippedBytes(), Unit.NONE)));
+                count(PacketCounts::skippedBytes));
+    }
+
+    private Supplier<Value> count(ToLongFunction<PacketCounts> part) {
+        return access.session(open -> {
+            PacketCounts counts = open.packetCounts();
+            return counts == null ? PioneerAccess.NOT_REPORTED : Value.of(part.applyAsLong(counts), Unit.NONE);
+        });
     }
 }

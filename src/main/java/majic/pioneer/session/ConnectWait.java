@@ -4,29 +4,20 @@ import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.driver.RobotWait;
 
-/** Waits of the thread that connects; they end as soon as the connection attempt is canceled. */
-final class ConnectWait {
-    private final RobotWait waiting;
-    private final BooleanSupplier canceled;
-
-    /**
-     * Creates the waits of one session.
-     *
-     * @param waiting woken when a condition may have changed, and at cancellation
-     * @param canceled whether the connection attempt is canceled
-     */
-    ConnectWait(RobotWait waiting, BooleanSupplier canceled) {
-        this.waiting = waiting;
-        this.canceled = canceled;
-    }
-
+/**
+ * Waits of the thread that connects; they end as soon as the connection attempt is canceled.
+ *
+ * @param waiting woken when a condition may have changed, and at cancellation
+ * @param canceled whether the connection attempt is canceled
+ */
+public record ConnectWait(RobotWait waiting, BooleanSupplier canceled) {
     /**
      * Waits until a condition holds.
      *
      * @return whether it held in time
      * @throws BotException if the attempt is canceled, or the thread is interrupted
      */
-    boolean await(BooleanSupplier condition, double seconds) {
+    public boolean await(BooleanSupplier condition, double seconds) {
         waiting.awaitConnecting(() -> condition.getAsBoolean() || canceled.getAsBoolean(), seconds);
         if (canceled.getAsBoolean()) {
             throw new BotException("closed while connecting");
@@ -35,7 +26,7 @@ final class ConnectWait {
     }
 
     /** Wakes the waiting thread to test its condition again. */
-    void raise() {
+    public void raise() {
         waiting.changes().raise();
     }
 }

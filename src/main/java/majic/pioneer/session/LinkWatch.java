@@ -33,12 +33,12 @@ public final class LinkWatch {
         GIVE_UP
     }
 
-    private final ArcosLine line;
+    private final RobotLine line;
     private final WheelMotors motors;
     private final TimeSource time;
     private final Signal changes;
 
-    LinkWatch(ArcosLine line, WheelMotors motors, TimeSource time, Signal changes) {
+    LinkWatch(RobotLine line, WheelMotors motors, TimeSource time, Signal changes) {
         this.line = line;
         this.motors = motors;
         this.time = time;

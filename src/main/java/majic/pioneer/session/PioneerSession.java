@@ -1,15 +1,15 @@
 package majic.pioneer.session;
 
+import java.util.Arrays;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Pose;
-import majic.driver.RobotWait;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.arcos.Report;
-import majic.pioneer.arcos.ReportDecoder;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
@@ -17,28 +17,32 @@ import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
 import majic.pioneer.state.Reports;
+import majic.pioneer.state.Side;
 import majic.pioneer.state.StateTracker;
-import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One session with a robot, from the opening of the link to its closing. Packets are handled on the reader thread of the line;
- * everything else may be called from any thread.
+ * One session with a robot, from the opening of the connection to its closing. Reports are handled on the thread of the
+ * connection; everything else may be called from any thread.
  */
-public final class PioneerSession implements ArcosLine.Listener {
-    private final ArcosLine line;
+public final class PioneerSession implements PioneerConnection.Listener {
+    private static final double SONAR_CYCLE_S = 1;
+
+    /** Time for the robot to act on the last commands, seconds. */
+    private static final double CLOSING_S = 0.1;
+
+    private final PioneerConnection connection;
+    private final RobotLine line;
+    private final ConnectWait wait;
+    private final TimeSource time;
+    private final Listener listener;
     private final ReportedState reported;
     private final WheelMotors motors;
     private final LinkWatch watch;
     private final ContinuousDrive driving;
     private final Subscriptions subscriptions;
-    private final ConnectWait connecting;
-    private final PacketInbox inbox;
-    private final Autobaud autobaud;
-    private final TimeSource time;
-    private final Signal changes;
-    private final Listener listener;
+    private final Pose start;
     private volatile Equipment equipment = Equipment.of(Models.USUAL, null);
     private volatile Ramps ramps = Ramps.careful(equipment.limits());
     private volatile @Nullable PioneerIdentity identity;
@@ -47,85 +51,89 @@ public final class PioneerSession implements ArcosLine.Listener {
 
     /** Is notified of what happens in a session. */
     public interface Listener {
-        /** A new state, on the reader thread. */
+        /** A new state, on the thread of the connection. */
         void stateReported(PioneerSession session, PioneerState state);
 
-        /** Another report, on the reader thread: parameters may have changed. */
+        /** Another report, on the thread of the connection: parameters may have changed. */
         void otherReported();
 
-        /** The session has ended; not called before the handshake is done. */
+        /** The session has ended; not called before the robot is identified. */
         void lost(PioneerSession session, LinkLost cause);
 
         /** A message for the user. */
         void notice(String message);
-
-        /** Whether the connection attempt is canceled. */
-        boolean isCanceled();
-    }
-
-    public PioneerSession(ArcosLine line, TimeSource time, Signal changes, Listener listener) {
-        this.line = line;
-        RobotWait waiting = new RobotWait(time, changes);
-        this.reported = new ReportedState(line, waiting);
-        this.motors = new WheelMotors(line, reported, time, listener::notice);
-        this.time = time;
-        this.changes = changes;
-        this.listener = listener;
-        this.watch = new LinkWatch(line, motors, time, changes);
-        this.driving = new ContinuousDrive(motors, reported, this::equipment, time, listener::notice);
-        this.subscriptions = new Subscriptions(line, time);
-        this.connecting = new ConnectWait(waiting, listener::isCanceled);
-        this.inbox = new PacketInbox(connecting);
-        this.autobaud = new Autobaud(line, reported);
     }
 
     /**
-     * Opens the line and begins the session. Leaves nothing open when it throws.
+     * Creates a session; opens nothing.
      *
+     * @param wait of the thread that connects
      * @param start the pose that the odometry begins with
-     * @param ramps those that a user has set; null for the careful ones. Reduced to the robot's limits, then sent
-     * @throws ArcosHandshake.SessionClosed if a second attempt will succeed
-     * @throws BotException if there is no Pioneer
      */
-    public void open(Pose start, @Nullable Ramps ramps) {
-        new SessionOpening(this, line, inbox, connecting, time).run(start, ramps);
+    public PioneerSession(PioneerConnection connection, ConnectWait wait, Pose start, Listener listener) {
+        this.connection = connection;
+        this.line = connection.line();
+        this.wait = wait;
+        this.time = wait.waiting().time();
+        this.start = start;
+        this.listener = listener;
+        this.reported = new ReportedState(line, wait.waiting());
+        this.motors = new WheelMotors(line, reported, time, listener::notice);
+        this.watch = new LinkWatch(line, motors, time, wait.waiting().changes());
+        this.driving = new ContinuousDrive(motors, reported, this::equipment, time, listener::notice);
+        this.subscriptions = new Subscriptions(line, time);
     }
 
-    /** Ends the handshake: packets from now on are SIPs and reports. */
-    void begin(PioneerIdentity known, Pose start) {
+    /**
+     * Connects and begins the session, without moving anything or switching motors on. Leaves nothing open when it throws.
+     *
+     * @param requested the ramps that a user has set; null for the careful ones. Reduced to the robot's limits, then sent
+     * @throws BotException if there is no Pioneer, or it sends no SIP
+     */
+    public void open(@Nullable Ramps requested) {
+        try {
+            connection.open(this);
+            use(requested);
+            subscriptions.begin(config);
+            startSonar();
+        } catch (RuntimeException e) {
+            close();
+            throw e;
+        }
+    }
+
+    private void startSonar() {
+        line.send(ArcosCommand.SONAR.packet(1));
+        wait.await(() -> line.hasEnded() || hasReadingsOnAllSides(), SONAR_CYCLE_S);
+        if (line.hasEnded()) {
+            throw new BotException(connection.address() + " closed the connection right after the handshake");
+        }
+    }
+
+    private boolean hasReadingsOnAllSides() {
+        return Arrays.stream(Side.values())
+                .filter(side -> equipment.model().discs().stream().anyMatch(side::isCoveredBy))
+                .allMatch(state().gaps()::containsKey);
+    }
+
+    @Override
+    public void identified(PioneerIdentity known) {
         identity = known;
         equipment = Equipment.of(Models.of(known.subclass()), null);
         tracker = new StateTracker(equipment.model(), start);
     }
 
-    boolean hasBegun() {
-        return tracker != null;
+    @Override
+    public void configured(Config reportedConfig) {
+        equipment = Equipment.of(equipment.model(), reportedConfig);
+        config = reportedConfig;
+        listener.otherReported();
     }
 
     @Override
-    public void received(Packet packet) {
-        if (!hasBegun()) {
-            inbox.put(packet);
-        } else if (packet.isSip()) {
-            receive(Sip.decode(packet));
-        } else if (packet.type() == Config.TYPE) {
-            configure(Config.decode(packet));
-            listener.otherReported();
-        } else if (packet.isReset()) {
-            end(new LinkLost("connection lost: the robot's controller was reset"));
-        } else {
-            receive(ReportDecoder.decode(packet));
-        }
-    }
-
-    private void configure(Config reportedConfig) {
-        equipment = Equipment.of(equipment.model(), reportedConfig);
-        config = reportedConfig;
-    }
-
-    private void receive(@Nullable Report report) {
+    public void reported(Report report) {
         StateTracker tracking = tracker;
-        if (report != null && tracking != null) {
+        if (tracking != null) {
             Reports reports = tracking.add(report);
             PioneerState now = reported.last();
             if (now != null) {
@@ -137,9 +145,10 @@ public final class PioneerSession implements ArcosLine.Listener {
         }
     }
 
-    private void receive(@Nullable Sip sip) {
+    @Override
+    public void reported(Sip sip) {
         StateTracker tracking = tracker;
-        if (sip != null && tracking != null) {
+        if (tracking != null) {
             PioneerState now = tracking.track(sip, time.nanos());
             reported.set(now);
             if (!now.isMoving()) {
@@ -152,19 +161,19 @@ public final class PioneerSession implements ArcosLine.Listener {
 
     @Override
     public void ended(LinkLost cause) {
-        inbox.end(cause);
-        if (hasBegun()) {
+        if (tracker != null) {
             listener.lost(this, cause);
         }
     }
 
-    /** Monitors the link; to be called every {@link LinkWatch#PERIOD_S}. */
+    /** Monitors the connection; to be called every {@link LinkWatch#PERIOD_S}. */
     public void checkLink() {
         PioneerState now = reported.last();
         if (now != null && !line.hasEnded()) {
             LinkLost cause = watch.check(now);
             if (cause != null) {
-                end(cause);
+                line.abort(cause);
+                listener.lost(this, cause);
             }
         }
     }
@@ -177,17 +186,17 @@ public final class PioneerSession implements ArcosLine.Listener {
         }
     }
 
-    private void end(LinkLost cause) {
-        line.abort(cause);
-        listener.lost(this, cause);
-    }
-
-    /** Stops the robot, switches its motors off, closes its session and the link; takes little over a second at most. */
+    /** Stops the robot, switches its motors off, ends its session and the connection; takes little over a second at most. */
     public void close() {
-        if (hasBegun()) {
-            new SessionClosing(line, autobaud, new RobotWait(time, changes)).run();
+        if (tracker != null) {
+            line.sendIfPossible(
+                    ArcosCommand.STOP.packet(),
+                    ArcosCommand.VEL.packet(0),
+                    ArcosCommand.RVEL.packet(0),
+                    ArcosCommand.ENABLE.packet(0));
+            wait.waiting().awaitClosing(line::hasEnded, CLOSING_S);
         }
-        line.close();
+        connection.close();
     }
 
     public boolean hasReported() {
@@ -195,12 +204,12 @@ public final class PioneerSession implements ArcosLine.Listener {
     }
 
     /**
-     * Sends packets, each in a write of its own.
+     * Sends commands.
      *
-     * @throws LinkLost if the line has ended or a write takes longer than 1 s
+     * @throws LinkLost if the connection has ended or a command takes longer than 1 s
      */
-    public void send(Packet... packets) {
-        line.send(packets);
+    public void send(Packet... commands) {
+        line.send(commands);
     }
 
     /**
@@ -219,10 +228,6 @@ public final class PioneerSession implements ArcosLine.Listener {
         return ramps;
     }
 
-    Autobaud autobaud() {
-        return autobaud;
-    }
-
     public Subscriptions subscriptions() {
         return subscriptions;
     }
@@ -235,17 +240,17 @@ public final class PioneerSession implements ArcosLine.Listener {
         return driving;
     }
 
-    /** Counts of packets and damaged bytes. */
-    public PacketCounts packetCounts() {
-        return line.counts();
+    /** Counts of packets and damaged bytes; null if the connection does not know them. */
+    public @Nullable PacketCounts packetCounts() {
+        return connection.counts();
     }
 
-    /** The robot's model and equipment; of a usual model during the handshake. */
+    /** The robot's model and equipment; of a usual model before it is identified. */
     public Equipment equipment() {
         return equipment;
     }
 
-    /** The robot's names; null during the handshake. */
+    /** The robot's names; null before it is identified. */
     public @Nullable PioneerIdentity identity() {
         return identity;
     }

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * read and awaited from any thread.
  */
 public final class ReportedState {
-    private final ArcosLine line;
+    private final RobotLine line;
     private final RobotWait waiting;
     private volatile @Nullable PioneerState last;
 
@@ -25,7 +25,7 @@ public final class ReportedState {
      *
      * @param waiting woken after each report, and when the line ends
      */
-    ReportedState(ArcosLine line, RobotWait waiting) {
+    ReportedState(RobotLine line, RobotWait waiting) {
         this.line = line;
         this.waiting = waiting;
     }

@@ -34,14 +34,14 @@ public final class Subscriptions {
     /** After so many requests without a report the robot is taken not to have the feed. */
     private static final int TRIES = 5;
 
-    private final ArcosLine line;
+    private final RobotLine line;
     private final TimeSource time;
     private final Map<Feed, Long> readNanos = new ConcurrentHashMap<>();
     private final Map<Feed, Long> receivedNanos = new ConcurrentHashMap<>();
     private final Map<Feed, Long> requestedNanos = new ConcurrentHashMap<>();
     private final Map<Feed, Integer> unanswered = new ConcurrentHashMap<>();
 
-    Subscriptions(ArcosLine line, TimeSource time) {
+    Subscriptions(RobotLine line, TimeSource time) {
         this.line = line;
         this.time = time;
     }

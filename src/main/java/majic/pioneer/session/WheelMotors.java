@@ -19,7 +19,7 @@ public final class WheelMotors {
     /** A velocity that is not renewed for so long is set to zero, seconds; drivers renew it several times as often. */
     private static final double RENEWAL_S = 1;
 
-    private final ArcosLine line;
+    private final RobotLine line;
     private final ReportedState state;
     private final TimeSource time;
     private final Consumer<String> notice;
@@ -30,7 +30,7 @@ public final class WheelMotors {
     private boolean held;
     private int holds;
 
-    WheelMotors(ArcosLine line, ReportedState state, TimeSource time, Consumer<String> notice) {
+    WheelMotors(RobotLine line, ReportedState state, TimeSource time, Consumer<String> notice) {
         this.line = line;
         this.state = state;
         this.time = time;

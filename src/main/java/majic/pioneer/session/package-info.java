@@ -1,5 +1,5 @@
 /**
- * One connection to a Pioneer: handshake, packets, watchdog, subscriptions, and the motions steered over it.
+ * One session with a Pioneer, over any connection: its state, the watchdog, subscriptions, and the control of motions.
  */
 @NullMarked
 package majic.pioneer.session;

@@ -2,14 +2,17 @@ package majic.pioneer.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import majic.TestClock;
+import majic.bot.LinkLost;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.state.Feed;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -20,44 +23,45 @@ class SubscriptionsTest {
     private static final String PORTS_STREAM = "40 2";
     private static final String ENCODER_STREAM = "19 2";
     private static final String ENCODER_ONCE = "19 1";
+    private static final boolean FAST = true;
+    private static final boolean SLOW = false;
     private static final Encoders TICKS = new Encoders(1, 2);
 
     @AutoClose
     private final TestClock clock = new TestClock();
-
-    private final RecordingLink wire = new RecordingLink();
+    private final List<Packet> sent = new ArrayList<>();
 
     @Test
     void aFastLineBringsWhatTheRobotHasFromTheStart() {
-        on("tcp:robot").begin(config(0, 0));
+        on(FAST).begin(config(0, 0));
 
         assertThat(requests()).containsExactly(BATTERIES_STREAM, PORTS_STREAM);
     }
 
     @Test
     void gripperAndGyroAreRequestedIfConfigReportsThem() {
-        on("tcp:robot").begin(config(1, 1));
+        on(FAST).begin(config(1, 1));
 
         assertThat(requests()).containsExactly(BATTERIES_STREAM, PORTS_STREAM, "37 2", "58 1");
     }
 
     @Test
     void aGyroThatTheControllerReadsItselfIsLeftAlone() {
-        on("tcp:robot").begin(config(0, 2));
+        on(FAST).begin(config(0, 2));
 
         assertThat(requests()).doesNotContain("58 1");
     }
 
     @Test
     void aSlowLineIsLeftToTheSips() {
-        on("serial:ttyS0").begin(config(1, 1));
+        on(SLOW).begin(config(1, 1));
 
         assertThat(requests()).isEmpty();
     }
 
     @Test
     void aFeedThatIsReadIsStreamed() throws InterruptedException {
-        Subscriptions subscriptions = on("tcp:robot");
+        Subscriptions subscriptions = on(FAST);
 
         read(subscriptions, 10, true);
 
@@ -66,7 +70,7 @@ class SubscriptionsTest {
 
     @Test
     void onASlowLineOneReportASecondIsRequestedWhileAFeedIsRead() throws InterruptedException {
-        Subscriptions subscriptions = on("serial:ttyS0");
+        Subscriptions subscriptions = on(SLOW);
 
         read(subscriptions, 4, true);
 
@@ -77,7 +81,7 @@ class SubscriptionsTest {
 
     @Test
     void aLostRequestIsRepeated() throws InterruptedException {
-        Subscriptions subscriptions = on("tcp:robot");
+        Subscriptions subscriptions = on(FAST);
 
         read(subscriptions, 3, false);
         subscriptions.received(TICKS);
@@ -88,7 +92,7 @@ class SubscriptionsTest {
 
     @Test
     void aStreamThatEndsIsRequestedAgain() throws InterruptedException {
-        Subscriptions subscriptions = on("tcp:robot");
+        Subscriptions subscriptions = on(FAST);
 
         read(subscriptions, 3, true);
         read(subscriptions, 3, false);
@@ -98,7 +102,7 @@ class SubscriptionsTest {
 
     @Test
     void requestsEndIfTheRobotNeverAnswers() throws InterruptedException {
-        Subscriptions subscriptions = on("tcp:robot");
+        Subscriptions subscriptions = on(FAST);
 
         read(subscriptions, 60, false);
 
@@ -108,15 +112,34 @@ class SubscriptionsTest {
     }
 
     private List<String> requests() {
-        return wire.written.stream()
-                .map(bytes -> Bytes.packet(Bytes.hex(bytes)))
+        return sent.stream()
                 .map(packet -> packet.type() + " " + packet.data()[1])
                 .toList();
     }
 
-    private Subscriptions on(String address) {
-        wire.address = address;
-        return new Subscriptions(new ArcosLine(wire, clock.time()), clock.time());
+    private Subscriptions on(boolean fast) {
+        return new Subscriptions(new RecordingLine(sent, fast), clock.time());
+    }
+
+    /** A line that only records what is sent. */
+    private record RecordingLine(List<Packet> sent, boolean isFast) implements RobotLine {
+        @Override
+        public void send(Packet... commands) {
+            sent.addAll(List.of(commands));
+        }
+
+        @Override
+        public long sentNanos() {
+            return 0;
+        }
+
+        @Override
+        public @Nullable LinkLost end() {
+            return null;
+        }
+
+        @Override
+        public void abort(LinkLost cause) {}
     }
 
     /** Reads the encoders for a while; the robot answers or does not. */

@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 import java.io.IOException;
 import java.lang.System.Logger;
@@ -12,6 +12,7 @@ import majic.link.Link;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
+import majic.pioneer.session.RobotLine;
 import majic.time.SuspendDetector;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -20,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * Sends and receives the packets of one connection. Any thread may send, each packet in one write; packets are received one
  * after the other on the reader thread, which also reports the end, once.
  */
-public final class ArcosLine {
+final class ArcosLine implements RobotLine {
     private static final Logger LOG = System.getLogger(ArcosLine.class.getName());
     private static final int OPEN_TIMEOUT_MS = 5000;
 
@@ -45,7 +46,7 @@ public final class ArcosLine {
         void ended(LinkLost cause);
     }
 
-    public ArcosLine(Link link, TimeSource time) {
+    ArcosLine(Link link, TimeSource time) {
         this.link = link;
         this.time = time;
     }
@@ -97,12 +98,9 @@ public final class ArcosLine {
         }
     }
 
-    /**
-     * Sends packets, each in a write of its own.
-     *
-     * @throws LinkLost if the line has ended, a write takes longer than 1 s, or the computer was suspended since the last one
-     */
-    void send(Packet... packets) {
+    /** Sends packets, each in a write of its own. */
+    @Override
+    public void send(Packet... packets) {
         for (Packet packet : packets) {
             refuseAfterSuspend();
             LOG.log(Level.TRACE, () -> "> " + packet);
@@ -124,28 +122,14 @@ public final class ArcosLine {
         }
     }
 
-    /** Sends packets; throws nothing if the line has ended. */
-    void sendIfPossible(Packet... packets) {
-        try {
-            send(packets);
-        } catch (LinkLost e) {
-            LOG.log(Level.DEBUG, () -> "could not send to " + address() + ": " + e.getMessage());
-        }
-    }
-
-    /** When the last packet was sent, on the driver's clock; 0 before the first. */
-    long sentNanos() {
+    @Override
+    public long sentNanos() {
         return sentNanos;
     }
 
-    /** Why the line has ended; null before. */
-    @Nullable
-    LinkLost end() {
+    @Override
+    public @Nullable LinkLost end() {
         return end;
-    }
-
-    boolean hasEnded() {
-        return end != null;
     }
 
     /** The first bytes received. */
@@ -158,8 +142,8 @@ public final class ArcosLine {
         return decoder.counts();
     }
 
-    /** Whether the line can carry more than SIPs; a serial port at the power-up speed cannot (ARCOS sheet 1). */
-    boolean isFast() {
+    @Override
+    public boolean isFast() {
         return baud > BaudRates.POWER_UP || !link.address().startsWith("serial:");
     }
 
@@ -188,8 +172,8 @@ public final class ArcosLine {
         link.close();
     }
 
-    /** Ends the line at once; discards what was not delivered yet, so that the robot cannot act on it later. */
-    void abort(LinkLost cause) {
+    @Override
+    public void abort(LinkLost cause) {
         end(cause);
         link.abort();
     }

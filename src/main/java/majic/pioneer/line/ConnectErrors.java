@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 /** Messages about a handshake that failed, by what was received instead of a Pioneer's answers. */
 final class ConnectErrors {

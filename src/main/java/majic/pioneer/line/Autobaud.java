@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -31,12 +31,12 @@ final class Autobaud {
     private static final double FALL_BACK_S = 1;
 
     private final ArcosLine line;
-    private final ReportedState state;
+    private final SipCounter sips;
     private volatile boolean raised;
 
-    Autobaud(ArcosLine line, ReportedState state) {
+    Autobaud(ArcosLine line, SipCounter sips) {
         this.line = line;
-        this.state = state;
+        this.sips = sips;
     }
 
     /**
@@ -87,16 +87,16 @@ final class Autobaud {
     }
 
     private void settle() {
-        state.await(any -> false, SETTLE_S);
+        sips.await(() -> false, SETTLE_S);
     }
 
     /** Sends pulses: any valid packet confirms the new speed to the robot. */
     private boolean isConfirmed() {
         int proofs = 0;
         for (int pulse = 0; pulse < PULSES && proofs < PROOFS; pulse++) {
-            long seen = state.get().atNanos();
+            int before = sips.count();
             line.send(ArcosCommand.PULSE.packet());
-            if (state.await(now -> now.atNanos() != seen, PULSE_S)) {
+            if (sips.awaitMoreThan(before, PULSE_S)) {
                 proofs++;
             }
         }
@@ -106,8 +106,7 @@ final class Autobaud {
     private void fallBack() {
         LOG.log(Level.DEBUG, () -> line.address() + " does not follow to " + BaudRates.FAST + " baud");
         line.setBaud(BaudRates.POWER_UP);
-        long seen = state.get().atNanos();
-        if (!state.await(now -> now.atNanos() != seen, FALL_BACK_S)) {
+        if (!sips.awaitMoreThan(sips.count(), FALL_BACK_S)) {
             throw new BotException(line.address() + " is not heard any more since its speed was to change from "
                     + BaudRates.POWER_UP + " to " + BaudRates.FAST + " baud; try again");
         }

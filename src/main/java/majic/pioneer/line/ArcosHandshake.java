@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 import majic.bot.BotException;
 import majic.bot.LinkLost;

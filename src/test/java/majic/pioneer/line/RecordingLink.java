@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 import java.util.ArrayList;
 import java.util.List;

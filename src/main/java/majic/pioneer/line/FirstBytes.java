@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;

@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 /**
  * The speeds that a Pioneer's serial port may have: the one after power-up, then those that an earlier session may have

@@ -1,4 +1,4 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,9 +1,10 @@
-package majic.pioneer.session;
+package majic.pioneer.line;
 
 import java.util.concurrent.ConcurrentLinkedQueue;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.session.ConnectWait;
 import org.jspecify.annotations.Nullable;
 
 /** Queues the packets received during the handshake for the thread that connects. */
