@@ -146,8 +146,7 @@ public final class MajicPioneer extends MajicBot {
     }
 
     private void openOnce() {
-        ConnectWait wait = new ConnectWait(
-                new RobotWait(time(), changes()), () -> connection() == Connection.CLOSED);
+        ConnectWait wait = new ConnectWait(new RobotWait(time(), changes()), () -> connection() == Connection.CLOSED);
         PioneerSession opening =
                 new PioneerSession(new ArcosConnection(link(), wait), wait, lastPose, new SessionEvents());
         session.set(opening);

@@ -1,6 +1,7 @@
 package majic.pioneer.session;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Pose;
@@ -43,6 +44,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final ContinuousDrive driving;
     private final Subscriptions subscriptions;
     private final Pose start;
+    private final AtomicBoolean lost = new AtomicBoolean();
     private volatile Equipment equipment = Equipment.of(Models.USUAL, null);
     private volatile Ramps ramps = Ramps.careful(equipment.limits());
     private volatile @Nullable PioneerIdentity identity;
@@ -57,7 +59,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         /** Another report, on the thread of the connection: parameters may have changed. */
         void otherReported();
 
-        /** The session has ended; not called before the robot is identified. */
+        /** The session has ended; called once, and not before the robot is identified. */
         void lost(PioneerSession session, LinkLost cause);
 
         /** A message for the user. */
@@ -161,7 +163,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
 
     @Override
     public void ended(LinkLost cause) {
-        if (tracker != null) {
+        if (tracker != null && !lost.getAndSet(true)) {
             listener.lost(this, cause);
         }
     }
@@ -173,7 +175,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
             LinkLost cause = watch.check(now);
             if (cause != null) {
                 line.abort(cause);
-                listener.lost(this, cause);
+                ended(cause);
             }
         }
     }
