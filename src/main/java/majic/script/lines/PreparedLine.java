@@ -48,7 +48,7 @@ public abstract class PreparedLine {
         this.traits = traits;
         this.robots = robots;
         if (has(Trait.COMMANDS_ROBOTS)) {
-            robots.forEach(robot -> permits.put(robot, robot.leave()));
+            robots.forEach(robot -> permits.put(robot, robot.currentPermit()));
         }
     }
 

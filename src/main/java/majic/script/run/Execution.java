@@ -226,7 +226,7 @@ public class Execution {
     /** The permit is taken before the check for stops, so that a stop after that check revokes it. */
     private Permit permit(Member member) {
         Permit typed = permits.get(member);
-        return typed == null ? member.leave() : typed;
+        return typed == null ? member.currentPermit() : typed;
     }
 
     /** The command as it may be submitted: when its turn comes it does not begin without permission. */
