@@ -107,7 +107,6 @@ public class CameraStreamBenchmark {
         /** Discards frames that arrived before the next iteration. */
         @TearDown(Level.Iteration)
         public void close() {
-            connection.leave();
             connection.abort();
             arrived.drainPermits();
         }
