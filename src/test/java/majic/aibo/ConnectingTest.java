@@ -3,10 +3,8 @@ package majic.aibo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.IOException;
 import majic.bot.BotException;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -15,20 +13,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A peer that dies or stalls at each step of connecting, and comes back. */
 @Timeout(30)
 class ConnectingTest {
-    private ScriptedDog dog;
-    private MajicAibo aibo;
+    @AutoClose
+    private final DrivenAibo driven = DrivenAibo.lying();
 
-    @BeforeEach
-    void start() throws IOException {
-        dog = new ScriptedDog();
-        aibo = new MajicAibo(dog.address(), dog.environment());
-    }
-
-    @AfterEach
-    void end() throws IOException {
-        aibo.close();
-        dog.close();
-    }
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})

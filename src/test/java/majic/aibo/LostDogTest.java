@@ -3,12 +3,10 @@ package majic.aibo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 import majic.aibo.session.AiboSession;
 import majic.bot.LinkLost;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,76 +19,71 @@ class LostDogTest {
     private static final int MOTION = 2;
 
     @AutoClose
-    private Dogs dogs;
+    private final DrivenAibo driven = DrivenAibo.standing().connected();
 
-    @BeforeEach
-    void connect() throws IOException {
-        dogs = new Dogs();
-        dogs.aibo.connect();
-    }
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
     void oneOfThreeConnectionsLostEndsTheWalkWithAStopOverAnother(int connection) {
         CompletableFuture<Void> walk = walk();
 
-        dogs.dog.hangUp(connection);
+        dog.hangUp(connection);
 
-        assertThatThrownBy(() -> dogs.join(walk))
+        assertThatThrownBy(() -> driven.join(walk))
                 .hasCauseInstanceOf(LinkLost.class)
                 .hasMessageContaining("the dog closed it");
-        dogs.dog.awaitReceived("stop walk");
-        assertThat(dogs.aibo.isConnected()).isFalse();
-        assertThat(dogs.dog.received("robot.walk(")).hasSize(1);
+        dog.awaitReceived("stop walk");
+        assertThat(aibo.isConnected()).isFalse();
+        assertThat(dog.received("robot.walk(")).hasSize(1);
     }
 
     @Test
     void whatALostConnectionLeftGoingOnIsEndedByTheNextOneAndNothingResumes() {
         CompletableFuture<Void> walk = walk();
-        dogs.dog.hangUp();
-        assertThatThrownBy(() -> dogs.join(walk)).hasCauseInstanceOf(LinkLost.class);
-        int before = dogs.dog.received("stop walk").size();
+        dog.hangUp();
+        assertThatThrownBy(() -> driven.join(walk)).hasCauseInstanceOf(LinkLost.class);
+        int before = dog.received("stop walk").size();
 
-        dogs.aibo.connect();
+        aibo.connect();
 
-        assertThat(dogs.dog.received("stop walk").size()).isGreaterThan(before);
-        assertThat(dogs.dog.received("stop mj")).isNotEmpty();
-        assertThat(dogs.dog.received("robot.walk(")).hasSize(1);
+        assertThat(dog.received("stop walk").size()).isGreaterThan(before);
+        assertThat(dog.received("stop mj")).isNotEmpty();
+        assertThat(dog.received("robot.walk(")).hasSize(1);
     }
 
     @Test
     void aDogThatStoodStillIsLeftAloneByTheNextConnection() {
-        dogs.dog.hangUp();
-        dogs.until(() -> !dogs.aibo.isConnected());
+        dog.hangUp();
+        driven.until(() -> !aibo.isConnected());
 
-        dogs.aibo.connect();
+        aibo.connect();
 
-        assertThat(dogs.dog.received("stop walk")).hasSizeLessThanOrEqualTo(1);
+        assertThat(dog.received("stop walk")).hasSizeLessThanOrEqualTo(1);
     }
 
     @Test
     void aCommandToALostDogFailsWithTheCauseOfTheLoss() {
-        dogs.dog.hangUp(MOTION);
-        dogs.until(() -> !dogs.aibo.isConnected());
+        dog.hangUp(MOTION);
+        driven.until(() -> !aibo.isConnected());
 
-        assertThatThrownBy(dogs.aibo::halt)
-                .isInstanceOf(LinkLost.class)
-                .hasMessage("connection lost: the dog closed it");
-        assertThatThrownBy(() -> dogs.aibo.get("ledF1")).hasMessage("connection lost: the dog closed it");
+        assertThatThrownBy(aibo::halt).isInstanceOf(LinkLost.class).hasMessage("connection lost: the dog closed it");
+        assertThatThrownBy(() -> aibo.get("ledF1")).hasMessage("connection lost: the dog closed it");
     }
 
     @Test
     void aStopOverADeadConnectionDoesNotClaimToHaveWaited() {
-        AiboSession session = dogs.aibo.session();
-        dogs.dog.hangUp(STOP);
-        dogs.until(() -> !dogs.aibo.isConnected());
+        AiboSession session = aibo.session();
+        dog.hangUp(STOP);
+        driven.until(() -> !aibo.isConnected());
 
         assertThatThrownBy(() -> session.executor().confirm()).isInstanceOf(LinkLost.class);
     }
 
     private CompletableFuture<Void> walk() {
-        CompletableFuture<Void> walk = dogs.aside(() -> dogs.aibo.move(2000));
-        dogs.dog.awaitReceived("robot.walk(");
+        CompletableFuture<Void> walk = driven.aside(() -> aibo.move(2000));
+        dog.awaitReceived("robot.walk(");
         return walk;
     }
 }

@@ -4,22 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
 import majic.bot.BotException;
-import majic.bot.BotListener;
 import majic.bot.LinkLost;
-import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
-import majic.bot.Settings;
 import majic.bot.Unit;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -27,28 +21,11 @@ import org.junit.jupiter.api.Timeout;
 class MajicAiboTest {
     private static final int SENSORS = 1;
 
-    private final Settings settings = Settings.inMemory();
-    private final List<String> notices = new CopyOnWriteArrayList<>();
-    private ScriptedDog dog;
-    private MajicAibo aibo;
+    @AutoClose
+    private final DrivenAibo driven = DrivenAibo.lying();
 
-    @BeforeEach
-    void start() throws IOException {
-        dog = new ScriptedDog();
-        aibo = new MajicAibo(dog.address(), dog.environment(settings));
-        aibo.addListener(new BotListener() {
-            @Override
-            public void notice(MajicBot bot, String message) {
-                notices.add(message);
-            }
-        });
-    }
-
-    @AfterEach
-    void end() throws IOException {
-        aibo.close();
-        dog.close();
-    }
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @Test
     void connectingSendsNothingThatMovesOrPowersTheDog() {
@@ -71,7 +48,7 @@ class MajicAiboTest {
 
         assertThat(dog.received("motors on")).hasSize(1);
         assertThat(dog.received("robot.stand")).hasSize(1);
-        assertThat(notices).anyMatch(notice -> notice.contains("motors on"));
+        assertThat(driven.notices).anyMatch(notice -> notice.contains("motors on"));
     }
 
     @Test
@@ -102,7 +79,7 @@ class MajicAiboTest {
     @Test
     void theSettingsOfADogChangeHowLongItWalks() {
         standing();
-        settings.put("aibo." + dog.address().substring(2) + ".forward", "6.0");
+        driven.settings.put("aibo." + dog.address().substring(2) + ".forward", "6.0");
         aibo.connect();
 
         aibo.move(100);
@@ -167,7 +144,7 @@ class MajicAiboTest {
         awaitSent("stop turn");
         assertThat(walked()).isNotEmpty().allMatch(ms -> ms > 0 && ms <= 600);
         assertThat(dog.received("robot.walk")).isEmpty();
-        assertThat(notices).containsOnlyOnce("drives with its gait on the spot left");
+        assertThat(driven.notices).containsOnlyOnce("drives with its gait on the spot left");
     }
 
     @Test
@@ -228,8 +205,8 @@ class MajicAiboTest {
         dog.hangUp();
         awaitLost();
 
-        assertThat(notices).containsOnlyOnce("the dog's battery is down to 19 %; it needs charging soon");
-        assertThat(notices).noneMatch(notice -> notice.contains("18 %"));
+        assertThat(driven.notices).containsOnlyOnce("the dog's battery is down to 19 %; it needs charging soon");
+        assertThat(driven.notices).noneMatch(notice -> notice.contains("18 %"));
         assertThatThrownBy(() -> aibo.move(10)).hasMessageEndingWith("its battery was at 4 %");
     }
 

@@ -4,12 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
 import java.util.List;
-import majic.bot.Settings;
 import majic.bot.Unit;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,25 +15,17 @@ import org.junit.jupiter.api.Timeout;
 /** How fast the dog's legs go, and the factors behind its estimates. */
 @Timeout(30)
 class PaceTest {
-    private final Settings settings = Settings.inMemory();
-    private ScriptedDog dog;
-    private MajicAibo aibo;
+    @AutoClose
+    private final DrivenAibo driven = DrivenAibo.standing();
+
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @BeforeEach
-    void start() throws IOException {
-        dog = new ScriptedDog();
-        dog.set("robot.MyguessPosition()", "\"stand\"");
-        dog.set("legLF1.load", "1.000000");
+    void connect() {
         dog.set("robot.walkspeed", "900.000000");
         dog.set("robot.turnspeed", "1000.000000");
-        aibo = new MajicAibo(dog.address(), dog.environment(settings));
         aibo.connect();
-    }
-
-    @AfterEach
-    void end() throws IOException {
-        aibo.close();
-        dog.close();
     }
 
     @Test
@@ -60,7 +50,7 @@ class PaceTest {
 
     @Test
     void withoutAnybodysWishTheLegsGoAtTheirUsualPaceBothWays() {
-        settings.put(key("backward"), "21");
+        driven.settings.put(key("backward"), "21");
 
         aibo.move(-10);
 
@@ -105,18 +95,19 @@ class PaceTest {
     void aFallenDogIsNotDriven() {
         aibo.close();
         dog.set("robot.MyguessPosition()", "\"side\"");
-        aibo = new MajicAibo(dog.address(), dog.environment(settings));
-        aibo.connect();
+        try (MajicAibo fallen = new MajicAibo(dog.address(), dog.environment())) {
+            fallen.connect();
 
-        assertThatThrownBy(() -> aibo.drive(50, 0)).hasMessageContaining("put it on its feet");
-        assertThat(dog.received("robot.walk(")).isEmpty();
+            assertThatThrownBy(() -> fallen.drive(50, 0)).hasMessageContaining("put it on its feet");
+            assertThat(dog.received("robot.walk(")).isEmpty();
+        }
     }
 
     @Test
     void aFactorThatIsKnownCanBeSetAndIsKept() {
         aibo.set("forwardFactor", 6);
 
-        assertThat(settings.get(key("forward"))).contains("6.000");
+        assertThat(driven.settings.get(key("forward"))).contains("6.000");
         assertThat(aibo.get("cruise").number()).isCloseTo(166.7, within(0.1));
         assertThatThrownBy(() -> aibo.set("forwardFactor", 100)).hasMessageContaining("outside 3 … 48");
     }
@@ -125,7 +116,7 @@ class PaceTest {
     void nothingIsLearnedBeforeSomethingWasMeasured() {
         assertThatThrownBy(() -> calibrate("forward", Value.of(940, Unit.MM)))
                 .hasMessageContaining("\"calibrate forward\" alone moves it first");
-        assertThat(settings.get(key("forward"))).isEmpty();
+        assertThat(driven.settings.get(key("forward"))).isEmpty();
     }
 
     private String calibrate(String direction, Value measured) {

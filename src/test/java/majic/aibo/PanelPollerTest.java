@@ -2,7 +2,6 @@ package majic.aibo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
@@ -12,6 +11,7 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -23,24 +23,24 @@ class PanelPollerTest implements PanelPoller.Audience {
 
     private final Queue<UrbiValue> seen = new ConcurrentLinkedQueue<>();
     private final Queue<String> missed = new ConcurrentLinkedQueue<>();
-    private ScriptedDog dog;
-    private MajicAibo aibo;
+
+    @AutoClose
+    private final DrivenAibo driven = DrivenAibo.lying();
+
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
     private PanelPoller poller;
 
     @BeforeEach
-    void connect() throws IOException {
-        dog = new ScriptedDog();
+    void createPoller() {
         dog.set(ASKED, PICTURE);
         dog.set("ledF3.val", "0.250000");
-        aibo = new MajicAibo(dog.address(), dog.environment());
         poller = aibo.poller(this);
     }
 
     @AfterEach
-    void close() throws IOException {
+    void stopPolling() {
         poller.look(false);
-        aibo.close();
-        dog.close();
     }
 
     @Override

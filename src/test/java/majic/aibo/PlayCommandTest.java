@@ -20,8 +20,7 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionStopped;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,21 +32,11 @@ class PlayCommandTest {
     @TempDir
     Path folder;
 
-    private ScriptedDog dog;
-    private MajicAibo aibo;
+    @AutoClose
+    private final DrivenAibo driven = DrivenAibo.lying().connected();
 
-    @BeforeEach
-    void start() throws IOException {
-        dog = new ScriptedDog();
-        aibo = new MajicAibo(dog.address(), dog.environment());
-        aibo.connect();
-    }
-
-    @AfterEach
-    void end() throws IOException {
-        aibo.close();
-        dog.close();
-    }
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @Test
     void aShortSoundIsOneUntaggedAssignmentWithItsBytesRightBehindIt() throws IOException {

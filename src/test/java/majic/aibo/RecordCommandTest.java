@@ -3,20 +3,15 @@ package majic.aibo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CopyOnWriteArrayList;
 import javax.sound.sampled.AudioFileFormat;
 import javax.sound.sampled.AudioSystem;
-import majic.bot.BotListener;
 import majic.bot.LinkLost;
-import majic.bot.MajicBot;
 import majic.bot.Unit;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,32 +21,14 @@ class RecordCommandTest {
     private static final int SENSORS = 1;
     private static final String BLOCK = "BIN 2048 raw 2 16000 16 1 1\n" + "a".repeat(2048);
 
-    private final List<String> notices = new CopyOnWriteArrayList<>();
-
     @TempDir
     Path folder;
 
-    private ScriptedDog dog;
-    private MajicAibo aibo;
+    @AutoClose
+    private final DrivenAibo driven = DrivenAibo.lying().connected();
 
-    @BeforeEach
-    void start() throws IOException {
-        dog = new ScriptedDog();
-        aibo = new MajicAibo(dog.address(), dog.environment());
-        aibo.addListener(new BotListener() {
-            @Override
-            public void notice(MajicBot bot, String message) {
-                notices.add(message);
-            }
-        });
-        aibo.connect();
-    }
-
-    @AfterEach
-    void end() throws IOException {
-        aibo.close();
-        dog.close();
-    }
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @Test
     void theOrderRunsOutOnTheDogAndIsEnded() {
@@ -88,7 +65,7 @@ class RecordCommandTest {
         dog.hangUp();
 
         assertThatThrownBy(() -> dog.clock().join(recording)).hasCauseInstanceOf(LinkLost.class);
-        assertThat(notices).contains("the recording was not finished: 0.03 s in " + file);
+        assertThat(driven.notices).contains("the recording was not finished: 0.03 s in " + file);
         AudioFileFormat kept = AudioSystem.getAudioFileFormat(file.toFile());
         assertThat(kept.getFrameLength()).isEqualTo(512);
     }

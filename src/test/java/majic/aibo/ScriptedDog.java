@@ -1,7 +1,6 @@
 package majic.aibo;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -10,6 +9,7 @@ import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
+import majic.Loopback;
 import majic.TestClock;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * {@link ScriptedCommands} what comes of a command, {@link ScriptedErrands} what then goes on.
  */
 public final class ScriptedDog implements AutoCloseable {
-    private final ServerSocket server = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
+    private final ServerSocket server = Loopback.listen();
     private final @Nullable TestClock clock;
     private final TimeSource time;
     private final Signal news;
@@ -87,16 +87,16 @@ public final class ScriptedDog implements AutoCloseable {
     private final Map<Integer, Trouble> troubles = new ConcurrentHashMap<>();
     private int accepted;
 
-    public ScriptedDog() throws IOException {
+    public ScriptedDog() {
         this(true);
     }
 
     /** One that lives by the system's clock, as windows and stuck threads do. */
-    public static ScriptedDog inRealTime() throws IOException {
+    public static ScriptedDog inRealTime() {
         return new ScriptedDog(false);
     }
 
-    private ScriptedDog(boolean stepped) throws IOException {
+    private ScriptedDog(boolean stepped) {
         clock = stepped ? TestClock.between("127.0.0.1:" + server.getLocalPort(), this::counts) : null;
         time = clock == null ? TimeSource.system() : clock.time();
         news = time.signal();

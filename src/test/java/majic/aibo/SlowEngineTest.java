@@ -3,11 +3,9 @@ package majic.aibo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
 import java.util.List;
 import majic.bot.MotionReport;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,22 +13,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** A dog whose engine takes two seconds from a question to its answer. */
 @Timeout(60)
 class SlowEngineTest {
-    private ScriptedDog dog;
-    private MajicAibo aibo;
+    @AutoClose
+    private final DrivenAibo driven = DrivenAibo.standing();
 
-    @BeforeEach
-    void start() throws IOException {
-        dog = new ScriptedDog();
-        dog.set("robot.MyguessPosition()", "\"stand\"");
-        dog.set("legLF1.load", "1.000000");
-        aibo = new MajicAibo(dog.address(), dog.environment());
-    }
-
-    @AfterEach
-    void end() throws IOException {
-        aibo.close();
-        dog.close();
-    }
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @ParameterizedTest
     @CsvSource({"2000, 0", "0, 2000", "1000, 1000"})

@@ -2,7 +2,6 @@ package majic.aibo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
@@ -11,8 +10,7 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.time.Signal;
 import majic.time.TimeSource;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -21,23 +19,12 @@ class StopPathTest {
     private static final int MOTION = 2;
 
     private final TimeSource time = TimeSource.system();
-    private ScriptedDog dog;
-    private MajicAibo aibo;
 
-    @BeforeEach
-    void connect() throws IOException {
-        dog = ScriptedDog.inRealTime();
-        dog.set("robot.MyguessPosition()", "\"stand\"");
-        dog.set("legLF1.load", "1.000000");
-        aibo = new MajicAibo(dog.address(), dog.environment());
-        aibo.connect();
-    }
+    @AutoClose
+    private final DrivenAibo driven = DrivenAibo.standingInRealTime().connected();
 
-    @AfterEach
-    void close() throws IOException {
-        aibo.close();
-        dog.close();
-    }
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @Test
     void aStopArrivesAtOnceThoughACommandIsStuckOnTheMotionConnection() throws InterruptedException {

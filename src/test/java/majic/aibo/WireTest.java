@@ -2,14 +2,12 @@ package majic.aibo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,12 +17,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 @Timeout(30)
 class WireTest {
     @AutoClose
-    private Dogs dogs;
+    private final DrivenAibo driven = DrivenAibo.standing();
 
-    @BeforeEach
-    void start() throws IOException {
-        dogs = new Dogs();
-    }
+    private final ScriptedDog dog = driven.dog;
+    private final MajicAibo aibo = driven.aibo;
 
     @ParameterizedTest
     @CsvSource(
@@ -41,71 +37,71 @@ class WireTest {
                 "jpegFactor | 50            | TAG+end: camera.jpegfactor = 50"
             })
     void aSettingIsOneCommandWhoseEndIsHeard(String parameter, String values, String command) {
-        dogs.aibo.connect();
+        aibo.connect();
 
-        dogs.aibo.set(parameter, numbers(values));
+        aibo.set(parameter, numbers(values));
 
         assertThat(said()).contains(command);
     }
 
     @Test
     void aQuestionIsTaggedFor10() {
-        dogs.aibo.connect();
+        aibo.connect();
 
-        dogs.aibo.get("ledF3");
+        aibo.get("ledF3");
 
         assertThat(said()).contains("TAG: ledF3.val").noneMatch(command -> command.contains("<<"));
     }
 
     @Test
     void aThreadThatMayNotWaitGetsTheReportedValue() {
-        dogs.aibo.connect();
-        dogs.dog.set("ledF3.val", "0.250000");
+        aibo.connect();
+        dog.set("ledF3.val", "0.250000");
 
         WaitPolicy.without(() -> {
-            assertThat(dogs.aibo.get("ledF3")).hasToString("unknown (the dog tells it only when asked)");
-            assertThat(dogs.aibo.get("posture")).hasToString("stand");
-            dogs.aibo.set("ledF3", 1);
+            assertThat(aibo.get("ledF3")).hasToString("unknown (the dog tells it only when asked)");
+            assertThat(aibo.get("posture")).hasToString("stand");
+            aibo.set("ledF3", 1);
         });
 
-        dogs.dog.awaitReceived("ledF3.val = 1");
+        dog.awaitReceived("ledF3.val = 1");
         assertThat(said()).doesNotContain("TAG: ledF3.val");
     }
 
     @Test
     void everyQuestionAndReadingGoesIntoAChannelFor15() {
-        dogs.dog.speaks15 = true;
-        dogs.dog.set("ledF3.val", "0.250000");
-        dogs.aibo.connect();
+        dog.speaks15 = true;
+        dog.set("ledF3.val", "0.250000");
+        aibo.connect();
 
-        assertThat(dogs.aibo.get("ledF3").number()).isEqualTo(0.25);
-        assertThat(dogs.aibo.get("posture")).hasToString("stand");
-        assertThat(dogs.aibo.get("distanceNear")).isInstanceOf(Value.class);
+        assertThat(aibo.get("ledF3").number()).isEqualTo(0.25);
+        assertThat(aibo.get("posture")).hasToString("stand");
+        assertThat(aibo.get("distanceNear")).isInstanceOf(Value.class);
         assertThat(said()).contains("TAG << ledF3.val", "TAG << robot.MyguessPosition()", "TAG << time()");
-        assertThat(dogs.dog.received().stream().filter(command -> command.contains("every(64)")))
+        assertThat(dog.received().stream().filter(command -> command.contains("every(64)")))
                 .singleElement()
                 .asString()
                 .contains(" << distanceNear.val & ")
                 .doesNotContain(": distanceNear");
-        assertThat(dogs.notices).isEmpty();
+        assertThat(driven.notices).isEmpty();
     }
 
     @Test
     void aServerWithoutGuardsIsSaidSoOnceAndWalks() {
-        dogs.dog.refusesGuards = true;
-        dogs.aibo.connect();
+        dog.refusesGuards = true;
+        aibo.connect();
 
-        assertThat(dogs.aibo.move(10).amount()).isEqualTo(Value.about(10, Unit.MM));
+        assertThat(aibo.move(10).amount()).isEqualTo(Value.about(10, Unit.MM));
 
-        assertThat(dogs.notices)
+        assertThat(driven.notices)
                 .containsOnlyOnce(
                         "the dog takes no guard that would end its walk when the link is lost; its walks end within 2 s");
-        assertThat(dogs.dog.received("majic.").stream().filter(command -> !command.contains("1000000000000")))
+        assertThat(dog.received("majic.").stream().filter(command -> !command.contains("1000000000000")))
                 .isEmpty();
     }
 
     private List<String> said() {
-        return dogs.dog.received().stream()
+        return dog.received().stream()
                 .map(command -> command.replaceAll("mj\\w+?_\\w+", "TAG"))
                 .toList();
     }

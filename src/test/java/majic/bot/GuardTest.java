@@ -6,27 +6,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.List;
 import majic.TestClock;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** A guard of a motion may ask anything; whatever that throws is no trouble of the robot that moves. */
 @Timeout(20)
 class GuardTest {
-    private final TestClock clock = new TestClock();
-    private final FakeBot bot = FakeBot.on(clock.time());
+    @AutoClose
+    private final SteppedBot stepped = new SteppedBot();
 
-    @BeforeEach
-    void connect() {
-        bot.connect();
-    }
-
-    @AfterEach
-    void close() {
-        bot.close();
-        clock.close();
-    }
+    private final TestClock clock = stepped.clock;
+    private final FakeBot bot = stepped.bot;
 
     @Test
     void anotherRobotsLostLinkIsNotItsOwn() {

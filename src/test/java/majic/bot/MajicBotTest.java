@@ -6,26 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.TestClock;
 import majic.time.Signal;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(20)
 class MajicBotTest {
-    private final TestClock clock = new TestClock();
-    private final FakeBot bot = FakeBot.on(clock.time());
+    @AutoClose
+    private final SteppedBot stepped = new SteppedBot();
 
-    @BeforeEach
-    void connect() {
-        bot.connect();
-    }
-
-    @AfterEach
-    void close() {
-        bot.close();
-        clock.close();
-    }
+    private final TestClock clock = stepped.clock;
+    private final FakeBot bot = stepped.bot;
 
     @Test
     void connectingSendsNothingThatMoves() {

@@ -25,7 +25,7 @@ final class DrivenHemisson implements AutoCloseable {
     private final ScriptedHemisson robot;
     private final MajicHemisson bot;
 
-    DrivenHemisson() throws IOException {
+    DrivenHemisson() {
         robot = new ScriptedHemisson();
         bot = new MajicHemisson(robot.address(), robot.environment());
         bot.addListener(new BotListener() {

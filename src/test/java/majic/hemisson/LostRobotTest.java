@@ -9,7 +9,6 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -17,17 +16,10 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(20)
 class LostRobotTest {
     @AutoClose
-    private DrivenHemisson pair;
+    private final DrivenHemisson pair = new DrivenHemisson();
 
-    private ScriptedHemisson robot;
-    private MajicHemisson bot;
-
-    @BeforeEach
-    void makeBoth() throws Exception {
-        pair = new DrivenHemisson();
-        robot = pair.robot();
-        bot = pair.bot();
-    }
+    private final ScriptedHemisson robot = pair.robot();
+    private final MajicHemisson bot = pair.bot();
 
     @Test
     void fromTheFirstMissedAnswerInMotionTheStopIsRepeated() {

@@ -7,7 +7,6 @@ import java.nio.charset.StandardCharsets;
 import majic.bot.BotException;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -15,17 +14,10 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(20)
 class MajicHemissonTest {
     @AutoClose
-    private DrivenHemisson pair;
+    private final DrivenHemisson pair = new DrivenHemisson();
 
-    private ScriptedHemisson robot;
-    private MajicHemisson bot;
-
-    @BeforeEach
-    void makeBoth() throws Exception {
-        pair = new DrivenHemisson();
-        robot = pair.robot();
-        bot = pair.bot();
-    }
+    private final ScriptedHemisson robot = pair.robot();
+    private final MajicHemisson bot = pair.bot();
 
     @Test
     void connectingTellsItToStandAndNothingElseThatMoves() {

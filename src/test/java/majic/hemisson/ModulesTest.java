@@ -11,7 +11,7 @@ import majic.bot.BotCommand;
 import majic.bot.BotException;
 import majic.bot.Unit;
 import majic.bot.Value;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -19,26 +19,21 @@ import org.junit.jupiter.api.Timeout;
 /** What is plugged into a stock robot, and the exact commands that reach it (Hemisson sheet 9 and 14). */
 @Timeout(20)
 class ModulesTest {
-    private ScriptedHemisson robot;
-    private MajicHemisson bot;
+    @AutoClose
+    private final DrivenHemisson pair = new DrivenHemisson();
+
+    private final ScriptedHemisson robot = pair.robot();
+    private final MajicHemisson bot = pair.bot();
 
     @BeforeEach
-    void plugAllIn() throws Exception {
-        robot = new ScriptedHemisson();
+    void plugAllIn() {
         robot.answer('J', command -> "j,a0,c0,c4,d0,e0");
         robot.answer('W', command -> "w");
         robot.answer('Y', command -> "y");
         robot.answer('R', ModulesTest::registers);
         robot.answer('1', command -> "1,1");
         robot.answer('2', command -> "2");
-        bot = new MajicHemisson(robot.address(), robot.environment());
         bot.connect();
-    }
-
-    @AfterEach
-    void close() throws Exception {
-        bot.close();
-        robot.close();
     }
 
     private static String registers(String command) {

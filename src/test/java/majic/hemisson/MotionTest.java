@@ -11,7 +11,6 @@ import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -19,17 +18,10 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(20)
 class MotionTest {
     @AutoClose
-    private DrivenHemisson pair;
+    private final DrivenHemisson pair = new DrivenHemisson();
 
-    private ScriptedHemisson robot;
-    private MajicHemisson bot;
-
-    @BeforeEach
-    void makeBoth() throws Exception {
-        pair = new DrivenHemisson();
-        robot = pair.robot();
-        bot = pair.bot();
-    }
+    private final ScriptedHemisson robot = pair.robot();
+    private final MajicHemisson bot = pair.bot();
 
     @Test
     void movesAsLongAsTheTableSays() {

@@ -3,7 +3,6 @@ package majic.hemisson;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
@@ -15,6 +14,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
+import majic.Loopback;
 import majic.TestClock;
 import majic.bot.Agenda;
 import majic.bot.BotEnvironment;
@@ -33,7 +33,7 @@ final class ScriptedHemisson implements AutoCloseable {
     /** A command and when it arrived. */
     record Heard(String command, long nanos) {}
 
-    private final ServerSocket server = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
+    private final ServerSocket server = Loopback.listen();
     private final List<Heard> heard = new CopyOnWriteArrayList<>();
     private final Map<Character, Function<String, String>> answers = new ConcurrentHashMap<>();
     private final @Nullable TestClock clock;
@@ -45,16 +45,16 @@ final class ScriptedHemisson implements AutoCloseable {
     private volatile @Nullable Line line;
     private volatile byte[] greeting = {};
 
-    ScriptedHemisson() throws IOException {
+    ScriptedHemisson() {
         this(true);
     }
 
     /** One that lives by the system's clock, as windows do. */
-    static ScriptedHemisson inRealTime() throws IOException {
+    static ScriptedHemisson inRealTime() {
         return new ScriptedHemisson(false);
     }
 
-    private ScriptedHemisson(boolean stepped) throws IOException {
+    private ScriptedHemisson(boolean stepped) {
         clock = stepped ? TestClock.between("127.0.0.1:" + server.getLocalPort(), this::lines) : null;
         time = clock == null ? TimeSource.system() : clock.time();
         agenda = new Agenda(time);
