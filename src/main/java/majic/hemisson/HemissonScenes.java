@@ -19,30 +19,30 @@ final class HemissonScenes {
     private static final double FRESH_S = 3;
 
     /** How long a missed answer is shown. */
-    private static final double LATELY_S = 5;
+    private static final double RECENT_S = 5;
 
     private final MajicBot bot;
     private final CurrentSession sessions;
     private final RobotMonitor monitor;
-    private final LedsAndBuzzer lamps;
+    private final LedsAndBuzzer leds;
 
-    HemissonScenes(MajicBot bot, CurrentSession sessions, RobotMonitor monitor, LedsAndBuzzer lamps) {
+    HemissonScenes(MajicBot bot, CurrentSession sessions, RobotMonitor monitor, LedsAndBuzzer leds) {
         this.bot = bot;
         this.sessions = sessions;
         this.monitor = monitor;
-        this.lamps = lamps;
+        this.leds = leds;
     }
 
-    /** What is known now. */
+    /** Collects what the panel shows now. */
     HemissonScene now() {
         return new HemissonScene(
                 line(),
-                monitor.seen(),
+                monitor.proximity(),
                 freshLight(),
-                monitor.reckoning().track().wheels(),
+                monitor.pose().wheels(),
                 bot.state(),
-                lamps.leds(),
-                lamps.isBuzzing(),
+                leds.leds(),
+                leds.isBuzzing(),
                 monitor.identity(),
                 switches());
     }
@@ -52,7 +52,7 @@ final class HemissonScenes {
         return new HemissonScene.Line(
                 bot.connection(),
                 quality,
-                quality.hasMissedSince(bot.time().nanos() - (long) (LATELY_S * 1e9)),
+                quality.hasMissedSince(bot.time().nanos() - (long) (RECENT_S * 1e9)),
                 bot.isConnected() ? sessions.silentSeconds() : 0,
                 isOutOfControl());
     }
@@ -67,15 +67,15 @@ final class HemissonScenes {
 
     /** The light on the eight sensors, 0 bright to 255 dark; null before the first reading and when it is old. */
     private @Nullable List<Integer> freshLight() {
-        PolledAnswers.Heard heard = monitor.senses().heard(Question.LIGHT);
-        return heard != null && bot.time().nanos() - heard.nanos() < FRESH_S * 1e9
-                ? heard.reply().numbers()
+        PolledAnswers.Answer answer = monitor.polled().answer(Question.LIGHT);
+        return answer != null && bot.time().nanos() - answer.nanos() < FRESH_S * 1e9
+                ? answer.reply().numbers()
                 : null;
     }
 
     /** The switches as they are now; those of the time of connecting before the first reading. */
     private List<Integer> switches() {
-        PolledAnswers.Heard heard = monitor.senses().heard(Question.SWITCHES);
-        return heard == null ? monitor.identity().switches() : heard.reply().numbers();
+        PolledAnswers.Answer answer = monitor.polled().answer(Question.SWITCHES);
+        return answer == null ? monitor.identity().switches() : answer.reply().numbers();
     }
 }

@@ -52,7 +52,7 @@ public final class MajicHemisson extends MajicBot {
     private final StopConfirmation stopConfirmation;
     private final RobotReadings access;
     private final MotionRunner motions;
-    private final LedsAndBuzzer lamps;
+    private final LedsAndBuzzer leds;
     private final HemissonScenes views;
     private volatile Modules modules = Modules.NONE;
 
@@ -82,17 +82,17 @@ public final class MajicHemisson extends MajicBot {
         BlockingConversation answers = new BlockingConversation(sessions, waiting, this::isConnected);
         this.stopConfirmation = new StopConfirmation(sessions, waiting, this::isLost, monitor.wheels()::found);
         this.motions = new MotionRunner(sessions, answers, stopConfirmation, monitor, time());
-        this.access = new RobotReadings(monitor.senses(), answers, time());
-        this.lamps = new LedsAndBuzzer(answers);
-        this.views = new HemissonScenes(this, sessions, monitor, lamps);
+        this.access = new RobotReadings(monitor.polled(), answers, time());
+        this.leds = new LedsAndBuzzer(answers);
+        this.views = new HemissonScenes(this, sessions, monitor, leds);
         profile(HemissonProfile.of(calibration.table()));
-        new HemissonParameters(access, lamps, pins, calibration, new Known()).describe(table());
+        new HemissonParameters(access, leds, pins, calibration, new Known()).describe(table());
         add(CalibrateCommand.of(new SpeedCalibrationRun(calibration, motions, new Cruise())));
         new I2cCommands(access).all().forEach(this::add);
     }
 
     private void use(SpeedTable better) {
-        monitor.reckoning().use(better);
+        monitor.pose().use(better);
         profile(HemissonProfile.of(better));
     }
 
@@ -164,9 +164,7 @@ public final class MajicHemisson extends MajicBot {
     @Override
     public JComponent display() {
         return HemissonPanel.create(
-                this,
-                views::now,
-                task -> time().thread(name() + ": lamps", task).start());
+                this, views::now, task -> time().thread(name() + ": leds", task).start());
     }
 
     private boolean isLost() {
@@ -192,13 +190,13 @@ public final class MajicHemisson extends MajicBot {
 
         @Override
         public void wasReset() {
-            lamps.forget();
+            leds.forget();
             pins.forget();
         }
 
         @Override
-        public void say(String message) {
-            notice(message);
+        public void notice(String message) {
+            MajicHemisson.this.notice(message);
         }
 
         @Override

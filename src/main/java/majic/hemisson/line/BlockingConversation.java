@@ -37,8 +37,8 @@ public final class BlockingConversation {
      *
      * @throws BotException if it is refused or not confirmed; the message gives the cause
      */
-    public void tell(Question order) {
-        Exchange exchange = sessions.conversation().ask(order);
+    public void send(Question command) {
+        Exchange exchange = sessions.conversation().ask(command);
         if (WaitPolicy.isAllowed() || exchange.isDone()) {
             awaited(exchange);
         }

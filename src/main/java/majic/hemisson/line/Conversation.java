@@ -56,31 +56,31 @@ public final class Conversation {
         sendNext();
     }
 
-    /** Sets whether more than two characters deafen the robot; true at first. */
-    public void brief(boolean now) {
+    /** Sets whether more than two characters may deafen the robot; true at first. */
+    public void mayBeDeafened(boolean now) {
         synchronized (lock) {
-            state.motion().brief(now);
+            state.stops().mayBeDeafened(now);
         }
     }
 
     /** Sets whether the robot's running mode overrides the speeds that were sent. */
     public void setsItsOwnSpeeds(boolean now) {
         synchronized (lock) {
-            state.motion().setsItsOwnSpeeds(now);
+            state.stops().setsItsOwnSpeeds(now);
         }
     }
 
     /** Whether the robot's running mode overrides the speeds that were sent. */
     boolean setsItsOwnSpeeds() {
         synchronized (lock) {
-            return state.motion().setsItsOwnSpeeds();
+            return state.stops().setsItsOwnSpeeds();
         }
     }
 
     /** Whether the running mode sets speeds, and has done so after a stop. */
     public boolean isOverridden() {
         synchronized (lock) {
-            return state.motion().isOverridden();
+            return state.stops().isOverridden();
         }
     }
 
@@ -91,8 +91,8 @@ public final class Conversation {
         }
     }
 
-    /** Sets what the robot's receiver survives; {@link Receiver#UNKNOWN} at first. */
-    void receiver(Receiver known) {
+    /** Sets what the robot's receiver survives; {@link ReceiverLimits#UNKNOWN} at first. */
+    void receiver(ReceiverLimits known) {
         synchronized (lock) {
             state.unanswered().receiver(known);
         }
@@ -140,9 +140,9 @@ public final class Conversation {
     }
 
     /** Records that bytes were received. Called by the reader. */
-    void heard() {
+    void bytesReceived() {
         synchronized (lock) {
-            state.recovery().heard(time.nanos());
+            state.recovery().bytesReceived(time.nanos());
         }
     }
 
@@ -154,7 +154,7 @@ public final class Conversation {
             outcome = state.received(reply);
         }
         sendNext();
-        outcome.tell(listener);
+        outcome.deliver(listener);
     }
 
     /** Handles answers that are overdue. To be called several times within their timeout. */
@@ -164,7 +164,7 @@ public final class Conversation {
             outcome = state.overdue();
         }
         sendNext();
-        outcome.tell(listener);
+        outcome.deliver(listener);
     }
 
     /** Ends all exchanges; later questions fail. */

@@ -7,7 +7,7 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decides what is sent next and processes the answers: one question at a time, a stop before all others and again until
+ * Processes questions, answers and timeouts of one conversation; a stop is sent before all other questions and again until
  * it is confirmed, nothing long while the robot may move. Sends nothing itself. Guarded by its owner.
  *
  * <p>A line that stalls may deliver a question and the stop behind it together, and the stop would deafen a robot that
@@ -20,14 +20,9 @@ final class ConversationState {
 
     private static final int MOST_SENDINGS = 2;
 
-    /** How soon a stop goes out behind a question whose answer does not come, ns. */
-    private static final long STOP_WAITS_NANOS = 100_000_000;
-
     /** How soon a stop is sent again, ns. */
     private static final long STOP_AGAIN_NANOS = 300_000_000;
 
-    private static final String TOO_LONG =
-            "it takes the line for too long while the robot moves, for a stop may be due";
     private static final String DEAFENING =
             "its switches select no running mode, and a command so long could deafen it; put all four to the side that "
                     + "reads 1 and switch it off and on";
@@ -38,8 +33,10 @@ final class ConversationState {
     private final ExchangeQueue queue = new ExchangeQueue();
     private final LinkQuality.Meter meter = new LinkQuality.Meter();
     private final MotionState motion = new MotionState();
+    private final StopSequence stops = new StopSequence(motion);
     private final OpenExchanges open = new OpenExchanges();
     private final LineRecovery recovery;
+    private final SendOrder order;
     private @Nullable String ended;
     private boolean endedInStop;
     private long answeredNanos;
@@ -50,10 +47,15 @@ final class ConversationState {
         this.unanswered = new UnansweredCommands(times.stallSeconds());
         this.answeredNanos = time.nanos();
         this.recovery = new LineRecovery(answeredNanos);
+        this.order = new SendOrder(queue, open, unanswered, motion, recovery);
     }
 
     MotionState motion() {
         return motion;
+    }
+
+    StopSequence stops() {
+        return stops;
     }
 
     LineRecovery recovery() {
@@ -99,12 +101,13 @@ final class ConversationState {
         if (question.purpose() == Purpose.MOTION && motion.isDoubtful() && isStopping()) {
             return "it has not yet confirmed the stop";
         }
-        if (motion.isBrief() && !question.isBrief()) {
+        if (stops.mayBeDeafened() && !question.isBrief()) {
             return DEAFENING;
         }
-        return question.isLong() && motion.mayMove() ? TOO_LONG : null;
+        return question.isLong() && motion.mayMove() ? SendOrder.TOO_LONG : null;
     }
 
+    /** Adds a stop before all other questions, unless one is being sent already. */
     void stop() {
         if (ended != null) {
             return;
@@ -113,14 +116,11 @@ final class ConversationState {
         if (newest != null && newest.purpose() == Purpose.STOP) {
             queue.discard(Purpose.MOTION, "stopped");
         } else {
-            queue.stop(wayToStop());
+            queue.stop(stops.stop());
         }
     }
 
-    private Question wayToStop() {
-        return motion.isBrief() ? Question.VERIFY : Question.STOP;
-    }
-
+    /** Ends all exchanges; later questions fail with this cause. */
     void end(String why) {
         endedInStop |= isStopping();
         ended = why;
@@ -131,52 +131,14 @@ final class ConversationState {
     /** The question to be sent now, which counts as sent; null if none waits or the line is not free. */
     @Nullable
     Exchange next() {
-        long now = time.nanos();
-        Exchange before = open.newest();
-        Exchange next = firstFitting();
-        if (next == null || !(before == null ? recovery.isOver(now) : overtakes(next, before, now))) {
-            return null;
+        Exchange next = order.next(time.nanos());
+        if (next != null && next.sendings() > 1) {
+            meter.repeated();
         }
-        if (!unanswered.admits(wording(next), now)) {
-            return null;
-        }
-        queue.next();
-        send(next, now);
         return next;
     }
 
-    private void send(Exchange next, long now) {
-        String wording = wording(next);
-        if (next.sendings() > 0) {
-            meter.repeated();
-        }
-        open.sent(next);
-        unanswered.sent(next.question(), wording, now);
-        motion.sent(next.purpose());
-        next.sent(wording, now);
-    }
-
-    /** A stop waits for an answer only for a moment, where the receiver survives it. */
-    private boolean overtakes(Exchange next, Exchange before, long now) {
-        boolean soon = before.question().isAnsweredBriefly() || now - before.sentNanos() >= STOP_WAITS_NANOS;
-        return next.purpose() == Purpose.STOP && soon && before.isWritten() && !before.isOfStop();
-    }
-
-    private String wording(Exchange next) {
-        return unanswered.wording(next.question(), motion.mayMove());
-    }
-
-    /** The first question that may be sent; discards those that became too long when the robot began to move. */
-    private @Nullable Exchange firstFitting() {
-        Exchange first = queue.first();
-        while (first != null && first.question().isLong() && motion.mayMove()) {
-            queue.next();
-            first.failed(TOO_LONG);
-            first = queue.first();
-        }
-        return first;
-    }
-
+    /** Processes a line from the robot. */
     Outcome received(Reply reply) {
         return switch (reply.kind()) {
             case GREETING -> gotGreeting();
@@ -214,7 +176,7 @@ final class ConversationState {
         }
         close(answered, reply);
         meter.answered(answered.roundTripNanos());
-        switch (motion.answered(answered.purpose(), reply, answeredNanos)) {
+        switch (stops.answered(answered.purpose(), reply, answeredNanos)) {
             case VERIFY -> queue.addFirst(new Exchange(Question.VERIFY));
             case VERIFY_LATER -> {
                 recovery.begin(answeredNanos);
@@ -223,7 +185,7 @@ final class ConversationState {
             case STOP -> stop();
             case STOP_LATER -> {
                 recovery.begin(answeredNanos);
-                queue.stopBehindFirst(wayToStop());
+                queue.stopBehindFirst(stops.stop());
             }
             case NOTHING -> LOG.log(Level.TRACE, "nothing follows");
         }
@@ -255,7 +217,7 @@ final class ConversationState {
         }
         close(oldest, reply);
         if (oldest.purpose() == Purpose.VERIFY) {
-            motion.cannotTell();
+            stops.speedsRefused();
         }
         return Outcome.answered(oldest);
     }
@@ -265,7 +227,7 @@ final class ConversationState {
         open.discard(Exchange.RESET);
         unanswered.clear();
         queue.discardAll(Exchange.RESET);
-        motion.wasReset();
+        stops.wasReset();
         stopAfterAPause();
         return Outcome.RESET;
     }

@@ -43,7 +43,7 @@ public final class Handshake {
         Reply speeds = ask(Question.SPEEDS);
         Identity identity =
                 new Identity(version.rest(), switches == null ? List.of() : switches.numbers(), speeds != null);
-        letStand(identity, speeds);
+        stop(identity, speeds);
         readFirst(identity);
         return identity;
     }
@@ -55,7 +55,7 @@ public final class Handshake {
         Stream.of(Question.PROXIMITY, Question.LIGHT, Question.REMOTE).forEach(this::ask);
         if (identity.listens() && !identity.isRoadNarrows()) {
             boolean ignoresArguments = ask(Question.CARRYING_A_STOP) != null;
-            session.conversation().receiver(ignoresArguments ? Receiver.K_TEAM : Receiver.UNKNOWN);
+            session.conversation().receiver(ignoresArguments ? ReceiverLimits.K_TEAM : ReceiverLimits.UNKNOWN);
         }
     }
 
@@ -70,24 +70,24 @@ public final class Handshake {
      * Stops the robot. One started in an unknown mode would be deafened by a long command; its motors are off anyway.
      * One whose running mode moves it gets a single stop, because the mode overrides it (sheet 7).
      */
-    private void letStand(Identity identity, @Nullable Reply speeds) {
-        boolean held = speeds != null && speeds.numbers().stream().allMatch(speed -> speed == 0);
-        session.conversation().brief(held && !identity.listens());
+    private void stop(Identity identity, @Nullable Reply speeds) {
+        boolean speedsAreZero = speeds != null && speeds.numbers().stream().allMatch(speed -> speed == 0);
+        session.conversation().mayBeDeafened(speedsAreZero && !identity.listens());
         session.conversation().setsItsOwnSpeeds(identity.setsItsOwnSpeeds());
-        if (held && !identity.listens()) {
+        if (speedsAreZero && !identity.listens()) {
             return;
         }
         if (identity.isRemoteControlled()) {
-            stop();
+            stopAndConfirm();
         } else {
             ask(Question.STAND_ONCE);
         }
     }
 
-    private void stop() {
+    private void stopAndConfirm() {
         session.conversation().stop();
         if (!await(() -> session.conversation().isStopped())) {
-            throw new BotException("it answers, but does not confirm a stop within " + patience()
+            throw new BotException("it answers, but does not confirm a stop within " + timeoutSeconds()
                     + " s; lift it, switch it off, wait 5 s and switch it on again");
         }
     }
@@ -131,11 +131,11 @@ public final class Handshake {
 
     private boolean await(BooleanSupplier condition) {
         return waiting.awaitConnecting(
-                () -> condition.getAsBoolean() || session.isClosed() || session.isTelnet(), patience());
+                () -> condition.getAsBoolean() || session.isClosed() || session.isTelnet(), timeoutSeconds());
     }
 
     /** Long enough for both tries and the pause between them, seconds. */
-    private double patience() {
+    private double timeoutSeconds() {
         return 3 * session.timeoutSeconds() + 0.5;
     }
 }

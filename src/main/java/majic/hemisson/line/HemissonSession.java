@@ -66,7 +66,7 @@ public final class HemissonSession {
 
         @Override
         public void decode(byte[] bytes, int count, Consumer<String> messages) {
-            conversation.heard();
+            conversation.bytesReceived();
             List<String> lines = decoder.feed(bytes, count);
             telnet = decoder.isTelnet();
             lines.forEach(messages);

@@ -11,30 +11,32 @@ final class LineRecovery {
     /** The time limit: what is still received then answers no question, ns. */
     static final long LONGEST_NANOS = 1_000_000_000;
 
-    private long heardNanos;
+    private long receivedNanos;
     private long beganNanos;
-    private boolean settling;
+    private boolean recovering;
 
     LineRecovery(long nowNanos) {
-        heardNanos = nowNanos;
+        receivedNanos = nowNanos;
     }
 
-    void heard(long nowNanos) {
-        heardNanos = nowNanos;
+    /** Records that bytes were received. */
+    void bytesReceived(long nowNanos) {
+        receivedNanos = nowNanos;
     }
 
+    /** Begins to wait for a quiet line. */
     void begin(long nowNanos) {
-        settling = true;
+        recovering = true;
         beganNanos = nowNanos;
     }
 
     /** Whether nothing was received for a while. */
     boolean isQuiet(long nowNanos) {
-        return nowNanos - heardNanos >= QUIET_NANOS;
+        return nowNanos - receivedNanos >= QUIET_NANOS;
     }
 
     boolean isOver(long nowNanos) {
-        settling = settling && !isQuiet(nowNanos) && nowNanos - beganNanos < LONGEST_NANOS;
-        return !settling;
+        recovering = recovering && !isQuiet(nowNanos) && nowNanos - beganNanos < LONGEST_NANOS;
+        return !recovering;
     }
 }

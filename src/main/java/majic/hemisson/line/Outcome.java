@@ -31,7 +31,8 @@ record Outcome(Kind kind, @Nullable Exchange exchange) {
         return new Outcome(inMotion ? Kind.MISSED_IN_MOTION : Kind.MISSED, exchange);
     }
 
-    void tell(ConversationListener listener) {
+    /** Calls the listener method for it. */
+    void deliver(ConversationListener listener) {
         if (kind == Kind.RESET) {
             listener.wasReset();
         } else if (exchange != null && kind == Kind.ANSWERED) {

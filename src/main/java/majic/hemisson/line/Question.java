@@ -92,12 +92,12 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
                 1);
     }
 
-    /** A question or an order that moves nothing; the answer ends after at most so many ms. */
+    /** A question or a command that moves nothing; the answer ends after at most so many ms. */
     public static Question ask(String text, String answer, double lineMs) {
         return new Question(text, Pattern.compile(answer), Purpose.ASK, lineMs);
     }
 
-    /** How long an answer of so many characters is on the line, its end and the robot's thinking included, ms. */
+    /** How long an answer of so many characters is on the line, its end and the robot's processing time included, ms. */
     public static double msFor(int characters) {
         return 0.4 + (characters + 2) * MS_PER_CHARACTER;
     }
@@ -133,7 +133,7 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
     }
 
     /** The motor values of a command to the wheels. */
-    public MotorValues told() {
+    public MotorValues motorValues() {
         String[] parts = text.split(",");
         return new MotorValues(Integer.parseInt(parts[1]), Integer.parseInt(parts[2]));
     }

@@ -7,7 +7,7 @@ import java.util.Iterator;
 /**
  * The commands that were sent and not answered, and what may be sent behind them without deafening the robot if the
  * line delivers all of them together. The receiver holds two characters while the robot answers; a third one deafens it
- * (Hemisson sheet 4.4). Some commands are answered so briefly that any command survives behind them ({@link Receiver}).
+ * (Hemisson sheet 4.4). Some commands are answered so briefly that any command survives behind them ({@link ReceiverLimits}).
  * Guarded by its owner.
  */
 final class UnansweredCommands {
@@ -15,7 +15,7 @@ final class UnansweredCommands {
 
     private final Deque<Sent> commands = new ArrayDeque<>();
     private final long stallNanos;
-    private Receiver receiver = Receiver.UNKNOWN;
+    private ReceiverLimits receiver = ReceiverLimits.UNKNOWN;
     private long lastSentNanos;
 
     private record Sent(Question question, String text, boolean brief) {
@@ -30,7 +30,7 @@ final class UnansweredCommands {
     }
 
     /** Sets what the robot's receiver survives. */
-    void receiver(Receiver known) {
+    void receiver(ReceiverLimits known) {
         receiver = known;
     }
 
@@ -41,7 +41,7 @@ final class UnansweredCommands {
      *     them
      */
     String wording(Question question, boolean mayMove) {
-        if (question == Question.STOP && carryAStop()) {
+        if (question == Question.STOP && lastCarriesAStop()) {
             return Question.BRIEF_STOP;
         }
         boolean carries = question.canCarryAStop() && mayMove && receiver.ignoresArguments();
@@ -64,7 +64,7 @@ final class UnansweredCommands {
     }
 
     /** Whether the last one carries the arguments of a stop, so that a D without any is one (sheet 4.2). */
-    private boolean carryAStop() {
+    private boolean lastCarriesAStop() {
         Sent last = commands.peekLast();
         return last != null && last.text().equals(last.question().carryingAStop());
     }

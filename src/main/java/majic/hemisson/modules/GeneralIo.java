@@ -17,7 +17,7 @@ final class GeneralIo implements ExtensionModule {
         for (int input = 0; input < ANALOG_INPUTS; input++) {
             table.add(
                     Parameter.number("analog" + input, Unit.NONE, "an analogue input, 0 to 255"),
-                    access.wanted(
+                    access.polledWhileRead(
                             Bus.read(ADDRESS, ANALOG + input, 1),
                             reply -> RobotReadings.count(reply.numbers().get(0))));
         }

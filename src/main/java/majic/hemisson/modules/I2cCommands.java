@@ -65,7 +65,7 @@ public final class I2cCommands {
             throw new BotException("i2cWrite: at most " + Bus.MOST_BYTES + " bytes at once, not " + bytes.size());
         }
         motion.check();
-        access.tell(
+        access.send(
                 bytes.size() == 1 ? Bus.write(address, register, bytes.get(0)) : Bus.write(address, register, bytes));
         return "written";
     }

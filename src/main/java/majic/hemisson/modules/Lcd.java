@@ -30,7 +30,7 @@ final class Lcd implements ExtensionModule {
     public void describe(ParameterTable table, RobotReadings access) {
         table.add(
                 Parameter.number("lcdKeys", Unit.NONE, "which of the display's three keys are pressed, as a number"),
-                access.wanted(
+                access.polledWhileRead(
                         Bus.read(ADDRESS, KEYS, 1),
                         reply -> RobotReadings.count(reply.numbers().get(0))));
         writeOnly(table, access, Parameter.onOff("lcdLight", "the light behind the display"), 0x40);
@@ -45,7 +45,7 @@ final class Lcd implements ExtensionModule {
 
     private static void writeOnly(ParameterTable table, RobotReadings access, Parameter parameter, int register) {
         table.addWriteOnly(parameter)
-                .writes(values -> access.tell(
+                .writes(values -> access.send(
                         Bus.write(ADDRESS, register, (int) values.get(0).number())));
     }
 
@@ -56,7 +56,7 @@ final class Lcd implements ExtensionModule {
         BotCommand write = new BotCommand(
                 "lcd", List.of(line, text), false, "writes on the display", (values, motion) -> write(access, values));
         BotCommand clear = new BotCommand("lcdClear", List.of(), false, "clears the display", (values, motion) -> {
-            access.tell(Bus.write(ADDRESS, CLEAR_ALL, 0));
+            access.send(Bus.write(ADDRESS, CLEAR_ALL, 0));
             return "cleared";
         });
         return List.of(write, clear);
@@ -69,7 +69,7 @@ final class Lcd implements ExtensionModule {
                     "lcd: 1 to " + Bus.MOST_BYTES + " letters and signs of plain English, not \"" + text + "\"");
         }
         List<Integer> bytes = text.chars().boxed().toList();
-        access.tell(Bus.write(ADDRESS, LINES.get(values.get(0).toString()), bytes));
+        access.send(Bus.write(ADDRESS, LINES.get(values.get(0).toString()), bytes));
         return "written";
     }
 }

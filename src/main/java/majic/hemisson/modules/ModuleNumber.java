@@ -41,13 +41,15 @@ record ModuleNumber(Question get, Function<Reply, Integer> number, IntFunction<Q
 
     /** Adds it as a parameter with numbers. */
     void describe(ParameterTable table, RobotReadings access, Parameter parameter) {
-        table.add(parameter.inWholes(), access.wanted(get, reply -> Value.of(number.apply(reply), parameter.unit())))
-                .writes(values -> access.tell(set.apply((int) values.get(0).number())));
+        table.add(
+                        parameter.inWholes(),
+                        access.polledWhileRead(get, reply -> Value.of(number.apply(reply), parameter.unit())))
+                .writes(values -> access.send(set.apply((int) values.get(0).number())));
     }
 
     /** Adds it as a parameter that is on or off. */
     void describeSwitch(ParameterTable table, RobotReadings access, Parameter parameter) {
-        table.add(parameter, access.wanted(get, reply -> Value.onOff(number.apply(reply) != 0)))
-                .writes(values -> access.tell(set.apply(values.get(0).isYes() ? 1 : 0)));
+        table.add(parameter, access.polledWhileRead(get, reply -> Value.onOff(number.apply(reply) != 0)))
+                .writes(values -> access.send(set.apply(values.get(0).isYes() ? 1 : 0)));
     }
 }

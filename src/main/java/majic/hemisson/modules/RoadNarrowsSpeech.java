@@ -21,16 +21,16 @@ final class RoadNarrowsSpeech implements ExtensionModule {
     public void describe(ParameterTable table, RobotReadings access) {
         table.add(
                 Speech.speaking(),
-                access.wanted(BUSY, reply -> Value.yesNo(!reply.rest().matches("T,Q,0+"))));
+                access.polledWhileRead(BUSY, reply -> Value.yesNo(!reply.rest().matches("T,Q,0+"))));
     }
 
     @Override
     public List<BotCommand> commands(RobotReadings access) {
         Parameter text = Parameter.text("text", "what to say, at most " + LONGEST + " letters");
         return List.of(
-                Speech.phrase(number -> access.tell(order("C", String.format(Locale.ROOT, "%02d", number)))),
+                Speech.phrase(number -> access.send(order("C", String.format(Locale.ROOT, "%02d", number)))),
                 new BotCommand("say", List.of(text), false, "speaks a text", (values, motion) -> {
-                    access.tell(order("S", spoken(values.get(0).toString())));
+                    access.send(order("S", spoken(values.get(0).toString())));
                     return "speaks";
                 }));
     }

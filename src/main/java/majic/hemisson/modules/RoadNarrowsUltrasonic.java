@@ -40,7 +40,7 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
                 () -> measured(access, Value::many));
         table.add(
                 Parameter.number("ultrasonicLight", Unit.NONE, "how bright its front is, 0 dark to 255"),
-                access.wanted(
+                access.polledWhileRead(
                         LIGHT,
                         reply -> RobotReadings.count(
                                 Integer.parseInt(reply.rest().substring(4), HEX))));
@@ -60,8 +60,8 @@ final class RoadNarrowsUltrasonic implements ExtensionModule {
     }
 
     private static List<Value> echoes(RobotReadings access) {
-        access.tell(CENTIMETRES);
-        access.tell(MEASURE);
+        access.send(CENTIMETRES);
+        access.send(MEASURE);
         String[] words = access.ask(ALL).text().split(",");
         List<Value> echoes = new ArrayList<>();
         for (int index = words.length - ECHOES; index < words.length; index++) {

@@ -20,14 +20,14 @@ final class Speech implements ExtensionModule {
     public void describe(ParameterTable table, RobotReadings access) {
         table.add(
                 speaking(),
-                access.wanted(
+                access.polledWhileRead(
                         Bus.read(ADDRESS, COMMAND, 1),
                         reply -> Value.yesNo(reply.numbers().get(0) == BUSY)));
     }
 
     @Override
     public List<BotCommand> commands(RobotReadings access) {
-        return List.of(phrase(number -> access.tell(Bus.write(ADDRESS, COMMAND, number))));
+        return List.of(phrase(number -> access.send(Bus.write(ADDRESS, COMMAND, number))));
     }
 
     /** Whether a phrase is being spoken; both firmwares have this parameter. */

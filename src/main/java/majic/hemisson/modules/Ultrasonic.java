@@ -108,7 +108,7 @@ final class Ultrasonic implements ExtensionModule {
 
     /** Reads repeatedly requested values from the polled answers; pings only if there is none. */
     private Value measured(RobotReadings access, Question read, Function<Reply, Value> reading) {
-        access.want(pingAndListen);
+        access.request(pingAndListen);
         Reply reply = read == FIRST ? access.last(FIRST, RECENT_NANOS) : null;
         if (reply == null && WaitPolicy.isAllowed()) {
             reply = ping(access, read);
@@ -118,7 +118,7 @@ final class Ultrasonic implements ExtensionModule {
 
     private Reply ping(RobotReadings access, Question read) {
         if (pingAndListen.begins(access.nanos())) {
-            access.tell(PING);
+            access.send(PING);
         }
         access.pause(LISTENING_S);
         return access.ask(read);

@@ -24,7 +24,7 @@ final class UnreportedSetting {
     }
 
     private void take(RobotReadings access, Order order) {
-        access.tell(order.question());
+        access.send(order.question());
         value = order.value();
     }
 }

@@ -44,7 +44,7 @@ final class ConnectionLoss {
     }
 
     /** Repeats the stop of a robot that was lost in motion; closes the connection once it is confirmed. */
-    void standAfter(HemissonSession open) {
+    void stopAfterLoss(HemissonSession open) {
         if (open.conversation().isStopped()) {
             notices.accept("it answers again and stands; connect again to go on");
             open.close();

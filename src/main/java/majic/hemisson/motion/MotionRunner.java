@@ -99,27 +99,27 @@ public final class MotionRunner {
         }
 
         Value run() {
-            if (leg.seconds() <= 0 || !mayBegin()) {
+            if (leg.seconds() <= 0 || !isAllowedToBegin()) {
                 return leg.covered(0);
             }
             Exchange start = begin();
             long due = start.middleNanos() + nanos(leg.seconds()) - start.roundTripNanos() / 2;
             watch.ends(due);
-            goOn(start.middleNanos(), due);
+            runUntil(start.middleNanos(), due);
             motion.send(stopConfirmation::send);
             stopConfirmation.confirm();
             failOn(watch.trouble());
-            return leg.covered((monitor.reckoning().track().sinceNanos() - start.middleNanos()) / 1e9);
+            return leg.covered((monitor.pose().sinceNanos() - start.middleNanos()) / 1e9);
         }
 
         /** Reads the sensors once more, so that a guard condition that holds already prevents the motion. */
-        private boolean mayBegin() {
+        private boolean isAllowedToBegin() {
             refuseOverridden();
-            Proximity before = monitor.seen();
-            Exchange look = conversation().ask(Question.PROXIMITY);
-            answers.await(() -> look.failure() != null || (look.isDone() && monitor.seen() != before));
+            Proximity before = monitor.proximity();
+            Exchange poll = conversation().ask(Question.PROXIMITY);
+            answers.await(() -> poll.failure() != null || (poll.isDone() && monitor.proximity() != before));
             motion.check();
-            failOn(look.failure());
+            failOn(poll.failure());
             return motion.pause(0);
         }
 
@@ -137,30 +137,30 @@ public final class MotionRunner {
         }
 
         /** Lets the time pass, and eases the faster wheel at the end of each round. */
-        private void goOn(long begunNanos, long dueNanos) {
+        private void runUntil(long begunNanos, long dueNanos) {
             long round = leg.rounds() == 0 ? 0 : (dueNanos - begunNanos) / leg.rounds();
             for (int count = 0; count < leg.rounds(); count++) {
                 long roundNanos = begunNanos + count * round;
                 if (count > 0) {
-                    tell(leg.wheels());
+                    send(leg.wheels());
                 }
-                if (!lasts(roundNanos + (long) (round * (1 - leg.easedShare())))) {
+                if (!waitUntil(roundNanos + (long) (round * (1 - leg.easedShare())))) {
                     return;
                 }
-                tell(leg.eased());
-                if (count < leg.rounds() - 1 && !lasts(roundNanos + round)) {
+                send(leg.eased());
+                if (count < leg.rounds() - 1 && !waitUntil(roundNanos + round)) {
                     return;
                 }
             }
-            lasts(dueNanos);
+            waitUntil(dueNanos);
         }
 
-        private void tell(MotorValues wheels) {
+        private void send(MotorValues wheels) {
             motion.send(() -> conversation().ask(Question.wheels(wheels)));
         }
 
-        /** Waits for a moment; false if something ends the motion before. */
-        private boolean lasts(long untilNanos) {
+        /** Waits until a time; returns false if something ends the motion before. */
+        private boolean waitUntil(long untilNanos) {
             boolean met = motion.await(() -> watch.trouble() != null, (untilNanos - time.nanos()) / 1e9);
             return !met && !motion.guardReached();
         }

@@ -9,12 +9,12 @@ import org.jspecify.annotations.Nullable;
 
 /** Compares the speeds that the robot reports with those sent last. Thread-safe. */
 public final class MotorCheck {
-    private volatile MotorValues told = MotorValues.STILL;
+    private volatile MotorValues confirmed = MotorValues.STILL;
     private volatile @Nullable String found;
 
     /** Records the values that the robot confirmed. */
-    void told(MotorValues wheels) {
-        told = wheels;
+    void confirmed(MotorValues wheels) {
+        confirmed = wheels;
     }
 
     /** The last difference, as half a sentence; null if there is none. */
@@ -35,7 +35,7 @@ public final class MotorCheck {
     }
 
     private @Nullable String difference(Reply speeds, Identity identity) {
-        if (speeds.kind() != Reply.Kind.ANSWER || MotorValues.of(speeds).equals(told)) {
+        if (speeds.kind() != Reply.Kind.ANSWER || MotorValues.of(speeds).equals(confirmed)) {
             return null;
         }
         String set = speeds.numbers().stream().map(String::valueOf).collect(Collectors.joining(" and "));

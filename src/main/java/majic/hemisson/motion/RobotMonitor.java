@@ -1,7 +1,6 @@
 package majic.hemisson.motion;
 
 import java.io.IOException;
-import java.util.List;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.hemisson.line.Conversation;
@@ -25,24 +24,18 @@ import org.jspecify.annotations.Nullable;
  * speeds sent and those it reports, or an overdue motion. Called by the timer thread and the reader; never blocks.
  */
 public final class RobotMonitor implements ConversationListener {
-    private static final int IDLE_TICKS_PER_LOOK = 2;
-
     private final Owner owner;
     private final TimeSource time;
     private final Signal changes;
+    private final PolledAnswers polled;
     private final MotionWatch motion;
-    private final PolledAnswers senses = new PolledAnswers();
-    private final PollSchedule lookout = new PollSchedule(senses);
-    private final PoseEstimator reckoning;
+    private final Polling polling;
+    private final PoseEstimator pose;
     private final ConnectionLoss loss;
+    private final RestartCheck restarts;
     private final MotorCheck wheels = new MotorCheck();
-    private volatile Identity identity = Identity.NONE;
     private volatile @Nullable HemissonSession session;
-    private volatile @Nullable Exchange look;
     private volatile boolean watching;
-    private volatile boolean modeUnknown;
-    private volatile boolean restarted;
-    private long ticks;
 
     /** The driver. Called by the timer thread and the reader; must not block. */
     public interface Owner {
@@ -52,14 +45,14 @@ public final class RobotMonitor implements ConversationListener {
         /** Whether its connection was lost, so that it is stopped until it confirms. */
         boolean isLost();
 
-        /** Takes where the robot should be now. */
+        /** Takes the estimated state of the robot. */
         void publish(BotState state);
 
         /** The robot was switched on or reset: its LEDs are off and its pins are inputs. */
         void wasReset();
 
         /** Shows a message to the user. */
-        void say(String message);
+        void notice(String message);
 
         /** Gives the connection up. */
         void lose(LinkLost cause);
@@ -69,63 +62,59 @@ public final class RobotMonitor implements ConversationListener {
      * Monitors nothing yet.
      *
      * @param changes raised after each answer, for all threads that wait for one
-     * @param table what the motor values mean
+     * @param table the speeds of the motor values
      */
     public RobotMonitor(Owner owner, TimeSource time, Signal changes, SpeedTable table) {
         this.owner = owner;
         this.time = time;
         this.changes = changes;
-        this.reckoning = new PoseEstimator(time, table, owner::publish, () -> identity.mayMoveUnreported());
-        this.loss = new ConnectionLoss(owner::lose, owner::say);
+        this.polled = new PolledAnswers(time);
         this.motion = new MotionWatch(time.nanos());
+        this.polling = new Polling(new PollSchedule(polled), motion, time);
+        this.loss = new ConnectionLoss(owner::lose, owner::notice);
+        this.restarts = new RestartCheck(owner::notice);
+        this.pose =
+                new PoseEstimator(time, table, owner::publish, () -> identity().mayMoveUnreported());
     }
 
     /** Starts with a new connection, before its first question. */
     public void begin(HemissonSession opened) {
         watching = false;
-        modeUnknown = false;
-        restarted = false;
-        look = null;
-        senses.forget();
+        restarts.begin();
+        polling.begin();
+        polled.forget();
         motion.begins(Long.MAX_VALUE);
         session = opened;
-        reckoning.begin();
+        pose.begin();
     }
 
     /** Takes the robot that answered at connecting. */
     public void identified(Identity found) {
-        identity = found;
+        restarts.identified(found);
     }
 
     /** The robot that answered last; {@link Identity#NONE} before the first. */
     public Identity identity() {
-        return identity;
+        return restarts.identity();
     }
 
     /** Begins to poll the robot, and shows a warning if its running mode may move it. */
     public void watch() {
         watching = true;
-        warnOfMode();
-    }
-
-    private void warnOfMode() {
-        String warning = identity.warning();
-        if (warning != null) {
-            owner.say(warning);
-        }
+        restarts.warnOfMode();
     }
 
     /** The latest proximity readings; null before the first. */
-    public @Nullable Proximity seen() {
-        return senses.seen();
+    public @Nullable Proximity proximity() {
+        return polled.proximity();
     }
 
-    public PolledAnswers senses() {
-        return senses;
+    public PolledAnswers polled() {
+        return polled;
     }
 
-    public PoseEstimator reckoning() {
-        return reckoning;
+    public PoseEstimator pose() {
+        return pose;
     }
 
     MotionWatch motion() {
@@ -142,17 +131,22 @@ public final class RobotMonitor implements ConversationListener {
         if (open == null || open.isClosed()) {
             return;
         }
-        ticks++;
         open.conversation().tick();
         if (!watching) {
             return;
         }
         endOverdueMotion(open.conversation());
         if (owner.isConnected()) {
-            lookAround(open);
+            polling.tick(open.conversation(), identity());
             loss.noticeSilence(open);
         } else if (owner.isLost()) {
-            loss.standAfter(open);
+            loss.stopAfterLoss(open);
+        }
+    }
+
+    private void endOverdueMotion(Conversation conversation) {
+        if (conversation.mayMove() && motion.isOverdue(time.nanos())) {
+            conversation.stop();
         }
     }
 
@@ -161,38 +155,39 @@ public final class RobotMonitor implements ConversationListener {
         Reply reply = exchange.reply();
         try {
             if (reply != null) {
-                take(exchange, reply);
+                answered(exchange, reply);
             }
         } finally {
             changes.raise();
         }
     }
 
-    private void take(Exchange exchange, Reply reply) {
+    private void answered(Exchange exchange, Reply reply) {
         switch (exchange.purpose()) {
-            case MOTION, STOP -> wasTold(exchange);
+            case MOTION, STOP -> motorsAnswered(exchange);
             case VERIFY -> verified(exchange, reply);
-            case ASK -> learn(exchange, reply);
+            case ASK -> valueAnswered(exchange, reply);
         }
     }
 
     /** Follows the values sent, unless a running mode overrides them; then the reported speeds are followed. */
-    private void wasTold(Exchange exchange) {
-        wheels.told(exchange.question().told());
-        if (identity.isRemoteControlled() || !identity.tellsSpeeds()) {
-            reckoning.follow(exchange.question().told(), exchange.middleNanos());
+    private void motorsAnswered(Exchange exchange) {
+        MotorValues values = exchange.question().motorValues();
+        wheels.confirmed(values);
+        if (identity().isRemoteControlled() || !identity().tellsSpeeds()) {
+            pose.follow(values, exchange.middleNanos());
         }
     }
 
-    private void learn(Exchange exchange, Reply reply) {
+    private void valueAnswered(Exchange exchange, Reply reply) {
         Question question = exchange.question();
         if (!question.isLong() && reply.kind() == Reply.Kind.ANSWER) {
-            senses.take(question, reply, time.nanos());
-            reckoning.publish();
+            polled.answered(question, reply);
+            pose.publish();
         }
-        if (question == Question.SWITCHES && modeUnknown) {
-            modeUnknown = false;
-            learnMode(reply.numbers());
+        HemissonSession open = session;
+        if (question == Question.SWITCHES && open != null) {
+            restarts.switchesRead(reply, open.conversation());
         }
         if (question == Question.SPEEDS) {
             checkSpeeds(exchange, reply);
@@ -201,7 +196,7 @@ public final class RobotMonitor implements ConversationListener {
 
     private void checkSpeeds(Exchange exchange, Reply reply) {
         HemissonSession open = session;
-        String difference = wheels.compare(reply, identity);
+        String difference = wheels.compare(reply, identity());
         if (open != null
                 && watching
                 && difference != null
@@ -213,13 +208,8 @@ public final class RobotMonitor implements ConversationListener {
     }
 
     private void verified(Exchange exchange, Reply reply) {
-        if (restarted) {
-            restarted = false;
-            boolean moves =
-                    reply.kind() == Reply.Kind.ANSWER && !MotorValues.of(reply).isStill();
-            owner.say("it was switched on or reset; its lamps are off, its motors " + (moves ? "run" : "stand"));
-        }
-        String difference = wheels.compare(reply, identity);
+        restarts.speedsVerified(reply);
+        String difference = wheels.compare(reply, identity());
         if (difference != null) {
             motion.meets(difference);
         }
@@ -227,21 +217,20 @@ public final class RobotMonitor implements ConversationListener {
     }
 
     private void follow(Exchange exchange, Reply speeds) {
-        if (speeds.kind() == Reply.Kind.ANSWER
-                && !MotorValues.of(speeds).equals(reckoning.track().wheels())) {
-            reckoning.follow(MotorValues.of(speeds), exchange.middleNanos());
+        if (speeds.kind() == Reply.Kind.ANSWER && !MotorValues.of(speeds).equals(pose.wheels())) {
+            pose.follow(MotorValues.of(speeds), exchange.middleNanos());
         }
     }
 
     @Override
     public void missed(Exchange exchange, boolean inMotion) {
         if (exchange.isRefused()) {
-            senses.refuse(exchange.question());
+            polled.refused(exchange.question());
         }
         if (inMotion) {
             String failure = exchange.failure();
             if (motion.meets(failure == null ? "it missed an answer" : "it missed an answer: " + failure)) {
-                owner.say("it did not answer while moving; it is told to stand again and again; "
+                owner.notice("it did not answer while moving; it is told to stand again and again; "
                         + StopConfirmation.HELP);
             }
         }
@@ -249,31 +238,19 @@ public final class RobotMonitor implements ConversationListener {
     }
 
     /**
-     * Handles a restart. The robot reads its switches again, so it may run in another mode from now on (sheet 4.3).
-     * During connecting the greeting may be an old one from a buffer; later the robot is asked for its speeds first.
+     * Handles a restart. During connecting the greeting may be an old one from a buffer; later the robot is asked for its switches
+     * and its speeds.
      */
     @Override
     public void wasReset() {
         motion.meets("it was switched on or reset meanwhile");
-        modeUnknown = watching;
-        restarted = watching;
-        wheels.told(MotorValues.STILL);
-        reckoning.follow(MotorValues.STILL, time.nanos());
+        wheels.confirmed(MotorValues.STILL);
+        pose.follow(MotorValues.STILL, time.nanos());
         owner.wasReset();
         HemissonSession open = session;
         if (open != null && watching) {
-            open.conversation().ask(Question.SWITCHES);
+            restarts.restarted(open.conversation());
         }
-    }
-
-    private void learnMode(List<Integer> switches) {
-        identity = identity.restarted(switches);
-        HemissonSession open = session;
-        if (open != null) {
-            open.conversation().brief(!identity.listens());
-            open.conversation().setsItsOwnSpeeds(identity.setsItsOwnSpeeds());
-        }
-        warnOfMode();
     }
 
     @Override
@@ -281,23 +258,6 @@ public final class RobotMonitor implements ConversationListener {
         HemissonSession open = session;
         if (open != null && !open.isClosed()) {
             loss.broken(open, cause);
-        }
-    }
-
-    private void endOverdueMotion(Conversation conversation) {
-        if (conversation.mayMove() && motion.isOverdue(time.nanos())) {
-            conversation.stop();
-        }
-    }
-
-    private void lookAround(HemissonSession open) {
-        Exchange last = look;
-        boolean moving = open.conversation().mayMove();
-        boolean turn = moving || ticks % IDLE_TICKS_PER_LOOK == 0;
-        boolean stopIsNear =
-                moving && motion.isEndNear(time.nanos(), open.conversation().quality());
-        if (turn && (last == null || last.isDone()) && !stopIsNear) {
-            look = open.conversation().ask(lookout.next(time.nanos(), moving, identity));
         }
     }
 }

@@ -122,12 +122,12 @@ public record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, do
     }
 
     /** The path speed for wheel values, mm/s, ahead positive. */
-    double speedMmPerSec(MotorValues wheels) {
+    public double speedMmPerSec(MotorValues wheels) {
         return (leftMmPerSec(wheels) + rightMmPerSec(wheels)) / 2;
     }
 
     /** The turn rate for wheel values, deg/s, left positive. */
-    double turnDegPerSec(MotorValues wheels) {
+    public double turnDegPerSec(MotorValues wheels) {
         return Math.toDegrees((rightMmPerSec(wheels) - leftMmPerSec(wheels)) / wheelDistanceMm);
     }
 

@@ -44,7 +44,7 @@ final class InfraredParameters {
     }
 
     private void distance(String name, String help, Function<Proximity, OptionalDouble> from) {
-        table.add(Parameter.number(name, Unit.MM, help), access.seen(seen -> {
+        table.add(Parameter.number(name, Unit.MM, help), access.proximity(seen -> {
             OptionalDouble mm = from.apply(seen);
             return mm.isPresent() ? Value.about(mm.getAsDouble(), Unit.MM) : Value.CLEAR;
         }));
@@ -53,20 +53,20 @@ final class InfraredParameters {
     private void describeProximity() {
         table.add(
                 Parameter.list("prox", Unit.NONE, "0 nothing to 255 near: " + String.join(", ", NAMES)),
-                access.seen(seen ->
+                access.proximity(seen ->
                         Value.many(seen.raw().stream().map(RobotReadings::count).toList())));
         for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
             int index = sensor;
             table.add(
                     Parameter.number("prox" + sensor, Unit.NONE, "0 nothing to 255 near, in the order of prox"),
-                    access.seen(seen -> RobotReadings.count(seen.value(index))));
+                    access.proximity(seen -> RobotReadings.count(seen.value(index))));
         }
     }
 
     private void describeGround() {
         table.add(
                 Parameter.number("groundRight", Unit.NONE, "what the ground reflects on the right, large when white"),
-                access.seen(seen -> RobotReadings.count(seen.value(Proximity.GROUND_RIGHT))));
+                access.proximity(seen -> RobotReadings.count(seen.value(Proximity.GROUND_RIGHT))));
         table.add(
                 Parameter.number(
                         "groundLeft",
@@ -76,7 +76,7 @@ final class InfraredParameters {
     }
 
     private Value groundLeft(List<Integer> light) {
-        return access.seen(seen -> RobotReadings.count(Proximity.correctedGroundLeft(
+        return access.proximity(seen -> RobotReadings.count(Proximity.correctedGroundLeft(
                         seen.value(Proximity.GROUND_LEFT),
                         light.get(Proximity.GROUND_RIGHT),
                         light.get(Proximity.GROUND_LEFT))))

@@ -29,13 +29,13 @@ public final class LedsAndBuzzer {
     /** Changes the LEDs and blocks until the robot confirms, where the thread may block. */
     void light(UnaryOperator<Leds> change) {
         Leds wanted = change.apply(leds);
-        answers.tell(Question.leds(wanted));
+        answers.send(Question.leds(wanted));
         leds = wanted;
     }
 
     /** Switches the buzzer and blocks until the robot confirms, where the thread may block. */
     void buzz(boolean on) {
-        answers.tell(Question.buzzer(on));
+        answers.send(Question.buzzer(on));
         buzzing = on;
     }
 

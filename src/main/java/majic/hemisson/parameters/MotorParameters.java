@@ -56,7 +56,7 @@ final class MotorParameters {
     private void wheel(String name, String help, int index) {
         table.add(
                 Parameter.number(name, Unit.NONE, help),
-                access.wanted(
+                access.polledWhileRead(
                         Question.SPEEDS,
                         speeds -> RobotReadings.count(speeds.numbers().get(index))));
     }

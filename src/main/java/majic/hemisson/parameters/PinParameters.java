@@ -44,7 +44,7 @@ final class PinParameters {
         if (set != null) {
             return Value.onOff(set == 1);
         }
-        access.want(look);
+        access.request(look);
         return access.asked(question, reply -> Value.onOff(reply.text().charAt(2) == '1'))
                 .get();
     }
@@ -54,7 +54,7 @@ final class PinParameters {
         Integer before = pins.output(pin);
         pins.becomes(pin, level);
         try {
-            access.tell(Question.ask("2," + pin + "," + level, "2", 0.4));
+            access.send(Question.ask("2," + pin + "," + level, "2", 0.4));
         } catch (BotException e) {
             pins.becomes(pin, before);
             throw e;

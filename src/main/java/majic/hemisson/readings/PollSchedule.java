@@ -12,12 +12,12 @@ import org.jspecify.annotations.Nullable;
 public final class PollSchedule {
     private static final int ROUND = 16;
 
-    private final PolledAnswers senses;
+    private final PolledAnswers polled;
     private int turn;
-    private int wish;
+    private int nextRequested;
 
-    public PollSchedule(PolledAnswers senses) {
-        this.senses = senses;
+    public PollSchedule(PolledAnswers polled) {
+        this.polled = polled;
     }
 
     /**
@@ -32,9 +32,9 @@ public final class PollSchedule {
         if (inMotion && turn % 2 == 1 && identity.setsItsOwnSpeeds() && identity.tellsSpeeds()) {
             return Question.SPEEDS;
         }
-        Question wanted = turn % 4 == 1 ? wanted(nowNanos, inMotion) : null;
-        Question usual = wanted == null ? usual(identity.tellsSpeeds()) : wanted;
-        boolean mightBeRefused = inMotion ? !senses.knows(usual) : senses.isRefused(usual);
+        Question requested = turn % 4 == 1 ? requested(nowNanos, inMotion) : null;
+        Question usual = requested == null ? usual(identity.tellsSpeeds()) : requested;
+        boolean mightBeRefused = inMotion ? !polled.hasAnswered(usual) : polled.isRefused(usual);
         return mightBeRefused ? Question.PROXIMITY : usual;
     }
 
@@ -49,13 +49,13 @@ public final class PollSchedule {
         };
     }
 
-    private @Nullable Question wanted(long nowNanos, boolean inMotion) {
-        List<PolledQuestion> wanted = senses.wanted(nowNanos);
-        if (wanted.isEmpty()) {
+    private @Nullable Question requested(long nowNanos, boolean inMotion) {
+        List<PolledQuestion> requested = polled.requested();
+        if (requested.isEmpty()) {
             return null;
         }
-        wish = (wish + 1) % wanted.size();
-        Question question = wanted.get(wish).next(nowNanos);
+        nextRequested = (nextRequested + 1) % requested.size();
+        Question question = requested.get(nextRequested).next(nowNanos);
         return question == null || (inMotion && question.isLong()) ? null : question;
     }
 }

@@ -23,12 +23,12 @@ public final class RobotReadings {
 
     private static final long STALE_NANOS = 1_500_000_000;
 
-    private final PolledAnswers senses;
+    private final PolledAnswers polled;
     private final BlockingConversation answers;
     private final TimeSource time;
 
-    public RobotReadings(PolledAnswers senses, BlockingConversation answers, TimeSource time) {
-        this.senses = senses;
+    public RobotReadings(PolledAnswers polled, BlockingConversation answers, TimeSource time) {
+        this.polled = polled;
         this.answers = answers;
         this.time = time;
     }
@@ -39,10 +39,10 @@ public final class RobotReadings {
     }
 
     /** Reads from the latest proximity readings. */
-    public Supplier<Value> seen(Function<Proximity, Value> reading) {
+    public Supplier<Value> proximity(Function<Proximity, Value> reading) {
         return () -> {
-            Proximity seen = senses.seen();
-            return seen == null ? Value.unknown("no reading yet") : reading.apply(seen);
+            Proximity latest = polled.proximity();
+            return latest == null ? Value.unknown("no reading yet") : reading.apply(latest);
         };
     }
 
@@ -55,18 +55,18 @@ public final class RobotReadings {
     }
 
     /** Reads the answer to a question that is polled only while something reads it. */
-    public Supplier<Value> wanted(Question question, Function<Reply, Value> reading) {
-        PolledQuestion look = now -> question;
+    public Supplier<Value> polledWhileRead(Question question, Function<Reply, Value> reading) {
+        PolledQuestion poll = now -> question;
         Supplier<Value> asked = asked(question, reading);
         return () -> {
-            want(look);
+            request(poll);
             return asked.get();
         };
     }
 
     /** Polls a question for the next seconds. */
-    public void want(PolledQuestion look) {
-        senses.want(look, time.nanos());
+    public void request(PolledQuestion question) {
+        polled.request(question);
     }
 
     /** Blocks while a module works. */
@@ -86,7 +86,7 @@ public final class RobotReadings {
 
     /** The last polled answer to a question; null if there is none of this age. */
     public @Nullable Reply last(Question question, long ageNanos) {
-        return senses.last(question, time.nanos(), ageNanos);
+        return polled.last(question, ageNanos);
     }
 
     /** Asks a question and blocks until the answer arrives. */
@@ -95,8 +95,8 @@ public final class RobotReadings {
     }
 
     /** Sends a command, and blocks until the robot confirms it where the thread may block. */
-    public void tell(Question order) {
-        answers.tell(order);
+    public void send(Question command) {
+        answers.send(command);
     }
 
     public static Value count(int number) {

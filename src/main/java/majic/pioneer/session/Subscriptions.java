@@ -2,6 +2,7 @@ package majic.pioneer.session;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import majic.driver.LastTimes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.state.Feed;
@@ -35,15 +36,16 @@ public final class Subscriptions {
     private static final int TRIES = 5;
 
     private final RobotLine line;
-    private final TimeSource time;
-    private final Map<Feed, Long> readNanos = new ConcurrentHashMap<>();
-    private final Map<Feed, Long> receivedNanos = new ConcurrentHashMap<>();
-    private final Map<Feed, Long> requestedNanos = new ConcurrentHashMap<>();
+    private final LastTimes<Feed> read;
+    private final LastTimes<Feed> received;
+    private final LastTimes<Feed> requested;
     private final Map<Feed, Integer> unanswered = new ConcurrentHashMap<>();
 
     Subscriptions(RobotLine line, TimeSource time) {
         this.line = line;
-        this.time = time;
+        this.read = new LastTimes<>(time);
+        this.received = new LastTimes<>(time);
+        this.requested = new LastTimes<>(time);
     }
 
     /** Requests the feeds that the robot has, on a fast line; to be called once, after CONFIG. */
@@ -57,14 +59,14 @@ public final class Subscriptions {
 
     /** Notes that a feed is being read; to be called with each reading. Sends nothing. */
     public void read(Feed feed) {
-        readNanos.put(feed, time.nanos());
+        read.record(feed);
     }
 
     /** Notes that a report came. */
     void received(Report report) {
         for (Feed feed : Feed.values()) {
             if (feed.brings(report)) {
-                receivedNanos.put(feed, time.nanos());
+                received.record(feed);
                 unanswered.remove(feed);
             }
         }
@@ -72,7 +74,7 @@ public final class Subscriptions {
 
     /** Whether the last report of a feed is less than 2 s old. */
     public boolean isFresh(Feed feed) {
-        return secondsSince(receivedNanos.get(feed)) < STALE_S;
+        return received.secondsSince(feed) < STALE_S;
     }
 
     /** Whether the robot has left so many requests unanswered that it is taken not to have the feed. */
@@ -90,21 +92,17 @@ public final class Subscriptions {
     }
 
     private boolean isRead(Feed feed) {
-        return secondsSince(readNanos.get(feed)) < READ_S;
+        return read.secondsSince(feed) < READ_S;
     }
 
     private boolean isDue(Feed feed) {
-        boolean requested = secondsSince(requestedNanos.get(feed)) < REPEAT_S;
+        boolean waiting = requested.secondsSince(feed) < REPEAT_S;
         boolean flowing = line.isFast() && isFresh(feed);
-        return !requested && !flowing;
-    }
-
-    private double secondsSince(@Nullable Long nanos) {
-        return nanos == null ? Double.POSITIVE_INFINITY : time.secondsSince(nanos);
+        return !waiting && !flowing;
     }
 
     private void request(Feed feed) {
-        requestedNanos.put(feed, time.nanos());
+        requested.record(feed);
         unanswered.merge(feed, 1, Integer::sum);
         line.send(line.isFast() ? feed.stream() : feed.once());
     }

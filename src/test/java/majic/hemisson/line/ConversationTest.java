@@ -19,7 +19,7 @@ class ConversationTest {
     @BeforeEach
     void begin() {
         conversation = new Conversation(link, clock, LineTimes.CABLE, told);
-        conversation.brief(false);
+        conversation.mayBeDeafened(false);
     }
 
     @Test
@@ -140,7 +140,7 @@ class ConversationTest {
     void afterAMissedAnswerTheLineMustBeQuietBeforeItIsUsed() {
         conversation.ask(Question.PROXIMITY);
         clock.pass(0.29);
-        conversation.heard();
+        conversation.bytesReceived();
         pass(0.02);
         assertThat(link.commands()).containsExactly("N");
 
@@ -357,8 +357,8 @@ class ConversationTest {
     @Test
     void aStopGoesOutAtOnceBehindWhatIsAnsweredBriefly() {
         conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
-        conversation.brief(false);
-        conversation.receiver(Receiver.K_TEAM);
+        conversation.mayBeDeafened(false);
+        conversation.receiver(ReceiverLimits.K_TEAM);
         conversation.ask(Question.wheels(AHEAD));
         conversation.stop();
 
@@ -392,7 +392,7 @@ class ConversationTest {
     @Test
     void anUnmeasuredReceiverIsSentNothingBehindAnything() {
         conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
-        conversation.brief(false);
+        conversation.mayBeDeafened(false);
         conversation.ask(Question.wheels(AHEAD));
         conversation.stop();
         pass(1.9);
@@ -404,14 +404,14 @@ class ConversationTest {
 
     private void moveOnABufferedLine() {
         conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
-        conversation.brief(false);
-        conversation.receiver(Receiver.K_TEAM);
+        conversation.mayBeDeafened(false);
+        conversation.receiver(ReceiverLimits.K_TEAM);
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
     }
 
     private void hear(String line) {
-        conversation.heard();
+        conversation.bytesReceived();
         conversation.received(Reply.of(line));
     }
 

@@ -15,7 +15,7 @@ class OutOfControlTest {
 
     @BeforeEach
     void beginInRemoteControl() {
-        conversation.brief(false);
+        conversation.mayBeDeafened(false);
     }
 
     @Test
@@ -54,7 +54,7 @@ class OutOfControlTest {
     }
 
     private void hear(String line) {
-        conversation.heard();
+        conversation.bytesReceived();
         conversation.received(Reply.of(line));
     }
 

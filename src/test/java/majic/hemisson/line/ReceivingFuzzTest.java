@@ -74,11 +74,11 @@ class ReceivingFuzzTest {
         ManualClock clock = new ManualClock();
         RecordingLink link = new RecordingLink();
         Conversation conversation = new Conversation(link, clock, LineTimes.CABLE, new RecordedEvents());
-        conversation.brief(false);
+        conversation.mayBeDeafened(false);
         conversation.ask(Question.PROXIMITY);
         conversation.stop();
         for (String line : decode(wire, 512)) {
-            conversation.heard();
+            conversation.bytesReceived();
             conversation.received(Reply.of(line));
             clock.pass(0.05);
             conversation.tick();

@@ -8,7 +8,6 @@ import majic.hemisson.line.Identity;
 import majic.hemisson.line.Leds;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.MotorValues;
-import majic.hemisson.motion.PoseEstimate;
 import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.panel.HemissonScene.Line;
 import majic.hemisson.readings.Proximity;
@@ -47,9 +46,12 @@ final class Scenes {
     }
 
     private static HemissonScene of(Line line, MotorValues wheels, List<Integer> atStart, List<Integer> now) {
-        BotState state = PoseEstimate.standing(Pose.START, 0, SpeedTable.USUAL)
-                .then(wheels, 0)
-                .state(0, !wheels.isStill());
+        BotState state = new BotState(
+                Pose.START,
+                SpeedTable.USUAL.speedMmPerSec(wheels),
+                SpeedTable.USUAL.turnDegPerSec(wheels),
+                !wheels.isStill(),
+                0);
         return new HemissonScene(line, null, null, wheels, state, Leds.OFF, false, identity(atStart), now);
     }
 

@@ -4,23 +4,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 
 class PolledAnswersTest {
     private static final int MANY = 300;
 
-    private final PolledAnswers senses = new PolledAnswers();
+    private final PolledAnswers polled = new PolledAnswers(TimeSource.system());
 
     @Test
     void whatIsAnsweredAgainAndAgainIsNeverEvictedByRawAnswers() {
         for (int register = 0; register < MANY; register++) {
-            senses.take(Question.PROXIMITY, Reply.of("n,004,004,004,004,004,004,060,080"), register);
-            senses.take(raw(register), Reply.of("r,255"), register);
+            polled.answered(Question.PROXIMITY, Reply.of("n,004,004,004,004,004,004,060,080"));
+            polled.answered(raw(register), Reply.of("r,255"));
 
-            assertThat(senses.knows(Question.PROXIMITY)).isTrue();
+            assertThat(polled.hasAnswered(Question.PROXIMITY)).isTrue();
         }
-        assertThat(senses.knows(raw(MANY - 1))).isTrue();
-        assertThat(senses.knows(raw(0))).isFalse();
+        assertThat(polled.hasAnswered(raw(MANY - 1))).isTrue();
+        assertThat(polled.hasAnswered(raw(0))).isFalse();
     }
 
     private static Question raw(int register) {
