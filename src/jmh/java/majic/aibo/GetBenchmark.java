@@ -58,7 +58,7 @@ public class GetBenchmark {
     @Benchmark
     public UrbiValue get() {
         AiboSession session = driver.session();
-        return session.ask(session.connections().stop(), "headPan.val", ANSWER_S);
+        return session.questions().ask(session.connections().stop(), "headPan.val", ANSWER_S);
     }
 
     /** Measures the lower bound. */

@@ -16,7 +16,6 @@ import majic.aibo.parameters.RawCommand;
 import majic.aibo.session.AiboSession;
 import majic.aibo.session.CalibrationRun;
 import majic.aibo.session.RunningMotion;
-import majic.aibo.session.Walker;
 import majic.aibo.sound.PlayCommand;
 import majic.aibo.sound.RecordCommand;
 import majic.aibo.sound.Speaker;
@@ -45,7 +44,7 @@ import org.jspecify.annotations.Nullable;
  * its head sweeps from side to side: the infra-red beams are much narrower than the dog.
  */
 public final class MajicAibo extends MajicBot {
-    private static final double DUTY_S = 0.1;
+    private static final double TICK_S = 0.1;
 
     private final String address;
     private final DogState dog;
@@ -75,15 +74,16 @@ public final class MajicAibo extends MajicBot {
         this.address = address;
         this.dog = new DogState(calibration(address, environment));
         link(); // refuses a wrong address now and not when it is connected
-        AiboAccess access = new AiboAccess(dog.senses(), this::session);
+        AiboAccess access = new AiboAccess(dog.senses(), new RobotWait(time(), changes()), this::session);
         Volume volume = new Volume();
         this.parameters = new AiboParameters(table(), dog, access, volume);
         parameters.describe(UrbiVersion.V1_0);
         new CalibrationParameters(dog.calibration(), this::learn).describe(table());
-        add(CalibrateCommand.of(new CalibrationRun(this::session, this::stride, this::learn)));
-        add(new RawCommand(access).command());
+        add(CalibrateCommand.of(
+                new CalibrationRun(() -> session().walker(), dog.calibration(), this::stride, this::learn)));
+        add(new RawCommand(access, dog).command());
         add(new PlayCommand(new Speaker(() -> session().connections().sensors(), volume)).command());
-        add(new RecordCommand(this::session).command());
+        add(new RecordCommand(() -> session().microphone(), changes()::raise, this::notice).command());
     }
 
     private static String rest(String address) {
@@ -105,7 +105,7 @@ public final class MajicAibo extends MajicBot {
                 : paces.stride(gait, cruiseTurnDegPerSec(), profile().cruiseTurnDegPerSec());
     }
 
-    /** Holds even where it could not be kept. */
+    /** Uses the factor even if it could not be stored. */
     private void learn(Gait gait, double msPerUnit) {
         try {
             dog.calibration().keep(gait, msPerUnit);
@@ -129,7 +129,7 @@ public final class MajicAibo extends MajicBot {
     protected void open() {
         lostBecause = null;
         dog.forgetReadings();
-        AiboSession opening = new AiboSession(this::link, new RobotWait(time(), changes()), dog, new Voice());
+        AiboSession opening = new AiboSession(this::link, new RobotWait(time(), changes()), dog, new SessionEvents());
         session = opening;
         try {
             opening.open();
@@ -138,7 +138,7 @@ public final class MajicAibo extends MajicBot {
             throw e;
         }
         parameters.describe(opening.connections().sensors().version());
-        every("aibo duties", DUTY_S, this::tend);
+        every("aibo tick", TICK_S, this::tick);
     }
 
     @Override
@@ -150,28 +150,28 @@ public final class MajicAibo extends MajicBot {
         }
     }
 
-    private void tend() {
-        AiboSession tended = session;
-        if (tended != null && isConnected()) {
-            tended.tend();
+    private void tick() {
+        AiboSession open = session;
+        if (open != null && isConnected()) {
+            open.tick();
         }
     }
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
-        double covered = new Walker(session(), motion).cover(stride(Gait.walking(mm)), Math.abs(mm));
+        double covered = session().walker().cover(stride(Gait.walking(mm)), Math.abs(mm), motion);
         return Value.about(covered, Unit.MM);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
-        double covered = new Walker(session(), motion).cover(stride(Gait.turning(degrees)), Math.abs(degrees));
+        double covered = session().walker().cover(stride(Gait.turning(degrees)), Math.abs(degrees), motion);
         return Value.about(covered, Unit.DEG);
     }
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
-        session().driving().drive(mmPerSec, degPerSec);
+        session().drive().drive(mmPerSec, degPerSec);
     }
 
     @Override
@@ -197,12 +197,12 @@ public final class MajicAibo extends MajicBot {
         return AiboPanel.create(this, dog, this::poller);
     }
 
-    /** What is known of the dog. */
+    /** The readings and the estimated state of the dog. */
     DogState dog() {
         return dog;
     }
 
-    /** Makes what asks the dog for pictures and LEDs, not asking yet. */
+    /** Makes the poller of pictures and LEDs, which does not poll yet. */
     PanelPoller poller(PanelPoller.Audience audience) {
         return new PanelPoller(new RobotWait(time(), changes()), this::openSensors, audience);
     }
@@ -212,7 +212,11 @@ public final class MajicAibo extends MajicBot {
         return isConnected() && open != null ? open.connections().sensors() : null;
     }
 
-    /** What there is while it is connected. */
+    /**
+     * The open session.
+     *
+     * @throws LinkLost if there is none
+     */
     AiboSession session() {
         AiboSession open = session;
         if (open == null) {
@@ -225,7 +229,7 @@ public final class MajicAibo extends MajicBot {
     }
 
     /** Passes the session's events on to the listeners, on the session's threads. */
-    private final class Voice implements AiboSession.Robot {
+    private final class SessionEvents implements AiboSession.Robot {
         @Override
         public void sensed() {
             AiboSession open = session;
@@ -235,8 +239,8 @@ public final class MajicAibo extends MajicBot {
         }
 
         @Override
-        public void say(String message) {
-            notice(message);
+        public void notice(String message) {
+            MajicAibo.this.notice(message);
         }
 
         @Override

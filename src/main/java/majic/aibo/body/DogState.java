@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotState;
 import majic.bot.Pose;
+import majic.driver.DeadReckoning;
 import org.jspecify.annotations.Nullable;
 
 /** Holds the dog's readings, the obstacles around it and its estimated position. Outlives a connection. Thread-safe. */
@@ -12,11 +13,11 @@ public final class DogState {
     private final Senses senses = new Senses();
     private final LedReadings leds = new LedReadings();
     private final InfraRed infraRed = new InfraRed(senses);
-    private final RecentObstacles surroundings = new RecentObstacles();
+    private final RecentObstacles obstacles = new RecentObstacles();
     private final LegSpeed legSpeed = new LegSpeed();
     private final DeadReckoning reckoning = new DeadReckoning();
-    private final AtomicReference<@Nullable String> leftovers = new AtomicReference<>();
-    private volatile boolean afoot;
+    private final AtomicReference<@Nullable String> stopCommands = new AtomicReference<>();
+    private volatile boolean standing;
     private volatile long serverMs;
 
     public DogState(Calibration calibration) {
@@ -48,12 +49,12 @@ public final class DogState {
     }
 
     /** Whether it was brought to its feet and nothing has been done since that could have changed that. */
-    public boolean isAfoot() {
-        return afoot && senses.motorsOn().orElse(true);
+    public boolean isStanding() {
+        return standing && senses.motorsOn().orElse(true);
     }
 
-    public void setAfoot(boolean stands) {
-        afoot = stands;
+    public void setStanding(boolean stands) {
+        standing = stands;
         if (stands) {
             infraRed.standing();
         }
@@ -63,18 +64,18 @@ public final class DogState {
     public void forgetReadings() {
         senses.clear();
         leds.clear();
-        surroundings.clear();
-        afoot = false;
+        obstacles.clear();
+        standing = false;
     }
 
-    /** A connection was lost in the midst of a motion; these commands would end what may still go on. */
-    public void leave(String commands) {
-        leftovers.set(commands);
+    /** Keeps the commands that end what a lost connection may have left running, for the next connection. */
+    public void keepStopCommands(String commands) {
+        stopCommands.set(commands);
     }
 
-    /** What ends whatever a lost connection has left going on, to be sent by the next one; empty if there is nothing. */
-    public Optional<String> takeLeftovers() {
-        return Optional.ofNullable(leftovers.getAndSet(null));
+    /** Removes and returns the commands that a lost connection left; empty if there are none. */
+    public Optional<String> takeStopCommands() {
+        return Optional.ofNullable(stopCommands.getAndSet(null));
     }
 
     /** A set of fast readings is complete, by the server's clock at this time. */
@@ -82,13 +83,13 @@ public final class DogState {
         serverMs = atServerMs;
         Pose pose = reckoning.at(atServerMs);
         double pan = senses.number(Sensor.HEAD_PAN).orElse(0.0);
-        surroundings.look(pose, pan, infraRed.headMm(), atServerMs);
-        surroundings.look(pose, 0, infraRed.chestMm(), atServerMs);
+        obstacles.add(pose, pan, infraRed.headMm(), atServerMs);
+        obstacles.add(pose, 0, infraRed.chestMm(), atServerMs);
     }
 
     /** The nearest thing in the way ahead, mm from the hull; empty if there is none. */
     public Optional<Double> frontMm() {
-        return surroundings.frontMm(reckoning.at(serverMs));
+        return obstacles.frontMm(reckoning.at(serverMs));
     }
 
     /** What it shares with all robots, while it walks a piece or none. */

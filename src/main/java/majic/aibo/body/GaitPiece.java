@@ -1,12 +1,14 @@
 package majic.aibo.body;
 
 import majic.aibo.urbi.UrbiRequest;
+import majic.bot.Pose;
+import majic.driver.DeadReckoning;
 
 /**
  * One piece of a gait: how much it is to cover, and by the server's clock how much of it the dog has done. Safe from any
  * thread.
  */
-public final class GaitPiece {
+public final class GaitPiece implements DeadReckoning.Segment {
     /** The longest walk that is sent to the dog, ms: it would go on for this time if all connections failed. */
     public static final double LONGEST_MS = 2000;
 
@@ -58,6 +60,12 @@ public final class GaitPiece {
     /** Whether the dog ended it early, by the time stamps of its begin and its end. */
     public boolean isCutShort() {
         return ask.isDone() && ask.beganMs() >= 0 && ask.doneMs() - ask.beganMs() < durationMs - SLACK_MS;
+    }
+
+    @Override
+    public Pose at(Pose start, long serverMs) {
+        double covered = coveredAt(serverMs);
+        return gait().isWalk() ? start.after(covered, 0) : start.after(0, covered);
     }
 
     private double shareAt(long serverMs) {

@@ -14,8 +14,8 @@ import majic.aibo.urbi.UrbiVersion;
 
 /** Holds the brightness of the dog's LEDs and the position of its ears, polled only while the panel is shown. Thread-safe. */
 public final class LedReadings {
-    private static final String SIGN = "_lamp";
-    private static final Pattern TAG = Pattern.compile("\\w+" + SIGN + "(\\d{1,2})");
+    private static final String SUFFIX = "_led";
+    private static final Pattern TAG = Pattern.compile("\\w+" + SUFFIX + "(\\d{1,2})");
     private static final int PERIOD_MS = 480;
     private static final List<String> DEVICES =
             Stream.concat(LedNames.all().stream(), Stream.of("earL", "earR")).toList();
@@ -25,7 +25,7 @@ public final class LedReadings {
     /** Returns the command that makes the dog report them, until {@link #stop}. */
     public static String order(String tag, UrbiVersion version) {
         String readings = DEVICES.stream()
-                .map(device -> version.labelled(tag + SIGN + DEVICES.indexOf(device), device + ".val"))
+                .map(device -> version.labelled(tag + SUFFIX + DEVICES.indexOf(device), device + ".val"))
                 .collect(Collectors.joining(" & "));
         return tag + ": every(" + PERIOD_MS + ") { " + readings + " },";
     }
@@ -35,7 +35,7 @@ public final class LedReadings {
     }
 
     /** Takes a message if it reports one of them; returns whether it does. */
-    public boolean hear(UrbiMessage message) {
+    public boolean take(UrbiMessage message) {
         Matcher tag = TAG.matcher(message.tag());
         int index = tag.matches() ? Integer.parseInt(tag.group(1)) : DEVICES.size();
         if (index >= DEVICES.size()) {

@@ -29,7 +29,7 @@ final class RecentObstacles {
     private final Deque<Hit> hits = new ArrayDeque<>();
 
     /** Takes in one beam: where it started, where it looked, and how far it went, if it met anything. */
-    synchronized void look(Pose dog, double panDeg, Optional<Double> rangeMm, long serverMs) {
+    synchronized void add(Pose dog, double panDeg, Optional<Double> rangeMm, long serverMs) {
         forget(serverMs);
         rangeMm.ifPresent(range -> {
             double heading = Math.toRadians(dog.headingDeg());

@@ -17,9 +17,10 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.RobotWait;
 import majic.time.WaitPolicy;
 
-/** Gives parameters access to the dog: reported values, questions, and commands whose end is awaited. Thread-safe. */
+/** Reads values of parameters from the dog and sends settings to it. Thread-safe. */
 public final class AiboAccess {
     /** A slow engine takes two seconds to answer. */
     private static final double ANSWER_S = 4;
@@ -28,10 +29,12 @@ public final class AiboAccess {
 
     private final Tags tags = new Tags();
     private final Senses senses;
+    private final RobotWait waiting;
     private final Supplier<AiboSession> session;
 
-    public AiboAccess(Senses senses, Supplier<AiboSession> session) {
+    public AiboAccess(Senses senses, RobotWait waiting, Supplier<AiboSession> session) {
         this.senses = senses;
+        this.waiting = waiting;
         this.session = session;
     }
 
@@ -40,7 +43,7 @@ public final class AiboAccess {
     }
 
     /**
-     * The session there is.
+     * The open session.
      *
      * @throws LinkLost if there is none
      */
@@ -48,7 +51,7 @@ public final class AiboAccess {
         return session.get();
     }
 
-    /** Reads what the dog reports anyway. */
+    /** Reads a value that the dog reports periodically. */
     Supplier<Value> sensed(Sensor sensor, Unit unit) {
         return () -> senses.value(sensor, 1, unit);
     }
@@ -63,16 +66,15 @@ public final class AiboAccess {
         return () -> Value.many(ask(expressions, amount -> Value.of(amount, unit)));
     }
 
-    /** What the dog answers to each, in order; unknown with the reason where it gives no number. */
+    /** The answers in order; unknown with the reason where the dog gives no number. */
     List<Value> ask(List<String> expressions, DoubleFunction<Value> reading) {
-        AiboSession open = session.get();
+        UrbiConnection on = session.get().connections().sensors();
         if (!WaitPolicy.isAllowed()) {
             return Collections.nCopies(expressions.size(), NOT_REPORTED);
         }
-        UrbiConnection on = open.connections().sensors();
         List<UrbiRequest> asks =
                 expressions.stream().map(expression -> on.ask(tags, expression)).toList();
-        open.waiting().await(() -> on.isEnded() || asks.stream().allMatch(UrbiRequest::isDone), ANSWER_S);
+        waiting.await(() -> on.isEnded() || asks.stream().allMatch(UrbiRequest::isDone), ANSWER_S);
         asks.forEach(on::forget);
         return asks.stream().map(ask -> value(ask, reading)).toList();
     }
@@ -86,19 +88,18 @@ public final class AiboAccess {
     }
 
     /**
-     * Has the dog do something that moves nothing, and waits until it has, where the thread may wait.
+     * Sends commands that move nothing, and blocks until the dog has ended them, where the thread may block.
      *
      * @throws BotException if the dog refuses or does not report the end in time
      */
-    void tell(List<String> commands) {
-        AiboSession open = session.get();
-        UrbiConnection on = open.connections().sensors();
+    void send(List<String> commands) {
+        UrbiConnection on = session.get().connections().sensors();
         UrbiRequest ask = new UrbiRequest(tags.next(), UrbiRequest.Expects.END);
         on.send(ask, ask.tag() + "+end: " + UrbiCommands.together(commands) + ";");
         if (!WaitPolicy.isAllowed()) {
             return;
         }
-        open.waiting().await(() -> on.isEnded() || ask.isDone(), ANSWER_S);
+        waiting.await(() -> on.isEnded() || ask.isDone(), ANSWER_S);
         on.forget(ask);
         String failure = ask.failure();
         if (failure != null) {

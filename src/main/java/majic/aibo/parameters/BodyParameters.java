@@ -42,8 +42,8 @@ final class BodyParameters implements ParameterTheme<UrbiVersion> {
         if (WaitPolicy.isAllowed()) {
             return Value.text(access.open().postures().posture());
         }
-        String told = senses.posture();
-        return told == null ? senses.unknown(Sensor.POSTURE) : Value.text(told);
+        String reported = senses.posture();
+        return reported == null ? senses.unknown(Sensor.POSTURE) : Value.text(reported);
     }
 
     private void take(List<Value> values, Motion motion) {
@@ -64,7 +64,8 @@ final class BodyParameters implements ParameterTheme<UrbiVersion> {
         UrbiVersion version = open.connections().sensors().version();
         String urbi = version == UrbiVersion.V1_5 ? "URBI 1.5" : "URBI 1.0";
         try {
-            return open.ask(open.connections().sensors(), "system.name", ASK_S) instanceof UrbiValue.Str name
+            return open.questions().ask(open.connections().sensors(), "system.name", ASK_S)
+                            instanceof UrbiValue.Str name
                     ? Value.text(name.text() + ", " + urbi)
                     : Value.text(urbi);
         } catch (BotException e) {

@@ -65,6 +65,6 @@ final class CameraParameters implements ParameterTheme<UrbiVersion> {
     }
 
     private void tell(String field, double amount) {
-        access.tell(List.of(UrbiCommands.assign("camera." + field, amount)));
+        access.send(List.of(UrbiCommands.assign("camera." + field, amount)));
     }
 }

@@ -2,7 +2,6 @@ package majic.aibo.parameters;
 
 import java.util.ArrayList;
 import java.util.List;
-import majic.aibo.session.JointControl;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
@@ -17,11 +16,9 @@ final class EarParameters implements ParameterTheme<UrbiVersion> {
     private static final List<String> EARS = List.of("earL", "earR");
 
     private final AiboAccess access;
-    private final JointControl jointControl;
 
-    EarParameters(AiboAccess access, JointControl jointControl) {
+    EarParameters(AiboAccess access) {
         this.access = access;
-        this.jointControl = jointControl;
     }
 
     @Override
@@ -39,8 +36,13 @@ final class EarParameters implements ParameterTheme<UrbiVersion> {
 
     private void describe(ParameterTable table, String ear, String help) {
         table.add(Parameter.onOff(ear, help), access.asked(ear + ".val", amount -> Value.onOff(amount > 0)))
-                .moves((values, motion) -> jointControl.perform(
-                        List.of(UrbiCommands.assign(ear + ".val", values.get(0).number())), 0, motion));
+                .moves((values, motion) -> access.open()
+                        .joints()
+                        .perform(
+                                List.of(UrbiCommands.assign(
+                                        ear + ".val", values.get(0).number())),
+                                0,
+                                motion));
     }
 
     private void flick(List<Value> values, Motion motion) {
@@ -49,6 +51,6 @@ final class EarParameters implements ParameterTheme<UrbiVersion> {
             commands.add(UrbiCommands.assign(
                     EARS.get(index) + ".val", Math.rint(values.get(index).number())));
         }
-        jointControl.perform(commands, 0, motion);
+        access.open().joints().perform(commands, 0, motion);
     }
 }

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import majic.aibo.body.Joint;
-import majic.aibo.session.JointControl;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
 import majic.bot.Parameter;
@@ -23,11 +22,12 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
             Parameter.number("time", Unit.MS, "how long it takes").within(0, LONGEST_MS);
 
     private final AiboAccess access;
-    private final JointControl jointControl;
 
-    JointParameters(AiboAccess access, JointControl jointControl) {
+    /** Of joints that are given no time; slower than an assignment without a time. */
+    private volatile double degPerSec = 120;
+
+    JointParameters(AiboAccess access) {
         this.access = access;
-        this.jointControl = jointControl;
     }
 
     @Override
@@ -45,8 +45,8 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
         table.add(
                         Parameter.number("jointSpeed", Unit.DEG_PER_S, "how fast joints turn that are given no time")
                                 .within(1, FASTEST_DEG_PER_S),
-                        () -> Value.of(jointControl.degPerSec(), Unit.DEG_PER_S))
-                .writes(values -> jointControl.setDegPerSec(values.get(0).number()));
+                        () -> Value.of(degPerSec, Unit.DEG_PER_S))
+                .writes(values -> degPerSec = values.get(0).number());
     }
 
     private static Parameter angle(Joint joint, UrbiVersion version) {
@@ -86,6 +86,6 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
         }
         OptionalDouble ms =
                 values.size() > given ? OptionalDouble.of(values.get(given).number()) : OptionalDouble.empty();
-        jointControl.turn(targets, ms, motion);
+        access.open().joints().turn(targets, ms, degPerSec, motion);
     }
 }

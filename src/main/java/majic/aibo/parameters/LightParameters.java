@@ -64,7 +64,7 @@ final class LightParameters implements ParameterTheme<UrbiVersion> {
         }
         table.add(list, access.askedAll(values(leds), Unit.NONE)).writes(values -> {
             if (values.size() == 1) {
-                access.tell(List.of(UrbiCommands.toGroup(
+                access.send(List.of(UrbiCommands.toGroup(
                         UrbiCommands.assign(group, values.get(0).number()))));
             } else {
                 put(leds, values);
@@ -89,7 +89,7 @@ final class LightParameters implements ParameterTheme<UrbiVersion> {
                 commands.add(UrbiCommands.assign(leds.get(index) + ".val", value.number()));
             }
         }
-        access.tell(commands);
+        access.send(commands);
     }
 
     /** Lights the whole face; off gives each LED back what it showed before. */
@@ -99,7 +99,7 @@ final class LightParameters implements ParameterTheme<UrbiVersion> {
         }
         if (on) {
             former = access.ask(values(LedNames.FACE), amount -> Value.of(amount, Unit.NONE));
-            access.tell(List.of(UrbiCommands.toGroup("ledF = 1")));
+            access.send(List.of(UrbiCommands.toGroup("ledF = 1")));
         } else {
             put(LedNames.FACE, former);
         }

@@ -1,8 +1,8 @@
 package majic.aibo.parameters;
 
 import java.util.List;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Joint;
-import majic.aibo.session.JointControl;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Motion;
@@ -15,11 +15,11 @@ import majic.driver.ParameterTheme;
 /** How stiff each joint is. A dog whose legs go loose falls over, so setting it is a motion. */
 final class LoadParameters implements ParameterTheme<UrbiVersion> {
     private final AiboAccess access;
-    private final JointControl jointControl;
+    private final DogState dog;
 
-    LoadParameters(AiboAccess access, JointControl jointControl) {
+    LoadParameters(AiboAccess access, DogState dog) {
+        this.dog = dog;
         this.access = access;
-        this.jointControl = jointControl;
     }
 
     @Override
@@ -36,9 +36,9 @@ final class LoadParameters implements ParameterTheme<UrbiVersion> {
     }
 
     private void stiffen(Joint joint, String variable, double load, Motion motion) {
-        jointControl.perform(List.of(UrbiCommands.assign(variable, load)), 0, motion);
+        access.open().joints().perform(List.of(UrbiCommands.assign(variable, load)), 0, motion);
         if (joint.isInALeg()) {
-            access.open().dog().setAfoot(false);
+            dog.setStanding(false);
         }
     }
 }

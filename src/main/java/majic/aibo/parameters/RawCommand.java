@@ -3,6 +3,7 @@ package majic.aibo.parameters;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import majic.aibo.body.DogState;
 import majic.aibo.session.AiboSession;
 import majic.aibo.session.RunningMotion;
 import majic.aibo.urbi.RawText;
@@ -14,16 +15,18 @@ import majic.bot.MotionFailed;
 import majic.bot.Parameter;
 
 /**
- * Passes a command to the dog as it was typed, for what there is no other word for. It may move the dog, so only
- * its owner may send it. It runs as a block with a tag, so that its end is reported and a stop ends everything it does.
+ * Passes a typed command to the dog unchanged, for functions without a parameter. It may move the dog, so only its owner
+ * may send it. It runs as a block with a tag, so that its end is reported and a stop ends everything it does.
  */
 public final class RawCommand {
     private static final double LONGEST_S = 30;
     private static final Set<String> NO_ANSWERS = Set.of("start", "ident", "power");
 
     private final AiboAccess access;
+    private final DogState dog;
 
-    public RawCommand(AiboAccess access) {
+    public RawCommand(AiboAccess access, DogState dog) {
+        this.dog = dog;
         this.access = access;
     }
 
@@ -40,29 +43,30 @@ public final class RawCommand {
 
     private String run(String text, Motion motion) {
         AiboSession open = access.open();
-        open.awaitFree(motion);
+        open.executor().awaitFree(motion);
         List<UrbiMessage> answers = new CopyOnWriteArrayList<>();
         RunningMotion running = open.executor()
                 .command(open.connections().motion(), "{ " + text + " }")
                 .unknown();
         motion.send(open.guard()::renew);
-        Runnable deaf = open.listen(answers::add);
+        Runnable stopListening = open.listen(answers::add);
         try {
-            open.postures().perform(motion, running, LONGEST_S);
+            open.executor().perform(motion, running, LONGEST_S);
         } finally {
-            deaf.run();
+            stopListening.run();
         }
-        open.dog().setAfoot(false);
-        return told(answers);
+        dog.setStanding(false);
+        return answerText(answers);
     }
 
-    private static String told(List<UrbiMessage> answers) {
-        List<UrbiMessage> meant = answers.stream()
+    private static String answerText(List<UrbiMessage> answers) {
+        List<UrbiMessage> relevant = answers.stream()
                 .filter(answer -> !NO_ANSWERS.contains(answer.tag()))
                 .toList();
         String text = String.join(
-                "; ", meant.stream().map(answer -> UrbiText.of(answer.body())).toList());
-        if (meant.stream().anyMatch(answer -> answer.body() instanceof UrbiMessage.Failure)) {
+                "; ",
+                relevant.stream().map(answer -> UrbiText.of(answer.body())).toList());
+        if (relevant.stream().anyMatch(answer -> answer.body() instanceof UrbiMessage.Failure)) {
             throw new MotionFailed("the dog says: " + text);
         }
         return text.isEmpty() ? "done, without an answer" : text;

@@ -38,7 +38,7 @@ final class SoundParameters implements ParameterTheme<UrbiVersion> {
 
     private void beep(boolean on) {
         if (on) {
-            access.tell(List.of("speaker.play(\"beep.wav\")"));
+            access.send(List.of("speaker.play(\"beep.wav\")"));
         }
     }
 }

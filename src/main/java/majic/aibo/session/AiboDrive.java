@@ -2,16 +2,18 @@ package majic.aibo.session;
 
 import java.util.function.Consumer;
 import majic.aibo.body.Calibration;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Gait;
 import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Stride;
 import majic.bot.MotionFailed;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What {@code drive} makes of a speed and a turn rate: the dog has one gait at a time, so whichever dominates is walked,
- * at its speed as far as the legs can, in short pieces, each begun when the one before has ended, as long as the
- * drive is renewed. An error ends it, and is thrown at the next renewal. Nothing here waits.
+ * Drives the dog at a speed or a turn rate. The dog has one gait at a time, so it uses the gait of the greater part, at that
+ * speed as far as the legs allow, in short pieces. Each piece begins when the one before has ended, as long as the drive is
+ * renewed. An error ends the drive and is thrown at the next renewal. Never blocks.
  */
 public final class AiboDrive {
     private static final double PIECE_MS = 600;
@@ -24,7 +26,10 @@ public final class AiboDrive {
     /** A piece and the two seconds that a slow engine is late, with something to spare. */
     private static final double OVERDUE_S = PIECE_MS / 1000 + 3;
 
-    private final AiboSession session;
+    private final GaitControl gaits;
+    private final PostureControl postures;
+    private final DogState dog;
+    private final TimeSource time;
     private final Consumer<String> notice;
     private volatile @Nullable Stride wanted;
     private volatile @Nullable String failure;
@@ -34,13 +39,16 @@ public final class AiboDrive {
     private volatile long begunNanos;
     private @Nullable RunningMotion latest;
 
-    AiboDrive(AiboSession session, Consumer<String> notice) {
-        this.session = session;
+    AiboDrive(GaitControl gaits, PostureControl postures, DogState dog, TimeSource time, Consumer<String> notice) {
+        this.gaits = gaits;
+        this.postures = postures;
+        this.dog = dog;
+        this.time = time;
         this.notice = notice;
     }
 
     /**
-     * Takes over what is wanted from now on; the motion lock is held.
+     * Begins or renews a drive; called under the lock that orders the robot's motions.
      *
      * @throws MotionFailed if this drive has gone wrong since it was last renewed; the dog was stopped
      */
@@ -50,17 +58,17 @@ public final class AiboDrive {
             fail(LATE);
         }
         refuseAfterFailure();
-        if (stride != null && session.executor().current() == null) {
-            session.postures().refuseFallen(session.dog().senses().posture());
+        if (stride != null && gaits.executor().current() == null) {
+            postures.refuseFallen(dog.senses().posture());
         }
-        renewedNanos = session.waiting().time().nanos();
+        renewedNanos = time.nanos();
         wanted = stride;
         if (stride == null) {
-            session.halt();
+            halt();
             return;
         }
         announce(stride.gait());
-        tend();
+        tick();
     }
 
     private void refuseAfterFailure() {
@@ -72,7 +80,7 @@ public final class AiboDrive {
     }
 
     private @Nullable Stride choose(double mmPerSec, double degPerSec) {
-        Calibration calibration = session.dog().calibration();
+        Calibration calibration = dog.calibration();
         double walk =
                 Math.abs(mmPerSec) / calibration.stride(Gait.walking(mmPerSec)).unitsPerSecond();
         double turn = Math.abs(degPerSec)
@@ -100,8 +108,14 @@ public final class AiboDrive {
         underWay = false;
     }
 
+    /** Ends the drive and sends the stop for everything that moves. */
+    private void halt() {
+        forget();
+        gaits.halt();
+    }
+
     /** Begins the next piece if it is time, or ends one that is no longer wanted. */
-    void tend() {
+    void tick() {
         Stride stride = wanted;
         if (stride == null) {
             return;
@@ -110,41 +124,41 @@ public final class AiboDrive {
             fail(LATE);
             return;
         }
-        RunningMotion running = session.executor().current();
+        RunningMotion running = gaits.executor().current();
         String wrong = trouble(running);
         if (wrong != null) {
             fail(wrong);
         } else if (running == null) {
             begin(stride);
         } else if (running.piece() != null && running.piece().gait() != stride.gait() && !running.isStopRequested()) {
-            session.executor().halt(session.sweep().halt());
+            gaits.halt();
         }
     }
 
     /** Whether the drive was not renewed in time, as when the program was suspended. */
     private boolean hasLapsed() {
-        return wanted != null && session.waiting().time().secondsSince(renewedNanos) > LEASE_S;
+        return wanted != null && time.secondsSince(renewedNanos) > LEASE_S;
     }
 
     private void fail(String wrong) {
-        session.halt();
+        halt();
         failure = wrong;
     }
 
     /** Whether the drive must not go on; motors that are off before it has begun are switched on by it. */
     private @Nullable String trouble(@Nullable RunningMotion running) {
-        if (session.isSilent()) {
-            return "no word from the dog for 1.5 s; it was told to stop";
+        if (gaits.isSilent()) {
+            return MessageRouter.SILENT;
         }
         boolean walks = running != null && running.piece() != null;
-        if (walks && session.waiting().time().secondsSince(begunNanos) > OVERDUE_S) {
-            return "the dog did not tell the end of its walk in time; it was told to stop";
+        if (walks && time.secondsSince(begunNanos) > OVERDUE_S) {
+            return GaitControl.OVERDUE;
         }
-        return underWay ? session.dog().senses().unfit() : null;
+        return underWay ? dog.senses().unfit() : null;
     }
 
     private synchronized void begin(Stride stride) {
-        if (session.executor().current() != null) {
+        if (gaits.executor().current() != null) {
             return;
         }
         String wrong = settle();
@@ -152,10 +166,10 @@ public final class AiboDrive {
             fail(wrong);
             return;
         }
-        RunningMotion rise = underWay ? null : session.postures().rise();
+        RunningMotion rise = underWay ? null : postures.rise();
         if (rise != null) {
             latest = rise;
-            session.executor().start(rise, this::isWanted);
+            gaits.start(rise, this::isWanted);
             return;
         }
         walk(stride);
@@ -163,12 +177,12 @@ public final class AiboDrive {
 
     private void walk(Stride stride) {
         underWay = true;
-        session.guard().renew();
-        RunningMotion piece = session.executor().piece(stride, PIECE_MS / stride.msPerUnit());
+        gaits.armGuard();
+        RunningMotion piece = gaits.piece(stride, PIECE_MS / stride.msPerUnit());
         latest = piece;
-        begunNanos = session.waiting().time().nanos();
-        if (session.executor().start(piece, this::isWanted) && stride.gait() == Gait.FORWARD) {
-            session.sweep().start();
+        begunNanos = time.nanos();
+        if (gaits.start(piece, this::isWanted) && stride.gait() == Gait.FORWARD) {
+            gaits.sweep().start();
         }
     }
 
@@ -185,11 +199,11 @@ public final class AiboDrive {
         }
         GaitPiece piece = ended.piece();
         if (piece == null) {
-            session.dog().senses().assumeMotors(true, ended.endedMs());
-            session.dog().setAfoot(true);
+            dog.senses().assumeMotors(true, ended.endedMs());
+            dog.setStanding(true);
             return null;
         }
-        return piece.isCutShort() ? "another program, or its guard, ended the walk" : null;
+        return piece.isCutShort() ? GaitControl.CUT_SHORT : null;
     }
 
     private boolean isWanted() {

@@ -8,36 +8,26 @@ import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
-import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiMessage;
-import majic.aibo.urbi.UrbiRefusal;
-import majic.aibo.urbi.UrbiRequest;
-import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Motion;
-import majic.bot.MotionFailed;
 import majic.driver.RobotWait;
 import majic.link.Link;
-import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
-/** Everything that lives from one connect to the end of the connection. */
+/** One connection to a dog, from connect to its end: creates the parts, connects them, and runs their periodic tasks. */
 public final class AiboSession {
     private static final double FIRST_READINGS_S = 4;
 
-    /** As long as it takes to make sure that a stop has hit with an engine that is two seconds late. */
-    private static final double FREE_S = 5;
-
     /** Receives the session's events. Called on reader and timer threads. */
     public interface Robot {
-        /** A set of readings is in. */
+        /** A set of readings was received. */
         void sensed();
 
-        /** Something worth saying. */
-        void say(String message);
+        /** Shows a message to the user. */
+        void notice(String message);
 
-        /** It is over. */
+        /** The connection was lost. Called once. */
         void lost(LinkLost cause);
     }
 
@@ -54,34 +44,41 @@ public final class AiboSession {
     private final DogGuard guard;
     private final HeadSweep sweep;
     private final Microphone microphone;
+    private final UrbiQuestions questions;
     private final PostureControl postures;
-    private final AiboDrive driving;
+    private final JointControl joints;
+    private final Walker walker;
+    private final AiboDrive drive;
     private volatile @Nullable ConnectionMonitor monitor;
 
     public AiboSession(Supplier<Link> link, RobotWait waiting, DogState dog, Robot robot) {
         this.waiting = waiting;
         this.dog = dog;
         this.robot = robot;
-        Consumer<String> notice = robot::say;
+        Consumer<String> notice = robot::notice;
         this.clock = new DogClock(waiting);
         this.battery = new BatteryWatch(notice);
         this.router = new MessageRouter(waiting, dog, poll, clock, battery, robot::sensed);
-        this.connections = new AiboConnections(link, waiting, this::heard, this::lost);
+        this.connections = new AiboConnections(link, waiting, this::received, this::lost);
         this.executor = new MotionExecutor(connections, tags, waiting, dog, robot::sensed);
         this.guard = new DogGuard(connections, tags, waiting, clock);
         this.sweep = new HeadSweep(connections.sensors(), tags);
         this.microphone = new Microphone(connections.sensors(), tags);
-        this.postures = new PostureControl(this, dog, notice);
-        this.driving = new AiboDrive(this, notice);
+        this.questions = new UrbiQuestions(tags, waiting);
+        this.postures = new PostureControl(executor, connections.motion(), questions, dog, notice);
+        this.joints = new JointControl(executor, connections.sensors(), postures, sweep, dog);
+        GaitControl gaits = new GaitControl(executor, guard, sweep, router, dog.senses());
+        this.walker = new Walker(gaits, postures, clock, waiting);
+        this.drive = new AiboDrive(gaits, postures, dog, waiting.time(), notice);
     }
 
     /** Connects, sets up guard and readings; moves nothing. Leaves nothing open when it throws. */
     public void open() {
         connections.open();
         try {
-            dog.takeLeftovers().ifPresent(connections.stop()::send);
+            dog.takeStopCommands().ifPresent(connections.stop()::send);
             if (!guard.install()) {
-                robot.say(
+                robot.notice(
                         "the dog takes no guard that would end its walk when the link is lost; its walks end within 2 s");
             }
             dog.legSpeed().look(connections.sensors(), tags);
@@ -103,19 +100,11 @@ public final class AiboSession {
             throw new BotException("the dog lets itself be connected but tells no reading within "
                     + (int) FIRST_READINGS_S + " s; restart the dog");
         }
-        router.listenAnew();
-    }
-
-    public RobotWait waiting() {
-        return waiting;
+        router.restartSilence();
     }
 
     public AiboConnections connections() {
         return connections;
-    }
-
-    DogClock clock() {
-        return clock;
     }
 
     public MotionExecutor executor() {
@@ -138,93 +127,59 @@ public final class AiboSession {
         return postures;
     }
 
-    public AiboDrive driving() {
-        return driving;
+    public JointControl joints() {
+        return joints;
     }
 
-    public DogState dog() {
-        return dog;
+    public Walker walker() {
+        return walker;
     }
 
-    /** Whether no reading has come for so long that the dog must not move. */
-    boolean isSilent() {
-        return router.silenceS() > ConnectionMonitor.SILENCE_S;
+    public AiboDrive drive() {
+        return drive;
     }
 
-    /** Shows a notice to the user. */
-    public void say(String message) {
-        robot.say(message);
+    public UrbiQuestions questions() {
+        return questions;
     }
 
-    /** Passes all that is neither a reading nor an answer to a listener on the readers' threads, until the result is run. */
-    public Runnable listen(Consumer<UrbiMessage> hearer) {
-        return router.listen(hearer);
-    }
-
-    /**
-     * Asks for a value.
-     *
-     * @throws UrbiRefusal if the dog gives none, or the thread may not wait for it
-     */
-    public UrbiValue ask(UrbiConnection on, String expression, double seconds) {
-        if (!WaitPolicy.isAllowed()) {
-            throw new UrbiRefusal("the dog tells it only when asked");
-        }
-        UrbiRequest ask = on.ask(tags, expression);
-        waiting.await(() -> ask.isDone() || on.isEnded(), seconds);
-        on.forget(ask);
-        UrbiValue value = ask.value();
-        if (value == null) {
-            String failure = ask.failure();
-            throw new UrbiRefusal(
-                    failure == null
-                            ? "the dog did not answer within " + seconds + " s"
-                            : "the dog refuses: " + failure);
-        }
-        return value;
-    }
-
-    /** Waits until the dog has ended what it did before this motion. */
-    public void awaitFree(Motion motion) {
-        motion.check();
-        if (!waiting.await(() -> executor.current() == null, FREE_S)) {
-            throw new MotionFailed("the dog has not ended what it did before");
-        }
-        motion.check();
+    /** Passes all messages that are neither a reading nor an answer to a listener on the reader threads, until the result is run. */
+    public Runnable listen(Consumer<UrbiMessage> listener) {
+        return router.listen(listener);
     }
 
     /** Sends the stop for everything that moves. */
     public void halt() {
-        driving.forget();
+        drive.forget();
         executor.halt(sweep.halt());
     }
 
     /**
-     * Sends that stop on the stop connection while a command may be stuck on another. The sweep is not taken for ended,
-     * for a command that begins it may be on its way.
+     * Sends that stop on the stop connection while a command may be stuck on another. The sweep still counts as running,
+     * because the command that begins it may not have arrived yet.
      */
     public void haltAhead() {
-        driving.forget();
+        drive.forget();
         executor.halt(sweep.stopCommand());
     }
 
-    /** The duties that come round ten times a second, on the keeper's thread. */
-    public void tend() {
-        ConnectionMonitor watching = monitor;
-        if (watching != null) {
-            watching.tend();
-            haltInSilence(watching);
+    /** Runs the periodic tasks; called ten times a second by the robot's timer thread. */
+    public void tick() {
+        ConnectionMonitor current = monitor;
+        if (current != null) {
+            current.tick();
+            haltInSilence(current);
         }
-        executor.pursue();
-        driving.tend();
-        guard.tend(executor.current());
-        sweep.tend();
+        executor.repeatStop();
+        drive.tick();
+        guard.tick(executor.current());
+        sweep.tick();
     }
 
-    private void haltInSilence(ConnectionMonitor watching) {
-        if (watching.fallsSilent() && executor.current() != null) {
-            robot.say("no word from the dog for " + ConnectionMonitor.SILENCE_S
-                    + " s while it moves: it is told to stop");
+    private void haltInSilence(ConnectionMonitor current) {
+        if (current.fallsSilent() && executor.current() != null) {
+            robot.notice(
+                    "no word from the dog for " + MessageRouter.SILENCE_S + " s while it moves: it is told to stop");
             executor.halt(sweep.halt());
             waiting.changes().raise();
         }
@@ -232,28 +187,28 @@ public final class AiboSession {
 
     /** Stops the dog, ends its polling, and closes the connections. */
     public void close() {
-        driving.forget();
-        connections.close(lastWords() + dog.legSpeed().restore());
+        drive.forget();
+        connections.close(closingCommands() + dog.legSpeed().restore());
     }
 
-    /** What ends all that the dog does for this session. */
-    private String lastWords() {
+    /** The commands that end everything the dog does for this session. */
+    private String closingCommands() {
         RunningMotion running = executor.current();
         String own = running == null ? "" : " " + running.stopCommands();
         return UrbiCommands.STOP_GAITS + own + sweep.halt() + " " + guard.stop() + " " + poll.stop()
                 + microphone.stopCommand() + " ";
     }
 
-    private void heard(UrbiMessage message) {
-        if (!microphone.hears(message)) {
-            router.heard(message);
+    private void received(UrbiMessage message) {
+        if (!microphone.take(message)) {
+            router.received(message);
         }
     }
 
     private void lost(LinkLost cause) {
-        driving.forget();
+        drive.forget();
         if (executor.current() != null || sweep.isSweeping()) {
-            dog.leave(lastWords());
+            dog.keepStopCommands(closingCommands());
         }
         robot.lost(battery.explained(cause));
         executor.abandon();

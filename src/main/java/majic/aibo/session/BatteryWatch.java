@@ -12,7 +12,7 @@ final class BatteryWatch {
     private static final double CHARGED = 0.25;
 
     private final Consumer<String> notice;
-    private boolean told;
+    private boolean reported;
     private double charge = 1;
 
     BatteryWatch(Consumer<String> notice) {
@@ -20,7 +20,7 @@ final class BatteryWatch {
     }
 
     /** Takes a charge, 0 to 1. */
-    void heard(double newCharge) {
+    void update(double newCharge) {
         if (becomesLow(newCharge)) {
             notice.accept("the dog's battery is down to " + percent(newCharge) + "; it needs charging soon");
         }
@@ -28,9 +28,9 @@ final class BatteryWatch {
 
     private synchronized boolean becomesLow(double newCharge) {
         charge = newCharge;
-        boolean tell = newCharge < LOW && !told;
-        told = newCharge < LOW || told && newCharge < CHARGED;
-        return tell;
+        boolean report = newCharge < LOW && !reported;
+        reported = newCharge < LOW || reported && newCharge < CHARGED;
+        return report;
     }
 
     /** Adds to the cause of a lost connection that the battery may be why. */

@@ -22,7 +22,8 @@ public final class CalibrationRun implements CalibrateCommand.Pupil {
     /** About a whole turn. */
     private static final int TURN_S = 10;
 
-    private final Supplier<AiboSession> session;
+    private final Supplier<Walker> walker;
+    private final Calibration calibration;
     private final Function<Gait, Stride> stride;
     private final Learner learner;
 
@@ -33,9 +34,16 @@ public final class CalibrationRun implements CalibrateCommand.Pupil {
         void learn(Gait gait, double msPerUnit);
     }
 
-    /** Goes in the stride that moves have now; what is learned holds for every pace. */
-    public CalibrationRun(Supplier<AiboSession> session, Function<Gait, Stride> stride, Learner learner) {
-        this.session = session;
+    /**
+     * Moves nothing yet.
+     *
+     * @param walker of the open connection; throws if there is none
+     * @param stride the stride that moves use now; the result holds for every pace
+     */
+    public CalibrationRun(
+            Supplier<Walker> walker, Calibration calibration, Function<Gait, Stride> stride, Learner learner) {
+        this.walker = walker;
+        this.calibration = calibration;
         this.stride = stride;
         this.learner = learner;
     }
@@ -48,12 +56,12 @@ public final class CalibrationRun implements CalibrateCommand.Pupil {
     @Override
     public Trial go(String direction, Motion motion) {
         Gait gait = Gait.of(direction);
-        AiboSession open = session.get();
-        open.postures().stand(motion);
+        Walker walking = walker.get();
+        walking.stand(motion);
         letMark(gait, motion);
         Stride stride = this.stride.apply(gait);
         double amount = seconds(gait) * stride.unitsPerSecond();
-        double covered = Math.abs(new Walker(open, motion).cover(stride, amount));
+        double covered = Math.abs(walking.cover(stride, amount, motion));
         double usualMs = covered * stride.usualMsPerUnit();
         Range sensible = Calibration.range(gait);
         Range credible = new Range(usualMs / sensible.max(), usualMs / sensible.min());
@@ -73,7 +81,7 @@ public final class CalibrationRun implements CalibrateCommand.Pupil {
     }
 
     private String learn(Gait gait, double now) {
-        double old = session.get().dog().calibration().msPerUnit(gait);
+        double old = calibration.msPerUnit(gait);
         learner.learn(gait, now);
         return String.format(
                 Locale.ROOT,

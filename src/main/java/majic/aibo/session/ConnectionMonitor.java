@@ -9,15 +9,12 @@ import majic.driver.RobotWait;
 
 /** Detects a dog that no longer reports or no longer receives. Used by the robot's timer thread. */
 final class ConnectionMonitor {
-    /** After so much silence a dog must not move. */
-    static final double SILENCE_S = 1.5;
-
     private static final double LOST_S = 4;
 
     private final AiboConnections connections;
     private final MessageRouter router;
     private final List<PingProbe> probes;
-    private boolean told;
+    private boolean reported;
 
     /** Begins to watch links that are open. */
     ConnectionMonitor(AiboConnections connections, MessageRouter router, Tags tags, RobotWait waiting, DogClock clock) {
@@ -29,7 +26,7 @@ final class ConnectionMonitor {
     }
 
     /** Breaks the connection if it does not reach the dog any more. */
-    void tend() {
+    void tick() {
         if (router.silenceS() > LOST_S) {
             connections.broken(connections.sensors(), "no word from the dog for " + (int) LOST_S + " s");
         }
@@ -42,9 +39,9 @@ final class ConnectionMonitor {
 
     /** Whether a silence has begun that was not reported yet. */
     boolean fallsSilent() {
-        boolean silent = router.silenceS() > SILENCE_S;
-        boolean tell = silent && !told;
-        told = silent;
-        return tell;
+        boolean silent = router.isSilent();
+        boolean report = silent && !reported;
+        reported = silent;
+        return report;
     }
 }

@@ -83,7 +83,7 @@ public final class DogGuard {
      * Renews it in time while the dog walks; disarms it once it does not, unless a walk is just about to begin. What was
      * told to stop and has not ended yet gets neither: the guard ends it if the stop does not.
      */
-    synchronized void tend(@Nullable RunningMotion running) {
+    synchronized void tick(@Nullable RunningMotion running) {
         boolean due = waiting.time().secondsSince(renewedNanos) >= RENEWAL_S;
         if (running != null && running.mayWalk()) {
             if (!running.isStopRequested() && (due || !armed)) {

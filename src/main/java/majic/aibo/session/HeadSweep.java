@@ -65,7 +65,7 @@ public final class HeadSweep {
     }
 
     /**
-     * What stops it at once on another connection. Since that may overtake the command that began it, {@link #tend}
+     * What stops it at once on another connection. Since that may overtake the command that began it, {@link #tick}
      * sends it again on the same one.
      */
     String halt() {
@@ -84,7 +84,7 @@ public final class HeadSweep {
     }
 
     /** Makes sure that what was halted is over. */
-    void tend() {
+    void tick() {
         String tag = halted.getAndSet(null);
         if (tag != null) {
             sensors.send("stop " + tag + ",");

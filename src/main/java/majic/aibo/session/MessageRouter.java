@@ -17,6 +17,12 @@ import majic.driver.RobotWait;
 
 /** Routes messages that answer no request: readings, battery lines, the rest. Called on the readers' threads. */
 final class MessageRouter {
+    /** A dog must not move after so long without a reading, seconds. */
+    static final double SILENCE_S = 1.5;
+
+    /** The failure of a motion of a dog that is silent. */
+    static final String SILENT = "no word from the dog for " + SILENCE_S + " s; it was told to stop";
+
     private static final Logger LOG = System.getLogger(MessageRouter.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
 
@@ -26,8 +32,8 @@ final class MessageRouter {
     private final DogClock clock;
     private final BatteryWatch battery;
     private final Runnable whenSensed;
-    private final List<Consumer<UrbiMessage>> hearers = new CopyOnWriteArrayList<>();
-    private volatile long lastWordNanos;
+    private final List<Consumer<UrbiMessage>> listeners = new CopyOnWriteArrayList<>();
+    private volatile long lastReadingNanos;
 
     /** Calls the last argument when a set of readings is in. */
     MessageRouter(
@@ -43,17 +49,22 @@ final class MessageRouter {
         this.clock = clock;
         this.battery = battery;
         this.whenSensed = whenSensed;
-        this.lastWordNanos = waiting.time().nanos();
+        this.lastReadingNanos = waiting.time().nanos();
     }
 
     /** For how long no reading has come, seconds. */
     double silenceS() {
-        return waiting.time().secondsSince(lastWordNanos);
+        return waiting.time().secondsSince(lastReadingNanos);
+    }
+
+    /** Whether no reading has come for so long that the dog must not move. */
+    boolean isSilent() {
+        return silenceS() > SILENCE_S;
     }
 
     /** Counts the silence from now on. */
-    void listenAnew() {
-        lastWordNanos = waiting.time().nanos();
+    void restartSilence() {
+        lastReadingNanos = waiting.time().nanos();
     }
 
     /** How many sensors the dog has answered for. */
@@ -62,27 +73,27 @@ final class MessageRouter {
     }
 
     /** Passes all that is neither a reading nor an answer to a listener, until the result is run. */
-    Runnable listen(Consumer<UrbiMessage> hearer) {
-        hearers.add(hearer);
-        return () -> hearers.remove(hearer);
+    Runnable listen(Consumer<UrbiMessage> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
     }
 
     /** Takes a message that answers no command. */
-    void heard(UrbiMessage message) {
+    void received(UrbiMessage message) {
         Sensor sensor = poll.sensor(message);
         if (sensor != null) {
             sensed(sensor, message);
-        } else if (dog.leds().hear(message)) {
+        } else if (dog.leds().take(message)) {
             LOG.log(Level.TRACE, "lamp: {0}", message);
         } else if (message.tag().equals("power") && message.body() instanceof UrbiMessage.Info info) {
-            heardPower(info.text(), message.timeMs());
+            receivedPower(info.text(), message.timeMs());
         } else {
             LOG.log(Level.TRACE, "unasked: {0}", message);
-            hearers.forEach(hearer -> hearer.accept(message));
+            listeners.forEach(listener -> listener.accept(message));
         }
     }
 
-    private void heardPower(String text, long stampMs) {
+    private void receivedPower(String text, long stampMs) {
         Matcher words = BATTERY.matcher(text);
         if (words.matches()) {
             sensed(Sensor.CHARGE, new UrbiValue.Num(Integer.parseInt(words.group(1)) / 100.0), stampMs);
@@ -90,7 +101,7 @@ final class MessageRouter {
     }
 
     private void sensed(Sensor sensor, UrbiMessage message) {
-        listenAnew();
+        restartSilence();
         clock.received(message.timeMs());
         if (message.body() instanceof UrbiMessage.Result result) {
             sensed(sensor, result.value(), message.timeMs());
@@ -106,7 +117,7 @@ final class MessageRouter {
     private void sensed(Sensor sensor, UrbiValue value, long stampMs) {
         dog.senses().put(sensor, value, stampMs);
         if (sensor == Sensor.CHARGE) {
-            dog.senses().number(sensor).ifPresent(battery::heard);
+            dog.senses().number(sensor).ifPresent(battery::update);
         }
     }
 }

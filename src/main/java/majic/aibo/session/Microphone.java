@@ -13,65 +13,65 @@ import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The command by which the dog sends its microphone's sound, one block of 32 ms each cycle (URBI sheet 8, 13). It runs out by itself
- * on the dog if no stop reaches it. Safe from any thread.
+ * The command by which the dog sends its microphone's sound, one block of 32 ms each cycle (URBI sheet 8, 13). It ends by itself
+ * on the dog if no stop arrives. Safe from any thread.
  */
 public final class Microphone {
     private static final Logger LOG = System.getLogger(Microphone.class.getName());
 
     private final UrbiConnection on;
-    private final String order;
+    private final String command;
     private final String stem;
     private final AtomicInteger count = new AtomicInteger();
-    private final AtomicReference<@Nullable Ear> ear = new AtomicReference<>();
+    private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
 
     /** The receiver and the tag of its blocks: blocks of an earlier recording may still arrive. */
-    private record Ear(String tag, Consumer<UrbiMessage> hearer) {}
+    private record Recording(String tag, Consumer<UrbiMessage> receiver) {}
 
     Microphone(UrbiConnection on, Tags tags) {
         this.on = on;
-        this.order = tags.named("listen");
+        this.command = tags.named("listen");
         this.stem = tags.named("ear");
     }
 
     /**
      * Begins.
      *
-     * @param hearer gets each message on the reader's thread, until {@link #stop}
-     * @param longestMs when the dog is to end it by itself
+     * @param receiver takes each message on the reader thread, until {@link #stop}
+     * @param longestMs after this time the dog ends it by itself, ms
      * @throws BotException if a recording is under way
      */
-    public void start(Consumer<UrbiMessage> hearer, long longestMs) {
+    public void start(Consumer<UrbiMessage> receiver, long longestMs) {
         String tag = stem + count.incrementAndGet();
-        if (!ear.compareAndSet(null, new Ear(tag, hearer))) {
+        if (!recording.compareAndSet(null, new Recording(tag, receiver))) {
             throw new BotException("the dog is being recorded already; it makes one recording at a time");
         }
-        on.send(order + ": timeout(" + longestMs + ") loop { " + on.version().labelled(tag, "micro.val") + " },");
+        on.send(command + ": timeout(" + longestMs + ") loop { " + on.version().labelled(tag, "micro.val") + " },");
     }
 
-    /** Ends it on the dog; what is on its way still goes nowhere. */
+    /** Ends it on the dog; blocks that arrive later are dropped. */
     public void stop() {
-        ear.set(null);
+        recording.set(null);
         try {
             on.send(stopCommand());
         } catch (LinkLost e) {
-            LOG.log(Level.DEBUG, "the microphone's order ends with its connection", e);
+            LOG.log(Level.DEBUG, "the microphone's command ends with its connection", e);
         }
     }
 
-    /** What ends the order, if there is one. */
+    /** The command that ends it, if it runs. */
     String stopCommand() {
-        return "stop " + order + ",";
+        return "stop " + command + ",";
     }
 
-    /** Takes a message if it is of the microphone. */
-    boolean hears(UrbiMessage message) {
+    /** Takes a message if it is from the microphone; returns whether it is. */
+    boolean take(UrbiMessage message) {
         if (!message.tag().startsWith(stem)) {
             return false;
         }
-        Ear open = ear.get();
+        Recording open = recording.get();
         if (open != null && open.tag().equals(message.tag())) {
-            open.hearer().accept(message);
+            open.receiver().accept(message);
         }
         return true;
     }

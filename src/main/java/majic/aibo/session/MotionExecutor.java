@@ -13,16 +13,22 @@ import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRequest;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.Motion;
+import majic.bot.MotionFailed;
+import majic.driver.DeadReckoning;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs one motion command at a time and confirms its end. A stop goes out on the stop connection at once, without looking at
- * anything; whether it has hit what it was meant for is found out afterwards, see {@link RunningMotion#pursue}. Thread-safe.
+ * Runs one motion command at a time and confirms its end. A stop is sent on the stop connection at once; whether it arrived
+ * after the command that it stops is checked afterwards, see {@link RunningMotion#continueStop}. Thread-safe.
  */
 public final class MotionExecutor {
     private static final double CONFIRM_S = 5;
     private static final double AGAIN_S = 0.1;
+
+    /** Long enough to confirm a stop with an engine that answers 2 s late. */
+    private static final double FREE_S = 5;
 
     private final AiboConnections connections;
     private final Tags tags;
@@ -31,7 +37,7 @@ public final class MotionExecutor {
     private final Runnable whenOver;
     private final AtomicReference<@Nullable RunningMotion> current = new AtomicReference<>();
 
-    /** Calls the last argument at each end, on the thread that notices it. */
+    /** Calls the last argument when a motion has ended, on the thread that detects it. */
     MotionExecutor(AiboConnections connections, Tags tags, RobotWait waiting, DogState dog, Runnable whenOver) {
         this.connections = connections;
         this.tags = tags;
@@ -59,8 +65,8 @@ public final class MotionExecutor {
     }
 
     /**
-     * Makes a command that ends by itself out of several. What stands inside of a block does not have the block's tag
-     * (URBI sheet 7), so what may go wrong there is to be marked with it.
+     * Makes a command that ends by itself out of several. A command inside a block does not have the block's tag (URBI
+     * sheet 7), so a command there that may fail needs the tag itself.
      */
     RunningMotion command(UrbiConnection on, UnaryOperator<String> commandsForTag) {
         UrbiRequest ask = ask();
@@ -71,25 +77,25 @@ public final class MotionExecutor {
         return new UrbiRequest(tags.next(), UrbiRequest.Expects.END, this::clear);
     }
 
-    /** Starts it, if it may still be started once it is the current motion. Returns whether it was started. */
-    boolean start(RunningMotion running, BooleanSupplier mayStill) {
-        if (!take(running)) {
+    /** Starts it, if the condition still holds once it is the current motion; returns whether it was started. */
+    boolean start(RunningMotion running, BooleanSupplier condition) {
+        if (!makeCurrent(running)) {
             throw new BotException("the dog has not yet ended what it did before");
         }
-        if (!mayStill.getAsBoolean()) {
+        if (!condition.getAsBoolean()) {
             current.compareAndSet(running, null);
             return false;
         }
         GaitPiece piece = running.piece();
         if (piece != null) {
-            dog.reckoning().begin(piece);
+            dog.reckoning().begin(piece, Long.MAX_VALUE);
         }
         running.start();
         return true;
     }
 
     /** Clears an ended motion first: the next one may be started before that was done. */
-    private synchronized boolean take(RunningMotion running) {
+    private synchronized boolean makeCurrent(RunningMotion running) {
         dropEnded();
         return current.compareAndSet(null, running);
     }
@@ -99,16 +105,54 @@ public final class MotionExecutor {
         if (ended == null || !ended.isOver()) {
             return false;
         }
-        dog.reckoning().end();
+        dog.reckoning().begin(DeadReckoning.Segment.STATIONARY, Long.MAX_VALUE);
         return current.compareAndSet(ended, null);
     }
 
-    /** Called when a motion has ended, on the thread that noticed it. */
+    /** Called when a motion has ended, on the thread that detected it. */
     private void clear() {
         if (dropEnded()) {
             whenOver.run();
         }
         waiting.changes().raise();
+    }
+
+    /**
+     * Waits until the dog has ended what it did before a motion.
+     *
+     * @throws MotionFailed if it does not end in time
+     */
+    public void awaitFree(Motion motion) {
+        motion.check();
+        if (!waiting.await(() -> current.get() == null, FREE_S)) {
+            throw new MotionFailed("the dog has not ended what it did before");
+        }
+        motion.check();
+    }
+
+    /** Runs one command to its end, regardless of guard conditions: a dog must not stay half risen. */
+    public void perform(Motion motion, RunningMotion running, double seconds) {
+        motion.send(() -> start(running, () -> true));
+        BooleanSupplier over = () -> running.isOver() || !mayContinue(motion);
+        boolean ended = waiting.await(over, seconds);
+        motion.check();
+        if (!ended) {
+            running.requestStop();
+            throw new MotionFailed("the dog did not end it within " + (int) seconds + " s");
+        }
+        String failure = running.failure();
+        if (failure != null) {
+            throw new MotionFailed("the dog refuses: " + failure);
+        }
+    }
+
+    private static boolean mayContinue(Motion motion) {
+        try {
+            motion.check();
+            return true;
+        } catch (BotException e) {
+            return false;
+        }
     }
 
     /** Sends the stop; does not wait for anything. */
@@ -119,7 +163,7 @@ public final class MotionExecutor {
         } else {
             running.requestStop();
             if (running.piece() == null) {
-                dog.setAfoot(false);
+                dog.setStanding(false);
             }
             connections.stop().send(UrbiCommands.STOP_GAITS + running.stopCommands() + further);
         }
@@ -129,10 +173,10 @@ public final class MotionExecutor {
     public void confirm() {
         RunningMotion running = current.get();
         UrbiRequest pong = connections.stop().ping(tags);
-        BooleanSupplier stands =
+        BooleanSupplier stopped =
                 () -> pong.isDone() && (running == null || running.isOver() || !running.isStopRequested());
         long started = waiting.time().nanos();
-        while (!waiting.await(stands, AGAIN_S)) {
+        while (!waiting.await(stopped, AGAIN_S)) {
             if (connections.stop().isEnded()) {
                 throw new LinkLost("the stop was sent, but the connection was lost before the dog confirmed it");
             }
@@ -140,15 +184,15 @@ public final class MotionExecutor {
                 throw new BotException(
                         "the stop was sent, but the dog has not confirmed it within " + (int) CONFIRM_S + " s");
             }
-            pursue();
+            repeatStop();
         }
     }
 
-    /** Goes on making sure that what was stopped ends; to be called now and then. */
-    void pursue() {
+    /** Repeats the stop until the stopped motion has ended; to be called periodically. */
+    void repeatStop() {
         RunningMotion running = current.get();
         if (running != null && running.isStopRequested()) {
-            running.pursue(connections.stop(), tags, UrbiCommands.STOP_GAITS);
+            running.continueStop(connections.stop(), tags, UrbiCommands.STOP_GAITS);
         }
     }
 

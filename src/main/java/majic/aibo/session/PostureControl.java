@@ -1,7 +1,6 @@
 package majic.aibo.session;
 
 import java.util.Set;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import majic.aibo.body.DogState;
 import majic.aibo.body.Posture;
@@ -9,7 +8,6 @@ import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
-import majic.bot.BotException;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import org.jspecify.annotations.Nullable;
@@ -28,31 +26,41 @@ public final class PostureControl {
     /** Four seconds for the longest (URBI sheet 15). */
     private static final double POSTURE_S = 8;
 
-    private final AiboSession session;
+    private final MotionExecutor executor;
+    private final UrbiConnection connection;
+    private final UrbiQuestions questions;
     private final DogState dog;
     private final Consumer<String> notice;
     private volatile boolean layingFailed;
 
-    PostureControl(AiboSession session, DogState dog, Consumer<String> notice) {
-        this.session = session;
+    /** Sends everything on the connection for motion. */
+    PostureControl(
+            MotionExecutor executor,
+            UrbiConnection connection,
+            UrbiQuestions questions,
+            DogState dog,
+            Consumer<String> notice) {
+        this.executor = executor;
+        this.connection = connection;
+        this.questions = questions;
         this.dog = dog;
         this.notice = notice;
     }
 
     /** Makes sure that it stands with stiff legs. Takes up to five seconds when it does not. */
     void stand(Motion motion) {
-        session.awaitFree(motion);
+        executor.awaitFree(motion);
         String posture = posture();
         refuseFallen(posture);
         boolean powered = dog.senses().motorsOn().orElse(false);
-        boolean stands = posture.equals("stand") || (dog.isAfoot() && !DOWN.contains(posture));
+        boolean stands = posture.equals("stand") || (dog.isStanding() && !DOWN.contains(posture));
         if (!powered || !stands) {
             notice.accept(rising(powered));
             RunningMotion rise = rise(powered);
-            perform(motion, rise, POSTURE_S);
+            executor.perform(motion, rise, POSTURE_S);
             dog.senses().assumeMotors(true, rise.endedMs());
         }
-        dog.setAfoot(true);
+        dog.setStanding(true);
     }
 
     /** A dog that lies on its back or side does not walk, and getting up from there is not among its tricks. */
@@ -67,7 +75,7 @@ public final class PostureControl {
     @Nullable
     RunningMotion rise() {
         boolean powered = dog.senses().motorsOn().orElse(false);
-        if (powered && (dog.isAfoot() || "stand".equals(dog.senses().posture()))) {
+        if (powered && (dog.isStanding() || "stand".equals(dog.senses().posture()))) {
             return null;
         }
         notice.accept(rising(powered));
@@ -79,21 +87,19 @@ public final class PostureControl {
     }
 
     private RunningMotion rise(boolean powered) {
-        UrbiConnection on = session.connections().motion();
         return powered
-                ? session.executor().command(on, Posture.STAND.call())
-                : session.executor()
-                        .command(on, tag -> "{ motors on; wait(1000); " + tag + ": " + Posture.STAND.call() + " }");
+                ? executor.command(connection, Posture.STAND.call())
+                : executor.command(
+                        connection, tag -> "{ motors on; wait(1000); " + tag + ": " + Posture.STAND.call() + " }");
     }
 
     /** Switches the motors on where they are off; what moves a joint needs no more. */
     public void power(Motion motion) {
-        session.awaitFree(motion);
+        executor.awaitFree(motion);
         if (!dog.senses().motorsOn().orElse(false)) {
             notice.accept("switches the dog's motors on");
-            RunningMotion switching =
-                    session.executor().command(session.connections().motion(), "{ motors on; wait(1000) }");
-            perform(motion, switching, POWER_S);
+            RunningMotion switching = executor.command(connection, "{ motors on; wait(1000) }");
+            executor.perform(motion, switching, POWER_S);
             dog.senses().assumeMotors(true, switching.endedMs());
         }
     }
@@ -103,22 +109,21 @@ public final class PostureControl {
      * it would fall; a second request switches them off all the same.
      */
     public void loosen(Motion motion) {
-        session.awaitFree(motion);
-        dog.setAfoot(false);
+        executor.awaitFree(motion);
+        dog.setStanding(false);
         boolean mayFall = dog.senses().motorsOn().orElse(true) && !LOW.contains(posture());
         if (mayFall && !layingFailed) {
             layDown(motion);
         }
         layingFailed = false;
-        RunningMotion switching =
-                session.executor().command(session.connections().motion(), UrbiCommands.toGroup("motors off"));
-        perform(motion, switching, POWER_S);
+        RunningMotion switching = executor.command(connection, UrbiCommands.toGroup("motors off"));
+        executor.perform(motion, switching, POWER_S);
         dog.senses().assumeMotors(false, switching.endedMs());
     }
 
     private void layDown(Motion motion) {
         try {
-            perform(motion, session.executor().command(session.connections().motion(), Posture.LAY.call()), POSTURE_S);
+            executor.perform(motion, executor.command(connection, Posture.LAY.call()), POSTURE_S);
             String posture = posture();
             if (UP.contains(posture)) {
                 throw new MotionFailed("the dog was to lie down, but tells that it is in posture " + posture);
@@ -133,46 +138,20 @@ public final class PostureControl {
     /** Brings it into a posture by one of the stick's functions. */
     public void take(Posture posture, Motion motion) {
         power(motion);
-        dog.setAfoot(false);
+        dog.setStanding(false);
         layingFailed = false;
-        perform(motion, session.executor().command(session.connections().motion(), posture.call()), POSTURE_S);
-        dog.setAfoot(posture == Posture.STAND);
+        executor.perform(motion, executor.command(connection, posture.call()), POSTURE_S);
+        dog.setStanding(posture == Posture.STAND);
     }
 
     /** Returns the posture that the dog reports; "unknown" also if it reports none. */
     public String posture() {
         try {
-            return session.ask(session.connections().motion(), "robot.MyguessPosition()", GUESS_S)
-                            instanceof UrbiValue.Str guess
+            return questions.ask(connection, "robot.MyguessPosition()", GUESS_S) instanceof UrbiValue.Str guess
                     ? guess.text()
                     : "unknown";
         } catch (UrbiRefusal e) {
             return "unknown";
-        }
-    }
-
-    /** Runs one command to its end, regardless of guard conditions: a dog must not stay half risen. */
-    public void perform(Motion motion, RunningMotion running, double seconds) {
-        motion.send(() -> session.executor().start(running, () -> true));
-        BooleanSupplier over = () -> running.isOver() || !stillGoes(motion);
-        boolean ended = session.waiting().await(over, seconds);
-        motion.check();
-        if (!ended) {
-            running.requestStop();
-            throw new MotionFailed("the dog did not end it within " + (int) seconds + " s");
-        }
-        String failure = running.failure();
-        if (failure != null) {
-            throw new MotionFailed("the dog refuses: " + failure);
-        }
-    }
-
-    private static boolean stillGoes(Motion motion) {
-        try {
-            motion.check();
-            return true;
-        } catch (BotException e) {
-            return false;
         }
     }
 }

@@ -40,7 +40,7 @@ public final class RunningMotion {
         return piece != null || unknown;
     }
 
-    /** Writes it to the dog, unless its stop came first: then it is over before it began. */
+    /** Writes it to the dog, unless it was stopped before; then it ends at once. */
     synchronized void start() {
         if (stopRequested) {
             ask.finish(on.lastTimeMs());
@@ -80,11 +80,11 @@ public final class RunningMotion {
     }
 
     /**
-     * Takes the next step towards the certainty that it has ended. The stop travels on a connection of its own and may
-     * overtake the command it is meant for. So: a ping behind that command on its connection tells when it has arrived;
-     * from then on a stop surely hits it, and a ping behind that stop tells when it has.
+     * Takes the next step to make sure that it has ended. The stop is sent on another connection and may overtake the command
+     * that it stops. So a ping behind the command shows when the command has arrived; a stop sent after that takes effect, and a
+     * ping behind this stop shows when.
      */
-    synchronized void pursue(UrbiConnection stopping, Tags tags, String stopAll) {
+    synchronized void continueStop(UrbiConnection stopping, Tags tags, String stopAll) {
         if (isOver() || !written) {
             return;
         }

@@ -1,103 +1,130 @@
 package majic.aibo.session;
 
 import java.util.Objects;
-import majic.aibo.body.DogState;
 import majic.aibo.body.Gait;
 import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Stride;
+import majic.aibo.urbi.DogClock;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Walks a distance or turns an angle: one piece of a gait after the other, none longer than two seconds, each begun when
- * the dog has reported the end of the one before. Used for one motion.
+ * Walks distances and turns angles: one piece of a gait after the other, none longer than two seconds, each begun when the dog has
+ * reported the end of the one before. Thread-safe; {@code MajicBot} runs one motion at a time.
  */
 public final class Walker {
-    /** A slow engine answers two seconds late, and a gait may last two cycles longer than ordered. */
+    /** An engine may answer two seconds late, and a gait may last two cycles longer than commanded. */
     private static final double LATE_S = 3;
 
-    private final AiboSession session;
-    private final DogState dog;
-    private final Motion motion;
-    private double covered;
+    private final GaitControl gaits;
+    private final PostureControl postures;
+    private final DogClock clock;
+    private final RobotWait waiting;
 
-    public Walker(AiboSession session, Motion motion) {
-        this.session = session;
-        this.dog = session.dog();
-        this.motion = motion;
+    Walker(GaitControl gaits, PostureControl postures, DogClock clock, RobotWait waiting) {
+        this.gaits = gaits;
+        this.postures = postures;
+        this.clock = clock;
+        this.waiting = waiting;
     }
 
-    /** Covers an amount, mm or degrees, always positive; returns the amount covered, with the gait's sign. */
-    public double cover(Stride stride, double amount) {
-        motion.pause(0);
-        if (motion.guardReached() || amount == 0) {
-            return 0;
-        }
-        session.postures().stand(motion);
-        if (stride.gait() == Gait.FORWARD) {
-            lookAhead();
-        }
-        double durationMs = amount * stride.msPerUnit();
-        int pieces = (int) Math.ceil(durationMs / GaitPiece.LONGEST_MS);
-        for (int piece = 0; piece < pieces && !motion.guardReached(); piece++) {
-            walk(stride, amount / pieces);
-        }
-        motion.send(session.sweep()::end);
-        return covered;
+    /** Makes the dog stand with its motors on; takes up to five seconds if it does not stand yet. */
+    void stand(Motion motion) {
+        postures.stand(motion);
     }
 
-    /** The head sweeps while the dog walks ahead; if something is to stop it, a whole look is taken in before. */
-    private void lookAhead() {
-        motion.send(session.sweep()::start);
-        if (motion.isGuarded()) {
-            motion.pause(HeadSweep.PERIOD_S + session.clock().roundTripS());
-        }
+    /**
+     * Covers an amount; blocks until the dog has ended it.
+     *
+     * @param amount mm or degrees, positive
+     * @return the amount covered, with the sign of the gait
+     * @throws MotionFailed if the dog must not or does not walk on; the message says how far it came
+     */
+    public double cover(Stride stride, double amount, Motion motion) {
+        return new Walk(stride, motion).cover(amount);
     }
 
-    private void walk(Stride stride, double amount) {
-        session.awaitFree(motion);
-        motion.send(session.guard()::renew);
-        RunningMotion running = session.executor().piece(stride, amount);
-        GaitPiece piece = Objects.requireNonNull(running.piece());
-        motion.send(() -> session.executor().start(running, () -> true));
-        motion.await(() -> running.isOver() || trouble() != null, piece.durationMs() / 1000 + LATE_S);
-        settle(running, piece);
-        covered += piece.covered();
-        if (piece.isCutShort() && !running.isStopRequested()) {
-            throw failed("another program, or its guard, ended the walk", piece.gait());
-        }
-    }
+    /** One motion, on the thread that runs it. */
+    private final class Walk {
+        private final Stride stride;
+        private final Motion motion;
+        private double covered;
 
-    /** The piece is over, or has to be. */
-    private void settle(RunningMotion running, GaitPiece piece) {
-        motion.check();
-        String failure = running.failure();
-        String trouble = failure == null ? trouble() : Gait.refusal(failure);
-        if (trouble != null) {
-            covered += piece.coveredAt(Math.round(session.clock().estimateMs()));
-            throw failed(trouble, piece.gait());
+        Walk(Stride stride, Motion motion) {
+            this.stride = stride;
+            this.motion = motion;
         }
-        if (!running.isOver()) {
-            motion.send(() -> session.executor().halt(""));
-            boolean ended = session.waiting().await(running::isOver, LATE_S);
-            motion.check();
-            if (!ended || !motion.guardReached()) {
-                throw failed("the dog did not tell the end of its walk in time; it was told to stop", piece.gait());
+
+        double cover(double amount) {
+            motion.pause(0);
+            if (motion.guardReached() || amount == 0) {
+                return 0;
+            }
+            stand(motion);
+            if (stride.gait() == Gait.FORWARD) {
+                startSweep();
+            }
+            double durationMs = amount * stride.msPerUnit();
+            int pieces = (int) Math.ceil(durationMs / GaitPiece.LONGEST_MS);
+            for (int piece = 0; piece < pieces && !motion.guardReached(); piece++) {
+                walk(amount / pieces);
+            }
+            motion.send(gaits.sweep()::end);
+            return covered;
+        }
+
+        /** The head sweeps while the dog walks ahead; with a guard condition the walk begins after one whole sweep. */
+        private void startSweep() {
+            motion.send(gaits.sweep()::start);
+            if (motion.isGuarded()) {
+                motion.pause(HeadSweep.PERIOD_S + clock.roundTripS());
             }
         }
-    }
 
-    private MotionFailed failed(String why, Gait gait) {
-        Unit unit = gait.isWalk() ? Unit.MM : Unit.DEG;
-        return new MotionFailed(why + ", after " + Value.about(Math.rint(covered), unit));
-    }
+        private void walk(double amount) {
+            gaits.executor().awaitFree(motion);
+            motion.send(gaits::armGuard);
+            RunningMotion running = gaits.piece(stride, amount);
+            GaitPiece piece = Objects.requireNonNull(running.piece());
+            motion.send(() -> gaits.start(running, () -> true));
+            motion.await(() -> running.isOver() || gaits.trouble() != null, piece.durationMs() / 1000 + LATE_S);
+            checkEnd(running, piece);
+            covered += piece.covered();
+            if (piece.isCutShort() && !running.isStopRequested()) {
+                throw failed(GaitControl.CUT_SHORT);
+            }
+        }
 
-    private @Nullable String trouble() {
-        return session.isSilent()
-                ? "no word from the dog for 1.5 s; it was told to stop"
-                : dog.senses().unfit();
+        /** Checks how a piece has ended, and ends one that is not over: at a guard condition, or overdue. */
+        private void checkEnd(RunningMotion running, GaitPiece piece) {
+            motion.check();
+            String trouble = trouble(running);
+            if (trouble != null) {
+                covered += piece.coveredAt(Math.round(clock.estimateMs()));
+                throw failed(trouble);
+            }
+            if (!running.isOver()) {
+                motion.send(() -> gaits.executor().halt(""));
+                boolean ended = waiting.await(running::isOver, LATE_S);
+                motion.check();
+                if (!ended || !motion.guardReached()) {
+                    throw failed(GaitControl.OVERDUE);
+                }
+            }
+        }
+
+        private @Nullable String trouble(RunningMotion running) {
+            String failure = running.failure();
+            return failure == null ? gaits.trouble() : Gait.refusal(failure);
+        }
+
+        private MotionFailed failed(String why) {
+            Unit unit = stride.gait().isWalk() ? Unit.MM : Unit.DEG;
+            return new MotionFailed(why + ", after " + Value.about(Math.rint(covered), unit));
+        }
     }
 }

@@ -2,8 +2,9 @@ package majic.aibo.sound;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
-import majic.aibo.session.AiboSession;
+import majic.aibo.session.Microphone;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
 import majic.bot.Motion;
@@ -17,10 +18,21 @@ public final class RecordCommand {
     private static final double QUIET_S = 2;
     private static final PcmFormat NOTHING_YET = new PcmFormat(2, 16_000, 16, PcmFormat.Coding.SIGNED);
 
-    private final Supplier<AiboSession> session;
+    private final Supplier<Microphone> microphone;
+    private final Runnable changed;
+    private final Consumer<String> notices;
 
-    public RecordCommand(Supplier<AiboSession> session) {
-        this.session = session;
+    /**
+     * Records nothing yet.
+     *
+     * @param microphone of the open connection; throws if there is none
+     * @param changed wakes the threads that wait for the robot
+     * @param notices shows a message to the user
+     */
+    public RecordCommand(Supplier<Microphone> microphone, Runnable changed, Consumer<String> notices) {
+        this.microphone = microphone;
+        this.changed = changed;
+        this.notices = notices;
     }
 
     public BotCommand command() {
@@ -37,22 +49,22 @@ public final class RecordCommand {
                         motion));
     }
 
-    /** Creates the file first: a file that cannot be written must not be noticed only after the recording. */
+    /** Creates the file first, so that a file that cannot be written is detected before the recording. */
     private String record(double seconds, LocalFile file, Motion motion) {
-        AiboSession open = session.get();
-        SoundRecording recording = new SoundRecording(seconds, open.waiting().changes()::raise);
+        Microphone open = microphone.get();
+        SoundRecording recording = new SoundRecording(seconds, changed);
         file.create(WaveFile.write(new Pcm(NOTHING_YET, new byte[0])));
         try {
             listen(open, recording, seconds, motion);
         } catch (BotException e) {
-            open.say(rest(recording, file));
+            notices.accept(unfinished(recording, file));
             throw e;
         }
         return kept(recording, file);
     }
 
-    /** What is left of a recording that was not finished. */
-    private static String rest(SoundRecording recording, LocalFile file) {
+    /** Describes the part of a recording that was not finished. */
+    private static String unfinished(SoundRecording recording, LocalFile file) {
         try {
             return "the recording was not finished: " + kept(recording, file);
         } catch (BotException e) {
@@ -73,8 +85,8 @@ public final class RecordCommand {
         return Value.of(sound.seconds(), Unit.S) + " in " + file.name() + lost;
     }
 
-    private static void listen(AiboSession open, SoundRecording recording, double seconds, Motion motion) {
-        open.microphone().start(recording::take, (long) ((seconds + QUIET_S) * 1000));
+    private static void listen(Microphone open, SoundRecording recording, double seconds, Motion motion) {
+        open.start(recording::take, (long) ((seconds + QUIET_S) * 1000));
         try {
             for (int before = 0; !motion.await(recording::isDone, QUIET_S); before = recording.blocks()) {
                 if (recording.blocks() == before) {
@@ -82,7 +94,7 @@ public final class RecordCommand {
                 }
             }
         } finally {
-            open.microphone().stop();
+            open.stop();
         }
         String failure = recording.failure();
         if (failure != null) {

@@ -14,9 +14,9 @@ class LedReadingsTest {
     void eachReadingFindsItsLamp() {
         String order = LedReadings.order("mjx_1", UrbiVersion.V1_0);
 
-        assertThat(order).contains("mjx_1_lamp0: ledF1.val").contains("mjx_1_lamp27: earR.val");
-        assertThat(leds.hear(message("mjx_1_lamp0", 0.5))).isTrue();
-        assertThat(leds.hear(message("mjx_1_lamp27", 1))).isTrue();
+        assertThat(order).contains("mjx_1_led0: ledF1.val").contains("mjx_1_led27: earR.val");
+        assertThat(leds.take(message("mjx_1_led0", 0.5))).isTrue();
+        assertThat(leds.take(message("mjx_1_led27", 1))).isTrue();
         assertThat(leds.amount("ledF1")).contains(0.5);
         assertThat(leds.amount("earR")).contains(1.0);
         assertThat(leds.amount("ledF2")).isEmpty();
@@ -24,19 +24,19 @@ class LedReadingsTest {
 
     @Test
     void laterServersAreAskedThroughChannels() {
-        assertThat(LedReadings.order("t", UrbiVersion.V1_5)).contains("t_lamp0 << ledF1.val");
+        assertThat(LedReadings.order("t", UrbiVersion.V1_5)).contains("t_led0 << ledF1.val");
     }
 
     @Test
     void whatIsNoLampsReadingIsLeftToOthers() {
-        assertThat(leds.hear(message("notag", 1))).isFalse();
-        assertThat(leds.hear(message("my_lamp99", 1))).isFalse();
-        assertThat(leds.hear(message("my_lamps", 1))).isFalse();
+        assertThat(leds.take(message("notag", 1))).isFalse();
+        assertThat(leds.take(message("my_led99", 1))).isFalse();
+        assertThat(leds.take(message("my_leds", 1))).isFalse();
     }
 
     @Test
     void anotherDogsLampsAreForgotten() {
-        leds.hear(message("t_lamp0", 1));
+        leds.take(message("t_led0", 1));
         leds.clear();
 
         assertThat(leds.amount("ledF1")).isEmpty();

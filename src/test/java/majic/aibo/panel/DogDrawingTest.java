@@ -111,7 +111,7 @@ class DogDrawingTest {
     private void shine(String device, double amount) {
         long index = leds().takeWhile(name -> !name.equals(device)).count();
         UrbiMessage.Body body = new UrbiMessage.Result(new UrbiValue.Num(amount));
-        dog.leds().hear(new UrbiMessage(0, "t_lamp" + index, body));
+        dog.leds().take(new UrbiMessage(0, "t_led" + index, body));
     }
 
     private long differing() {

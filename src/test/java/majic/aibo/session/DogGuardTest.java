@@ -47,7 +47,7 @@ class DogGuardTest {
     @Test
     void staysArmedBetweenItsRenewalAndTheWalkItIsFor() {
         guard.renew();
-        guard.tend(null);
+        guard.tick(null);
 
         assertThat(settings()).hasSize(2).last().asString().doesNotContain(DISARMED);
     }
@@ -56,7 +56,7 @@ class DogGuardTest {
     void isDisarmedWhenNothingWalksSoLateAsARenewalWouldBeDue() {
         guard.renew();
         while (settings().size() < 3) {
-            guard.tend(null);
+            guard.tick(null);
         }
 
         assertThat(settings()).last().asString().contains(DISARMED);
@@ -81,7 +81,7 @@ class DogGuardTest {
         stopped.requestStop();
         waiting.await(() -> false, 0.3);
 
-        guard.tend(stopped);
+        guard.tick(stopped);
 
         assertThat(settings()).hasSize(2).last().asString().doesNotContain(DISARMED);
     }
