@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.concurrent.locks.ReentrantLock;
 import majic.link.Link;
 import majic.link.Links;
-import majic.simulation.Quietness;
+import majic.simulation.TransitCheck;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
 import majicsim.net.Firmware;
@@ -39,7 +39,7 @@ class ClosingLineTest {
     @Test
     void whatIsStillUnderWayArrivesBeforeTheEnd() throws IOException, InterruptedException {
         TcpPort port = TcpPort.open(0, Clients.ONE, new Wiring(new ReentrantLock(true), new LastWords(), faults));
-        Quietness quietness = new Quietness(Links::traffic, port::lines, Set.of(port.address()));
+        TransitCheck quietness = new TransitCheck(Links::traffic, port::lines, Set.of(port.address()));
         Link link = Links.of("//" + port.address(), 0, 0);
         StringBuffer heard = new StringBuffer();
         try (TestClock clock = new TestClock(port::step, quietness)) {

@@ -11,7 +11,7 @@ import java.util.function.Supplier;
 import majic.link.Links;
 import majic.simulation.LabClock;
 import majic.simulation.Pacing;
-import majic.simulation.Quietness;
+import majic.simulation.TransitCheck;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import majicsim.net.LineCount;
@@ -48,7 +48,7 @@ public final class TestClock implements AutoCloseable {
      * between them, so the speed of the computer does not matter.
      */
     public static TestClock between(String address, Supplier<List<LineCount>> lines) {
-        return new TestClock(nanos -> {}, new Quietness(Links::traffic, lines, Set.of(address)));
+        return new TestClock(nanos -> {}, new TransitCheck(Links::traffic, lines, Set.of(address)));
     }
 
     public TimeSource time() {

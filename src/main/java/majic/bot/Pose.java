@@ -1,7 +1,7 @@
 package majic.bot;
 
 /**
- * Where a robot believes it is: x ahead of its start, y to the left of it. Immutable.
+ * The position that a robot reports: x ahead of its start, y to the left of it. Immutable.
  *
  * @param xMm ahead of where it started, mm
  * @param yMm to the left of where it started, mm

@@ -34,10 +34,10 @@ final class UserSettings implements Settings {
     /** Changes made while the file could not be read. */
     private final Properties unwritten = new Properties();
 
-    private final List<String> untold = new ArrayList<>();
-    private Consumer<String> listener = untold::add;
+    private final List<String> unreported = new ArrayList<>();
+    private Consumer<String> listener = unreported::add;
     private boolean read;
-    private boolean toldUnreadable;
+    private boolean unreadableReported;
 
     UserSettings(Path file) {
         this.file = file;
@@ -50,8 +50,8 @@ final class UserSettings implements Settings {
      */
     synchronized void onTrouble(Consumer<String> alarm) {
         listener = alarm;
-        untold.forEach(alarm);
-        untold.clear();
+        unreported.forEach(alarm);
+        unreported.clear();
     }
 
     @Override
@@ -59,7 +59,7 @@ final class UserSettings implements Settings {
         try {
             readOnce();
         } catch (IOException e) {
-            tellUnreadable(e);
+            reportUnreadable(e);
         }
         return Optional.ofNullable(unwritten.getProperty(key, kept.getProperty(key)));
     }
@@ -70,7 +70,7 @@ final class UserSettings implements Settings {
         try {
             readOnce();
         } catch (IOException e) {
-            tellUnreadable(e);
+            reportUnreadable(e);
             throw new BotException(
                     "cannot write the settings to " + file + ", for what is there cannot be read: " + reason(e), e);
         }
@@ -90,27 +90,27 @@ final class UserSettings implements Settings {
                 found.load(reader);
             } catch (CharacterCodingException | IllegalArgumentException e) {
                 found.clear();
-                keepAside();
+                renameDamaged();
             }
         }
         kept.putAll(found);
         read = true;
     }
 
-    private void keepAside() throws IOException {
-        Path aside = file.resolveSibling(file.getFileName() + ".damaged");
-        for (int again = 2; Files.exists(aside); again++) {
-            aside = file.resolveSibling(file.getFileName() + ".damaged-" + again);
+    private void renameDamaged() throws IOException {
+        Path renamed = file.resolveSibling(file.getFileName() + ".damaged");
+        for (int again = 2; Files.exists(renamed); again++) {
+            renamed = file.resolveSibling(file.getFileName() + ".damaged-" + again);
         }
-        Files.move(file, aside);
+        Files.move(file, renamed);
         listener.accept(
                 "the settings in " + file + " were damaged; MAJIC goes on without them and has kept the file as "
-                        + aside + ": calibrations and what you agreed to are in it");
+                        + renamed + ": calibrations and what you agreed to are in it");
     }
 
-    private void tellUnreadable(IOException problem) {
-        if (!toldUnreadable) {
-            toldUnreadable = true;
+    private void reportUnreadable(IOException problem) {
+        if (!unreadableReported) {
+            unreadableReported = true;
             listener.accept("cannot read the settings in " + file + ": " + reason(problem)
                     + "; MAJIC goes on without them, and writes none before it can read them");
         }

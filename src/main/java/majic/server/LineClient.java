@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A connection of one client to a {@link LineServer}. The client's lines are carried out in order, at a limited rate; a
- * stop overtakes lines that are held and drops them. Must be used on the server's thread, except {@link #tell} and
+ * stop overtakes lines that are held and drops them. Must be used on the server's thread, except {@link #lineWritten} and
  * {@link #close}.
  */
 final class LineClient {
@@ -46,9 +46,9 @@ final class LineClient {
     private @Nullable ByteBuffer unsent;
     private long dismissedNanos;
     private volatile boolean admitted;
-    private volatile boolean hearsAll;
-    private volatile boolean deaf;
-    private volatile boolean toldAll;
+    private volatile boolean receivesAll;
+    private volatile boolean answersOverflowed;
+    private volatile boolean allAnswered;
     private boolean ended;
     private boolean finished;
     private boolean dismissed;
@@ -64,14 +64,14 @@ final class LineClient {
      * Receives a line of the session, and queues it if it concerns this client. Called on the session's thread; never
      * blocks.
      */
-    void tell(Line line) {
-        if (admitted && (hearsAll || line.concerns(parser))) {
+    void lineWritten(Line line) {
+        if (admitted && (receivesAll || line.concerns(parser))) {
             answer(line.text());
         }
     }
 
     private void answer(String text) {
-        deaf |= !answers.offer(text);
+        answersOverflowed |= !answers.offer(text);
     }
 
     /** Returns whether work remains that no further byte of the client triggers. */
@@ -124,7 +124,7 @@ final class LineClient {
             admit(line);
         } else if (!held.isEmpty() && parser.isStop(line) && stopRate.take()) {
             overtake(line);
-        } else if (!held.isEmpty() || !mayGive(line)) {
+        } else if (!held.isEmpty() || !mayRun(line)) {
             hold(line);
         } else {
             parser.parseText(line);
@@ -149,7 +149,7 @@ final class LineClient {
             admitScript(line);
             return;
         }
-        hearsAll = all && (words.length > 1 || server.token().isEmpty());
+        receivesAll = all && (words.length > 1 || server.token().isEmpty());
         admitted = true;
     }
 
@@ -162,7 +162,7 @@ final class LineClient {
         }
     }
 
-    private boolean mayGive(String line) {
+    private boolean mayRun(String line) {
         return parser.isStop(line) || (server.isReady() && parser.hasRoom() && rate.take());
     }
 
@@ -193,12 +193,12 @@ final class LineClient {
     /** Does what can be done now: runs held lines, sends answers, ends the connection. */
     void work() {
         try {
-            while (!held.isEmpty() && mayGive(held.element())) {
+            while (!held.isEmpty() && mayRun(held.element())) {
                 parser.parseText(held.remove());
             }
             finish();
             send();
-            if (deaf) {
+            if (answersOverflowed) {
                 LOG.log(Level.WARNING, "a client does not read its answers; dropped");
                 close();
             } else if (isOver()) {
@@ -221,14 +221,15 @@ final class LineClient {
             parser.finish();
             if (parser.isDone()) {
                 finished = true;
-                server.afterwards(() -> toldAll = true);
+                server.afterwards(() -> allAnswered = true);
             }
         }
     }
 
     private boolean isOver() {
         boolean sent = unsent == null && answers.isEmpty();
-        return (dismissed && (sent || System.nanoTime() - dismissedNanos > LAST_ANSWERS_NANOS)) || (toldAll && sent);
+        return (dismissed && (sent || System.nanoTime() - dismissedNanos > LAST_ANSWERS_NANOS))
+                || (allAnswered && sent);
     }
 
     private void send() throws IOException {

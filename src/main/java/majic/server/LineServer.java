@@ -47,7 +47,7 @@ public final class LineServer implements AutoCloseable {
     private final Selector selector;
     private final Session session;
     private final @Nullable ListenToken token;
-    private final SessionListener answers = this::tell;
+    private final SessionListener answers = this::lineWritten;
     private final Set<LineClient> clients = ConcurrentHashMap.newKeySet();
     private volatile boolean ready;
     private volatile boolean closed;
@@ -132,9 +132,9 @@ public final class LineServer implements AutoCloseable {
         return ready;
     }
 
-    private void tell(Line line) {
+    private void lineWritten(Line line) {
         if (line.kind() != Line.Kind.COMMAND) {
-            clients.forEach(client -> client.tell(line));
+            clients.forEach(client -> client.lineWritten(line));
             selector.wakeup();
         }
     }
@@ -173,7 +173,7 @@ public final class LineServer implements AutoCloseable {
     private void accept() {
         try {
             for (SocketChannel socket = listening.accept(); socket != null; socket = listening.accept()) {
-                welcome(socket);
+                admit(socket);
             }
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "no client could be taken", e);
@@ -181,7 +181,7 @@ public final class LineServer implements AutoCloseable {
         }
     }
 
-    private void welcome(SocketChannel socket) throws IOException {
+    private void admit(SocketChannel socket) throws IOException {
         clients.removeIf(LineClient::isGone);
         socket.configureBlocking(false);
         if (clients.size() >= MOST_CLIENTS && !dropOneThatEnded()) {

@@ -41,7 +41,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
     private final Set<Waiter> waiting = new HashSet<>();
     private final PriorityQueue<Waiter> sleepers = new PriorityQueue<>(Comparator.comparingLong(w -> w.deadline));
     private final Map<Thread, ClockMember> members = new HashMap<>();
-    private final StandstillWatch watch = new StandstillWatch();
+    private final StallDetector watch = new StallDetector();
     private volatile long nowNanos;
     private volatile @Nullable String ended;
     private int running;

@@ -71,7 +71,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     public static SimulatedLab stepped(LabOptions options) throws IOException {
         Lab lab = Lab.open(options);
         Set<String> addresses = Set.copyOf(lab.addresses().values());
-        return started(lab, Pacing.stepped(new Quietness(Links::traffic, lab::lines, addresses)));
+        return started(lab, Pacing.stepped(new TransitCheck(Links::traffic, lab::lines, addresses)));
     }
 
     private static SimulatedLab started(Lab lab, Pacing pacing) {

@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.Locale;
 
-/** Guesses what somebody meant who mistyped a word. */
+/** Finds the word that was probably meant by a mistyped one. */
 public final class Suggestion {
     private static final int MOST_MISTAKES = 2;
 

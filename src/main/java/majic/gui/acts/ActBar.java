@@ -29,7 +29,7 @@ public final class ActBar extends JPanel {
     private final transient Member member;
     private final JLabel name;
     private final JLabel time = new JLabel();
-    private final JLabel said;
+    private final JLabel message;
     private final Timer tick = new Timer(TICK_MS, event -> update());
     private transient @Nullable Owner act;
     private long beganNanos;
@@ -47,7 +47,7 @@ public final class ActBar extends JPanel {
         name.putClientProperty("FlatLaf.style", "font: bold");
         time.setName("actTime" + member.number());
         time.setToolTipText("How long it has run, on the clock of the robot");
-        said = new PlainLabel("actSaid" + member.number(), "");
+        message = new PlainLabel("actSaid" + member.number(), "");
         JButton off = new JButton("End act");
         off.setName("endAct" + member.number());
         off.setToolTipText("Ends the behaviour; its robots stand");
@@ -56,7 +56,7 @@ public final class ActBar extends JPanel {
         add(name, "wmin 40");
         add(time);
         add(off, "spany 2, aligny center, wrap");
-        add(said, "spanx 2, growx, wmin 0");
+        add(message, "spanx 2, growx, wmin 0");
         setVisible(false);
     }
 
@@ -81,8 +81,8 @@ public final class ActBar extends JPanel {
         name.setText(owner.name());
         time.setText(clock(member.time().secondsSince(beganNanos)));
         time.setForeground(Palette.faint());
-        said.setText(owner.status().isEmpty() ? " " : owner.status());
-        said.setToolTipText(owner.status().isEmpty() ? null : "<html>" + Html.escaped(owner.status()));
+        message.setText(owner.status().isEmpty() ? " " : owner.status());
+        message.setToolTipText(owner.status().isEmpty() ? null : "<html>" + Html.escaped(owner.status()));
         setVisible(true);
     }
 

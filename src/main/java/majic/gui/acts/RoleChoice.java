@@ -45,9 +45,9 @@ final class RoleChoice extends JPanel {
                 .filter(member -> RoleFit.unfit(role, member, target).isEmpty())
                 .toList();
         if (fit.isEmpty()) {
-            JLabel nobody = new JLabel("No robot here can play this part.");
-            nobody.setForeground(Palette.error());
-            add(nobody);
+            JLabel none = new JLabel("No robot here can play this part.");
+            none.setForeground(Palette.error());
+            add(none);
         } else {
             add(rows, "wmin 0");
             add(taken);

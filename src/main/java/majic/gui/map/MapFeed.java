@@ -122,13 +122,13 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     }
 
     private MapScene.Robot robot(Member member, Start start, Map<String, Pose> truths) {
-        Pose believed = PoseFrames.at(start.origin, member.bot().state().pose());
-        start.trail.add(believed);
+        Pose reported = PoseFrames.at(start.origin, member.bot().state().pose());
+        start.trail.add(reported);
         return new MapScene.Robot(
                 member.number(),
                 member.bot().type().label(),
                 member.bot().profile().bodyMm(),
-                believed,
+                reported,
                 start.inLab ? truths.get(nameInLab(member)) : null,
                 start.trail,
                 member.bot().isConnected());

@@ -112,12 +112,12 @@ public final class MapPainter {
     /** Returns the texts of the legend, the shorter forms last. */
     private static List<String> keys(MapScene scene) {
         if (!scene.walls().isEmpty() && scene.startsAreGuessed()) {
-            return List.of("dashed: where a robot is · no dashes: nobody knows", "no dashes: nobody knows");
+            return List.of("dashed: true position · no dashes: not known", "no dashes: not known");
         }
         if (!scene.walls().isEmpty()) {
             return List.of(
-                    "filled: where a robot believes it is · dashed: where it is",
-                    "filled: believed · dashed: true",
+                    "filled: reported position · dashed: true position",
+                    "filled: reported · dashed: true",
                     "dashed: true");
         }
         return scene.startsAreGuessed()

@@ -37,7 +37,7 @@ public record MapScene(
      * @param number its number
      * @param label display name of its type
      * @param bodyMm radius of its body
-     * @param believed its estimated pose
+     * @param reported its estimated pose
      * @param truth its true pose in the lab; null without a lab
      * @param trail its earlier estimated poses; grows
      * @param connected whether the pose is kept up to date
@@ -46,7 +46,7 @@ public record MapScene(
             int number,
             String label,
             double bodyMm,
-            Pose believed,
+            Pose reported,
             @Nullable Pose truth,
             Trail trail,
             boolean connected) {}

@@ -39,7 +39,7 @@ final class RobotGlyph {
 
     /** Returns whether a pixel is on the body. */
     boolean covers(Point2D pixel) {
-        return pixel.distance(pixel(robot.believed())) <= radiusPx;
+        return pixel.distance(pixel(robot.reported())) <= radiusPx;
     }
 
     private Point2D pixel(Pose at) {
@@ -52,7 +52,7 @@ final class RobotGlyph {
         if (way.getCurrentPoint() == null) {
             return;
         }
-        way.lineTo(robot.believed().xMm(), robot.believed().yMm());
+        way.lineTo(robot.reported().xMm(), robot.reported().yMm());
         g.setStroke(TRAIL);
         g.setColor(DrawingColors.translucent(color, TRAIL_OPACITY));
         g.draw(view.transform().createTransformedShape(way));
@@ -60,11 +60,11 @@ final class RobotGlyph {
 
     void paintBody(Graphics2D g) {
         g.setColor(DrawingColors.translucent(color, robot.connected() ? 0.75 : 0.27));
-        g.fill(circle(robot.believed()));
+        g.fill(circle(robot.reported()));
         g.setColor(color);
         g.setStroke(TRAIL);
-        g.draw(circle(robot.believed()));
-        g.fill(nose(robot.believed()));
+        g.draw(circle(robot.reported()));
+        g.fill(nose(robot.reported()));
         paintNumber(g);
     }
 
@@ -81,7 +81,7 @@ final class RobotGlyph {
     private void paintNumber(Graphics2D g) {
         String text = robot.connected() ? "" + robot.number() : robot.number() + "?";
         FontMetrics metrics = g.getFontMetrics();
-        Point2D middle = pixel(robot.believed());
+        Point2D middle = pixel(robot.reported());
         float x = (float) (middle.getX() - metrics.stringWidth(text) / 2.0);
         float y = (float) (middle.getY() + (metrics.getAscent() - metrics.getDescent()) / 2.0);
         g.setColor(luminance() > 0.6 ? Color.BLACK : Color.WHITE);

@@ -44,7 +44,7 @@ final class TeamFloor implements MapContent {
         }
         double margin = scene.walls().isEmpty() ? FREE_MM : MARGIN_MM;
         for (MapScene.Robot robot : scene.robots()) {
-            Pose at = robot.believed();
+            Pose at = robot.reported();
             Rectangle2D way = new Rectangle2D.Double(at.xMm(), at.yMm(), 0, 0);
             robot.trail().extend(way);
             all = joined(all, grown(way, margin));
@@ -88,7 +88,7 @@ final class TeamFloor implements MapContent {
     }
 
     private static String describe(MapScene.Robot robot) {
-        Pose at = robot.believed();
+        Pose at = robot.reported();
         return String.format(
                 Locale.ROOT,
                 "%d %s: x %.0f mm, y %.0f mm, heading %.0f\u00b0 on the map",

@@ -14,7 +14,7 @@ import majic.panel.map.TrailDrawing;
 
 /**
  * The floor with the estimated way of the robot: dashed and marked as an estimate, because nothing measures it. {@link
- * #hear} is for the driver's threads, everything else for the event thread.
+ * #poseReported} is for the driver's threads, everything else for the event thread.
  */
 final class FloorDrawing extends TrailContent {
     private static final Reach REACH = new Reach(0.18, 400, 900, 200);

@@ -59,7 +59,7 @@ public final class HemissonPanel extends RefreshingPanel {
 
     @Override
     protected void stateReceived(BotState state) {
-        floor.hear(state.pose());
+        floor.poseReported(state.pose());
     }
 
     @Override

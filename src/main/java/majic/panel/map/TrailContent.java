@@ -6,7 +6,7 @@ import majic.bot.Pose;
 import majic.panel.DrawingColors;
 
 /**
- * The part of the map that all robots share: the robot's start, its trail, and the visible area. {@link #hear} may be
+ * The part of the map that all robots share: the robot's start, its trail, and the visible area. {@link #poseReported} may be
  * called on the driver's threads, everything else on the event dispatch thread.
  */
 public abstract class TrailContent implements RobotContent {
@@ -40,7 +40,7 @@ public abstract class TrailContent implements RobotContent {
      *
      * @param now on the floor
      */
-    public final void hear(Pose now) {
+    public final void poseReported(Pose now) {
         trail.add(now);
     }
 

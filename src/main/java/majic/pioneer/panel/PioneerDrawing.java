@@ -31,7 +31,7 @@ final class PioneerDrawing extends TrailContent {
 
     /** Adds a pose to the path, and its echoes. */
     void record(Model model, PioneerState state) {
-        hear(state.pose());
+        poseReported(state.pose());
         if (state.sip().sonar().count() > 0) {
             model.discs().stream()
                     .filter(disc -> state.sonar().atNanos(disc.number()) == state.atNanos())

@@ -38,7 +38,7 @@ class MapFeedTest {
         bot.at(new Pose(100, 0, 0), true);
         lab.place(new Pose(1003, 595, 91));
         MapScene.Robot robot = feed.scene().robots().get(0);
-        assertThat(robot.believed().distanceMm(new Pose(1000, 600, 0))).isLessThan(1e-6);
+        assertThat(robot.reported().distanceMm(new Pose(1000, 600, 0))).isLessThan(1e-6);
         assertThat(robot.truth()).isEqualTo(new Pose(1003, 595, 91));
         assertThat(feed.scene().walls()).hasSize(4);
     }
@@ -57,7 +57,7 @@ class MapFeedTest {
         add("toy://two");
         MapScene scene = feed.scene();
         assertThat(scene.startsAreGuessed()).isTrue();
-        assertThat(scene.robots()).extracting(robot -> robot.believed().yMm()).containsExactly(0.0, -1000.0);
+        assertThat(scene.robots()).extracting(robot -> robot.reported().yMm()).containsExactly(0.0, -1000.0);
     }
 
     @Test

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
  * time starts again as long as members use the processor, because a long computation may delay the clock. Guarded by
  * the clock's lock, except {@link #stepped()}.
  */
-final class StandstillWatch {
+final class StallDetector {
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final int MOST_FRAMES = 25;
 

@@ -9,13 +9,13 @@ import majicsim.net.LineCount;
 import org.junit.jupiter.api.Test;
 
 /** Tests when no byte is in transit between the drivers and the robots. */
-class QuietnessTest {
+class TransitCheckTest {
     private static final String DOG = "127.0.0.1:54000";
     private static final String PIONEER = "127.0.0.1:8101";
     private static final String LOCAL = "127.0.0.1:40312";
 
     private static boolean isQuiet(List<Traffic> links, List<LineCount> lines) {
-        return new Quietness(() -> links, () -> lines, Set.of(DOG, PIONEER)).getAsBoolean();
+        return new TransitCheck(() -> links, () -> lines, Set.of(DOG, PIONEER)).getAsBoolean();
     }
 
     @Test

@@ -16,7 +16,7 @@ import majicsim.net.LineCount;
  *
  * <p>Counts only grow, so two equal readings in succession mean that nothing was transferred between them.
  */
-public final class Quietness implements BooleanSupplier {
+public final class TransitCheck implements BooleanSupplier {
     private final Supplier<List<Traffic>> drivers;
     private final Supplier<List<LineCount>> robots;
     private final Set<String> robotAddresses;
@@ -43,7 +43,7 @@ public final class Quietness implements BooleanSupplier {
      * @param robots the lines of this lab
      * @param robotAddresses where this lab's robots listen, so that connections to others do not count
      */
-    public Quietness(Supplier<List<Traffic>> drivers, Supplier<List<LineCount>> robots, Set<String> robotAddresses) {
+    public TransitCheck(Supplier<List<Traffic>> drivers, Supplier<List<LineCount>> robots, Set<String> robotAddresses) {
         this.drivers = drivers;
         this.robots = robots;
         this.robotAddresses = robotAddresses;
