@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import majic.act.MajicAct;
 import majic.act.Role;
-import majic.act.file.JavaSource;
+import majic.act.make.JavaSource;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Tag;

@@ -41,7 +41,7 @@ public final class ActRun {
     private final MajicAct act;
     private final String name;
     private final List<Member> members;
-    private final Cast cast;
+    private final ActRobots robots;
     private final Signal changes;
     private final Owner owner;
     private final Permit permit;
@@ -65,11 +65,11 @@ public final class ActRun {
         this.name = name;
         this.permit = permit;
         this.members = members.values().stream().flatMap(List::stream).toList();
-        Map<String, List<MajicBot>> robots = new LinkedHashMap<>();
+        Map<String, List<MajicBot>> byRole = new LinkedHashMap<>();
         members.forEach(
-                (role, its) -> robots.put(role, its.stream().map(Member::bot).toList()));
-        this.cast = new Cast(robots);
-        this.changes = cast.clock().signal();
+                (role, its) -> byRole.put(role, its.stream().map(Member::bot).toList()));
+        this.robots = new ActRobots(byRole);
+        this.changes = robots.clock().signal();
         this.owner = new Owner(Owner.Kind.ACT, name, this::end);
     }
 
@@ -86,12 +86,12 @@ public final class ActRun {
         try {
             permit.check();
             for (Member member : members) {
-                member.lend(owner, cast.permit(), by);
+                member.lend(owner, robots.permit(), by);
                 lent.add(member);
             }
             permit.check();
             if (!isCutShort()) {
-                act.start(cast, new Hall());
+                act.start(robots, new RunListener());
                 awaitEnd();
             }
         } catch (InterruptedException e) {
@@ -117,7 +117,7 @@ public final class ActRun {
         if (!lost && (isCutShort() || failure instanceof MotionStopped)) {
             reportStop();
         } else {
-            Blame.of(act).ifPresent(why -> {
+            FailureText.of(act).ifPresent(why -> {
                 throw new BotException(why, failure == null ? act.endingFailure() : failure);
             });
         }
@@ -126,7 +126,7 @@ public final class ActRun {
     private void reportStop() {
         Throwable ending = act.endingFailure();
         if (ending != null && !(ending instanceof MotionStopped)) {
-            tell(Blame.ofEnding(act, ending));
+            tell(FailureText.ofEnding(act, ending));
         }
         if (!calledOff) {
             throw new MotionStopped("the act was ended");
@@ -138,7 +138,7 @@ public final class ActRun {
     }
 
     private void giveBack(Collection<Member> lent) {
-        cast.revoke();
+        robots.revoke();
         lent.forEach(member -> member.takeBack(owner));
     }
 
@@ -169,8 +169,8 @@ public final class ActRun {
     /** Ends the act; returns at once. */
     private void end() {
         if (phase.compareAndSet(Phase.RUNNING, Phase.CUT_SHORT)) {
-            cast.revoke();
-            cast.clock().runAsync("ending " + name, this::halt);
+            robots.revoke();
+            robots.clock().runAsync("ending " + name, this::halt);
         }
     }
 
@@ -214,7 +214,7 @@ public final class ActRun {
     }
 
     /** Receives the act's notes and its end. */
-    private final class Hall implements Audience {
+    private final class RunListener implements ActListener {
         @Override
         public void said(String words) {
             if (!isCutShort()) {

@@ -38,8 +38,8 @@ public abstract class MajicAct extends Thread implements Serializable {
      */
     protected transient volatile @Nullable BotControl bot;
 
-    private transient volatile @Nullable Cast cast;
-    private transient volatile @Nullable Audience audience;
+    private transient volatile @Nullable ActRobots actRobots;
+    private transient volatile @Nullable ActListener listener;
     private transient volatile @Nullable Throwable failure;
     private transient volatile @Nullable Throwable endingFailure;
     private transient volatile @Nullable CountDownLatch joined;
@@ -83,7 +83,7 @@ public abstract class MajicAct extends Thread implements Serializable {
      */
     protected final void pause(double seconds) {
         checkMayGoOn();
-        Cast robots = cast;
+        ActRobots robots = actRobots;
         try {
             if (robots != null) {
                 robots.clock().sleep(seconds);
@@ -97,7 +97,7 @@ public abstract class MajicAct extends Thread implements Serializable {
     /** Throws if the act can no longer use its robot; only {@link #ended(boolean)} runs without one. */
     private void checkMayGoOn() {
         Thread current = Thread.currentThread();
-        Cast robots = cast;
+        ActRobots robots = actRobots;
         boolean tidying = hasBehaved && current == this;
         if (current.isInterrupted() || (!tidying && robots != null && robots.revocation() != null)) {
             throw new MotionStopped("the act was ended");
@@ -123,7 +123,7 @@ public abstract class MajicAct extends Thread implements Serializable {
      * @throws BotException if the act has no such role, or no robots yet
      */
     protected final List<BotControl> robots(String role) {
-        Cast robots = cast;
+        ActRobots robots = actRobots;
         if (robots == null) {
             throw new BotException("an act has no robots before it is started");
         }
@@ -136,7 +136,7 @@ public abstract class MajicAct extends Thread implements Serializable {
      * @param words a few of them
      */
     protected final void say(String words) {
-        Audience listening = audience;
+        ActListener listening = listener;
         if (listening != null) {
             listening.said(words);
         }
@@ -158,7 +158,7 @@ public abstract class MajicAct extends Thread implements Serializable {
         wanted.get(0).unfit(robot).ifPresent(why -> {
             throw new BotException("the robot " + why);
         });
-        start(new Cast(Map.of(Role.ME, List.of(robot))), new Audience() {
+        start(new ActRobots(Map.of(Role.ME, List.of(robot))), new ActListener() {
             @Override
             public void said(String words) {
                 LOG.log(Level.INFO, "{0}: {1}", getName(), words);
@@ -179,14 +179,14 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /** Starts the act with all its robots; returns once its thread is registered with the clock of its own robot. */
-    final void start(Cast robots, Audience listening) {
+    final void start(ActRobots robots, ActListener listening) {
         if (getState() != State.NEW) {
             throw new IllegalThreadStateException("an act runs only once");
         }
         CountDownLatch begun = new CountDownLatch(1);
         joined = begun;
-        cast = robots;
-        audience = listening;
+        actRobots = robots;
+        listener = listening;
         bot = robots.robots(Role.ME).get(0);
         if (calledOff) {
             robots.revoke();
@@ -217,7 +217,7 @@ public abstract class MajicAct extends Thread implements Serializable {
      */
     public final void end() {
         calledOff = true;
-        Cast robots = cast;
+        ActRobots robots = actRobots;
         if (robots != null) {
             robots.revoke();
             robots.halt();
@@ -248,8 +248,8 @@ public abstract class MajicAct extends Thread implements Serializable {
     /** Runs the behaviour; called only by the start of the thread. */
     @Override
     public final void run() {
-        Cast robots = cast;
-        Audience listening = audience;
+        ActRobots robots = actRobots;
+        ActListener listening = listener;
         CountDownLatch begun = joined;
         if (robots == null || listening == null || begun == null) {
             throw new IllegalStateException("an act is started with its robot");
@@ -282,7 +282,7 @@ public abstract class MajicAct extends Thread implements Serializable {
     /**
      * Revokes the use of the robots and halts them, whatever the author's code throws, including undeclared exceptions.
      */
-    private boolean behaveToTheEnd(Cast robots) {
+    private boolean behaveToTheEnd(ActRobots robots) {
         try {
             if (robots.revocation() == null) {
                 behave();

@@ -13,7 +13,7 @@ import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.log.Line;
-import majic.script.acts.Behaviour;
+import majic.script.acts.BehaviourScript;
 import majic.script.run.Actions;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
@@ -54,7 +54,7 @@ public final class ScriptAct extends MajicAct {
     public ScriptAct(String title, String text) {
         this.title = title;
         this.text = text;
-        Behaviour.of(title, text);
+        BehaviourScript.of(title, text);
     }
 
     /**
@@ -92,7 +92,7 @@ public final class ScriptAct extends MajicAct {
             throw new InvalidObjectException("its script is missing");
         }
         try {
-            Behaviour.of(title, text);
+            BehaviourScript.of(title, text);
         } catch (BotException e) {
             String first = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
             throw (IOException) new InvalidObjectException(first).initCause(e);
@@ -101,7 +101,7 @@ public final class ScriptAct extends MajicAct {
 
     @Override
     public List<Role> roles() {
-        return Behaviour.of(title, text).roles();
+        return BehaviourScript.of(title, text).roles();
     }
 
     /** Sets where it runs, before it is started; a robot for each role. */
@@ -121,8 +121,8 @@ public final class ScriptAct extends MajicAct {
      * @throws BotException if not, one line for each mistake, with its place
      */
     void check(Actions actions, Map<String, List<Member>> cast) {
-        Behaviour behaviour = Behaviour.of(title, text);
-        Behaviour.refuse(title, behaviour.check(actions, first(cast)));
+        BehaviourScript behaviour = BehaviourScript.of(title, text);
+        BehaviourScript.refuse(title, behaviour.check(actions, first(cast)));
     }
 
     @Override
@@ -131,7 +131,7 @@ public final class ScriptAct extends MajicAct {
         if (here == null) {
             throw new BotException("a behaviour in MAJIC Script runs in a session: 1 act FILE");
         }
-        Behaviour behaviour = Behaviour.of(title, text);
+        BehaviourScript behaviour = BehaviourScript.of(title, text);
         refuse(behaviour.check(here.actions, here.robots), here);
         try {
             run(behaviour, here.actions, here.line.asAct(here.act, behaviour.among(here.robots)));
@@ -152,7 +152,7 @@ public final class ScriptAct extends MajicAct {
         }
     }
 
-    private static void run(Behaviour behaviour, Actions actions, ScriptExecution execution) {
+    private static void run(BehaviourScript behaviour, Actions actions, ScriptExecution execution) {
         new Interpreter(execution, actions).run(behaviour.statements());
         execution.finish();
     }

@@ -27,9 +27,9 @@ public final class ActClassLoader extends ClassLoader {
     protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
         synchronized (getClassLoadingLock(name)) {
             Class<?> loaded = findLoadedClass(name);
-            byte[] code = entries.get(ActNames.pathOf(name));
+            byte[] code = entries.get(ClassNames.pathOf(name));
             if (loaded == null) {
-                loaded = code == null || ActNames.isReserved(name)
+                loaded = code == null || ClassNames.isReserved(name)
                         ? super.loadClass(name, false)
                         : defineClass(name, code, 0, code.length);
             }

@@ -23,7 +23,7 @@ import majic.act.Role;
  * @param entries its classes and other files by path; empty if the file is only an object stream
  * @param classes its classes by name
  * @param data the object stream of the act
- * @param family the classes that belong to the act
+ * @param own the classes that belong to the act
  */
 public record ActContents(
         ActManifest manifest,
@@ -31,7 +31,7 @@ public record ActContents(
         Map<String, byte[]> entries,
         Map<String, ClassFile> classes,
         byte[] data,
-        Family family) {
+        ActClasses own) {
     public static final String DATA = "act.ser";
 
     private static final int JAR = 0x504B0304;
@@ -40,17 +40,18 @@ public record ActContents(
     /**
      * Reads and checks the parts of a file.
      *
-     * @throws Unfit if it is not an act, or one that this MAJIC must not or cannot load
+     * @throws InvalidActException if it is not an act, or one that this MAJIC must not or cannot load
      */
     static ActContents of(byte[] file, ClassLoader majic) throws IOException {
         if (file.length > BoundedZip.MAX_FILE_BYTES) {
-            throw new Unfit("is larger than " + (BoundedZip.MAX_FILE_BYTES >> 20) + " MB, which no act is");
+            throw new InvalidActException(
+                    "is larger than " + (BoundedZip.MAX_FILE_BYTES >> 20) + " MB, which no act is");
         }
         return switch (firstFour(file)) {
             case JAR -> ofJar(file, majic);
             case STREAM -> ofStream(file, majic);
-            case 0 -> throw new Unfit("is empty or cut off");
-            default -> throw new Unfit("is no act: neither a jar nor a saved object");
+            case 0 -> throw new InvalidActException("is empty or cut off");
+            default -> throw new InvalidActException("is no act: neither a jar nor a saved object");
         };
     }
 
@@ -62,9 +63,9 @@ public record ActContents(
 
     private static ActContents ofStream(byte[] file, ClassLoader majic) throws IOException {
         String actClass = classOf(file);
-        ActManifest manifest =
-                new ActManifest(actClass, ActDetails.named(ActNames.simple(actClass)), "", List.of(Role.any(Role.ME)));
-        return new ActContents(manifest, List.of(), Map.of(), Map.of(), file, Family.of(actClass, Map.of(), majic));
+        ActManifest manifest = new ActManifest(
+                actClass, ActDetails.named(ClassNames.simple(actClass)), "", List.of(Role.any(Role.ME)));
+        return new ActContents(manifest, List.of(), Map.of(), Map.of(), file, ActClasses.of(actClass, Map.of(), majic));
     }
 
     /** Returns the name at the beginning of an object stream (Java Object Serialization Specification, chapter 6). */
@@ -72,14 +73,14 @@ public record ActContents(
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(stream))) {
             in.skipNBytes(Integer.BYTES);
             String name = in.readByte() == TC_OBJECT && in.readByte() == TC_CLASSDESC ? in.readUTF() : "";
-            if (name.isEmpty() || ActNames.isOfJava(name)) {
-                throw new Unfit("holds no act, but other data");
+            if (name.isEmpty() || ClassNames.isOfJava(name)) {
+                throw new InvalidActException("holds no act, but other data");
             }
             return name;
         } catch (EOFException e) {
-            throw new Unfit("is cut off: its data has no end", e);
+            throw new InvalidActException("is cut off: its data has no end", e);
         } catch (UTFDataFormatException e) {
-            throw new Unfit("is damaged: its data makes no sense", e);
+            throw new InvalidActException("is damaged: its data makes no sense", e);
         }
     }
 
@@ -89,14 +90,14 @@ public record ActContents(
         ActManifest manifest = ActManifest.of(said);
         List<Signer> signers = Signatures.check(file, entries.keySet(), said);
         Map<String, ClassFile> classes = classes(entries);
-        Family family = Family.of(manifest.actClass(), classes, majic);
-        return new ActContents(manifest, signers, entries, classes, entry(entries, DATA), family);
+        ActClasses own = ActClasses.of(manifest.actClass(), classes, majic);
+        return new ActContents(manifest, signers, entries, classes, entry(entries, DATA), own);
     }
 
-    private static byte[] entry(Map<String, byte[]> entries, String path) throws Unfit {
+    private static byte[] entry(Map<String, byte[]> entries, String path) throws InvalidActException {
         byte[] entry = entries.get(path);
         if (entry == null) {
-            throw new Unfit("is a jar, but no act: it has no " + path);
+            throw new InvalidActException("is a jar, but no act: it has no " + path);
         }
         return entry;
     }
@@ -104,7 +105,7 @@ public record ActContents(
     private static Map<String, ClassFile> classes(Map<String, byte[]> entries) throws IOException {
         Map<String, ClassFile> classes = new TreeMap<>();
         for (Map.Entry<String, byte[]> entry : entries.entrySet()) {
-            String name = ActNames.classAt(entry.getKey()).orElse("");
+            String name = ClassNames.classAt(entry.getKey()).orElse("");
             if (!name.isEmpty()) {
                 classes.put(name, checkedClass(name, entry.getValue()));
             }
@@ -115,13 +116,13 @@ public record ActContents(
     private static ClassFile checkedClass(String name, byte[] bytes) throws IOException {
         ClassFile code = parsedClass(name, bytes);
         if (!code.name().equals(name)) {
-            throw new Unfit("has the class " + code.name() + " in the place of " + name);
+            throw new InvalidActException("has the class " + code.name() + " in the place of " + name);
         }
-        if (ActNames.isReserved(name)) {
-            throw new Unfit("brings a class " + name + ", but that package belongs to MAJIC or Java");
+        if (ClassNames.isReserved(name)) {
+            throw new InvalidActException("brings a class " + name + ", but that package belongs to MAJIC or Java");
         }
         if (code.java() > Runtime.version().feature()) {
-            throw new Unfit("is compiled for Java " + code.java() + ", and this is Java "
+            throw new InvalidActException("is compiled for Java " + code.java() + ", and this is Java "
                     + Runtime.version().feature() + "; compile it with --release "
                     + Runtime.version().feature());
         }
@@ -132,7 +133,7 @@ public record ActContents(
         try {
             return ClassFile.parse(bytes);
         } catch (IOException e) {
-            throw new Unfit("is damaged: its " + name + " " + e.getMessage(), e);
+            throw new InvalidActException("is damaged: its " + name + " " + e.getMessage(), e);
         }
     }
 }

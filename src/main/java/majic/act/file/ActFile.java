@@ -33,7 +33,7 @@ public final class ActFile {
     private ActFile(String label, byte[] bytes, boolean shipped) {
         this.label = label;
         this.shipped = shipped;
-        this.sha256 = Sha256.of(bytes);
+        this.sha256 = Signatures.sha256(bytes);
         try {
             this.contents = ActContents.of(bytes, MAJIC);
         } catch (IOException e) {
@@ -209,7 +209,7 @@ public final class ActFile {
         return contents.entries().keySet().stream()
                 .filter(path -> !path.startsWith("META-INF/"))
                 .filter(path -> !path.equals(ActContents.DATA))
-                .filter(path -> ActNames.classAt(path).isEmpty())
+                .filter(path -> ClassNames.classAt(path).isEmpty())
                 .sorted()
                 .toList();
     }
@@ -235,7 +235,7 @@ public final class ActFile {
      * @return one line for each item, without line ends
      */
     public List<String> describe() {
-        return ActSheet.of(this);
+        return ActDescription.of(this);
     }
 
     /** Makes the act of a file whose code is trusted. */

@@ -2,7 +2,7 @@ package majic.act.file;
 
 import java.io.IOException;
 import majic.act.ActException;
-import majic.act.Blame;
+import majic.act.FailureText;
 import majic.act.MajicAct;
 import majic.act.Printable;
 import org.jspecify.annotations.Nullable;
@@ -16,12 +16,12 @@ import org.jspecify.annotations.Nullable;
 record ActLoading(String label, ActContents contents) {
     MajicAct load(ClassLoader loader) {
         try {
-            return checked(ActObjectInput.read(contents.data(), contents.family()::has, loader));
+            return checked(ActObjectInput.read(contents.data(), contents.own()::has, loader));
         } catch (NoClassDefFoundError e) {
             String missing = String.valueOf(e.getMessage()).replace('/', '.');
             throw refused("uses the class " + missing + ", which is neither in it nor in this MAJIC", e);
         } catch (ExceptionInInitializerError e) {
-            throw refused("failed in its own code when it was loaded: " + Blame.named(cause(e)), e);
+            throw refused("failed in its own code when it was loaded: " + FailureText.named(cause(e)), e);
         } catch (LinkageError e) {
             throw refused("has a class that this Java cannot use: " + e.getMessage(), e);
         } catch (IOException e) {
@@ -29,7 +29,7 @@ record ActLoading(String label, ActContents contents) {
         } catch (ActException e) {
             throw e;
         } catch (RuntimeException | Error e) {
-            throw refused("failed in its own code when it was loaded: " + Blame.named(e), e);
+            throw refused("failed in its own code when it was loaded: " + FailureText.named(e), e);
         }
     }
 

@@ -44,7 +44,7 @@ public record ActManifest(String actClass, ActDetails details, String majicVersi
         try {
             return new Manifest(new ByteArrayInputStream(bytes));
         } catch (IOException e) {
-            throw new Unfit("has a damaged manifest (" + e.getMessage() + ")", e);
+            throw new InvalidActException("has a damaged manifest (" + e.getMessage() + ")", e);
         }
     }
 
@@ -53,30 +53,30 @@ public record ActManifest(String actClass, ActDetails details, String majicVersi
         checkFormat(said);
         String actClass = text(said, ACT_CLASS);
         if (actClass.isEmpty()) {
-            throw new Unfit("does not say in its manifest which class is the act (Act-Class)");
+            throw new InvalidActException("does not say in its manifest which class is the act (Act-Class)");
         }
         ActDetails details = new ActDetails(
-                text(said, ACT_NAME).isEmpty() ? ActNames.simple(actClass) : text(said, ACT_NAME),
+                text(said, ACT_NAME).isEmpty() ? ClassNames.simple(actClass) : text(said, ACT_NAME),
                 text(said, ACT_VERSION),
                 text(said, ACT_AUTHOR),
                 text(said, ACT_DESCRIPTION));
         return new ActManifest(actClass, details, text(said, MAJIC_VERSION), roles(text(said, ACT_ROLES)));
     }
 
-    private static void checkFormat(Attributes said) throws Unfit {
+    private static void checkFormat(Attributes said) throws InvalidActException {
         String format = text(said, ACT_FORMAT);
         if (format.isEmpty()) {
-            throw new Unfit("is a jar, but no act: its manifest has no Act-Format");
+            throw new InvalidActException("is a jar, but no act: its manifest has no Act-Format");
         }
         if (!format.matches("[0-9]{1,6}")) {
-            throw new Unfit("says a strange Act-Format in its manifest: " + format);
+            throw new InvalidActException("says a strange Act-Format in its manifest: " + format);
         }
         if (Integer.parseInt(format) > FORMAT) {
-            throw new Unfit("was made by a newer MAJIC (" + text(said, MAJIC_VERSION) + ", form " + format
+            throw new InvalidActException("was made by a newer MAJIC (" + text(said, MAJIC_VERSION) + ", form " + format
                     + "); this one reads form " + FORMAT);
         }
         if (Integer.parseInt(format) < FORMAT) {
-            throw new Unfit("has the old form " + format + " that no MAJIC reads any more; make it anew");
+            throw new InvalidActException("has the old form " + format + " that no MAJIC reads any more; make it anew");
         }
     }
 
@@ -85,17 +85,19 @@ public record ActManifest(String actClass, ActDetails details, String majicVersi
         return text == null ? "" : text.strip();
     }
 
-    private static List<Role> roles(String text) throws Unfit {
+    private static List<Role> roles(String text) throws InvalidActException {
         try {
             return text.isEmpty()
                     ? List.of(Role.any(Role.ME))
                     : Stream.of(text.split(";")).map(Role::parse).toList();
         } catch (IllegalArgumentException e) {
-            throw new Unfit("asks in its manifest for robots that cannot be (Act-Roles: " + text + ")", e);
+            throw new InvalidActException(
+                    "asks in its manifest for robots that cannot be (Act-Roles: " + text + ")", e);
         }
     }
 
-    byte[] bytes() throws IOException {
+    /** Returns the manifest as it is written into the file. */
+    public byte[] bytes() throws IOException {
         Manifest manifest = new Manifest();
         Attributes said = manifest.getMainAttributes();
         said.put(Name.MANIFEST_VERSION, "1.0");

@@ -51,7 +51,7 @@ public final class ActObjectInput extends ObjectInputStream {
      * @param data the stream
      * @param own whether a class belongs to the act, by its name
      * @param loader finds the classes; if they come from the act's file, the data is not limited
-     * @throws Unfit if the stream is damaged, or contains an object that no act may contain
+     * @throws InvalidActException if the stream is damaged, or contains an object that no act may contain
      */
     public static @Nullable Object read(byte[] data, Predicate<String> own, ClassLoader loader) throws IOException {
         ByteArrayInputStream stream = new ByteArrayInputStream(data);
@@ -61,21 +61,22 @@ public final class ActObjectInput extends ObjectInputStream {
             }
             Object read = in.readObject();
             if (stream.available() > 0) {
-                throw new Unfit("has data behind its act");
+                throw new InvalidActException("has data behind its act");
             }
             return read;
-        } catch (Unfit e) {
+        } catch (InvalidActException e) {
             throw e;
         } catch (IOException e) {
-            throw new Unfit(reason(e, stream.available() == 0), e);
+            throw new InvalidActException(reason(e, stream.available() == 0), e);
         } catch (ClassNotFoundException e) {
-            throw new Unfit("uses the class " + e.getMessage() + ", which is neither in it nor in this MAJIC", e);
+            throw new InvalidActException(
+                    "uses the class " + e.getMessage() + ", which is neither in it nor in this MAJIC", e);
         }
     }
 
     private void limit(int bytes) throws IOException {
         if (bytes > MAX_BYTES) {
-            throw new Unfit("holds more than " + MAX_BYTES + " bytes of data");
+            throw new InvalidActException("holds more than " + MAX_BYTES + " bytes of data");
         }
         setObjectInputFilter(ActObjectInput::checkLimits);
     }
@@ -113,21 +114,21 @@ public final class ActObjectInput extends ObjectInputStream {
         String name = described.getName();
         String element = PlainValues.element(name);
         if (!PlainValues.has(name) && !own.test(element)) {
-            throw new Unfit("holds a " + element + ", which no act may hold");
+            throw new InvalidActException("holds a " + element + ", which no act may hold");
         }
         return Class.forName(name, false, loader);
     }
 
     @Override
     protected Class<?> resolveProxyClass(String[] interfaces) throws IOException {
-        throw new Unfit("holds what no act may hold: a dynamic proxy");
+        throw new InvalidActException("holds what no act may hold: a dynamic proxy");
     }
 
     @Override
     protected Object resolveObject(Object read) throws IOException {
         if (isContainer(read)) {
             if (contents(read).anyMatch(element -> isContainer(element) && !complete.contains(element))) {
-                throw new Unfit("holds a collection that holds itself");
+                throw new InvalidActException("holds a collection that holds itself");
             }
             complete.add(read);
         }

@@ -37,7 +37,7 @@ public final class BoundedZip {
      * Unpacks a jar.
      *
      * @return the entries by path, without folders
-     * @throws Unfit if it is damaged, truncated, or larger than an act may be
+     * @throws InvalidActException if it is damaged, truncated, or larger than an act may be
      */
     public static Map<String, byte[]> unpack(byte[] zip) throws IOException {
         BoundedZip unpacked = new BoundedZip();
@@ -46,9 +46,9 @@ public final class BoundedZip {
                 unpacked.take(entry, in);
             }
         } catch (EOFException e) {
-            throw new Unfit("is cut off", e);
+            throw new InvalidActException("is cut off", e);
         } catch (ZipException | IllegalArgumentException e) {
-            throw new Unfit("is damaged (" + e.getMessage() + ")", e);
+            throw new InvalidActException("is damaged (" + e.getMessage() + ")", e);
         }
         unpacked.checkDirectory(zip);
         return unpacked.entries;
@@ -56,18 +56,18 @@ public final class BoundedZip {
 
     private void take(ZipEntry entry, InputStream in) throws IOException {
         if (++count > MAX_ENTRIES) {
-            throw new Unfit("has more than " + MAX_ENTRIES + " entries");
+            throw new InvalidActException("has more than " + MAX_ENTRIES + " entries");
         }
         checkPath(entry.getName());
         byte[] bytes = read(entry.getName(), in);
         if (!entry.isDirectory() && entries.put(entry.getName(), bytes) != null) {
-            throw new Unfit("has two entries " + entry.getName());
+            throw new InvalidActException("has two entries " + entry.getName());
         }
     }
 
-    private static void checkPath(String path) throws Unfit {
+    private static void checkPath(String path) throws InvalidActException {
         if (path.startsWith("/") || path.contains("\\") || path.contains(":") || ("/" + path + "/").contains("/../")) {
-            throw new Unfit("has an entry that points out of it: " + path);
+            throw new InvalidActException("has an entry that points out of it: " + path);
         }
     }
 
@@ -77,7 +77,7 @@ public final class BoundedZip {
         for (int n = in.read(chunk); n >= 0; n = in.read(chunk)) {
             unpackedBytes += n;
             if (bytes.size() + n > MAX_ENTRY_BYTES || unpackedBytes > MAX_UNPACKED_BYTES) {
-                throw new Unfit("unpacks to more than any act needs, at " + path);
+                throw new InvalidActException("unpacks to more than any act needs, at " + path);
             }
             bytes.write(chunk, 0, n);
         }
@@ -85,17 +85,17 @@ public final class BoundedZip {
     }
 
     /** Checks that the unpacked entries are those of the central directory, and that the file is complete. */
-    private void checkDirectory(byte[] zip) throws Unfit {
+    private void checkDirectory(byte[] zip) throws InvalidActException {
         int lowest = Math.max(0, zip.length - DIRECTORY_END_BYTES - MAX_COMMENT_BYTES);
         for (int at = zip.length - DIRECTORY_END_BYTES; at >= lowest; at--) {
             if (int32(zip, at) == DIRECTORY_END) {
                 if ((int32(zip, at + COUNT_AT) & 0xFFFF) != count) {
-                    throw new Unfit("is damaged (its list of entries does not fit its entries)");
+                    throw new InvalidActException("is damaged (its list of entries does not fit its entries)");
                 }
                 return;
             }
         }
-        throw new Unfit("is cut off: it has no list of its entries");
+        throw new InvalidActException("is cut off: it has no list of its entries");
     }
 
     private static int int32(byte[] bytes, int at) {

@@ -22,7 +22,7 @@ import java.util.TreeSet;
  */
 public record ClassFile(String name, String parent, int major, int flags, Nesting nesting, Set<String> uses) {
     /** States where a class is declared. */
-    enum Nesting {
+    public enum Nesting {
         /** At top level. */
         TOP,
         /** In another class, static. */
@@ -36,16 +36,21 @@ public record ClassFile(String name, String parent, int major, int flags, Nestin
     private static final int MAGIC = 0xCAFEBABE;
     private static final int FIRST_MAJOR_BEHIND_JAVA_0 = 44;
 
+    /**
+     * Reads a class file.
+     *
+     * @throws InvalidActException if it is damaged or no class file
+     */
     public static ClassFile parse(byte[] bytes) throws IOException {
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {
             if (in.readInt() != MAGIC) {
-                throw new Unfit("is not a class file");
+                throw new InvalidActException("is not a class file");
             }
             return parse(in);
         } catch (EOFException e) {
-            throw new Unfit("is a class file that is cut off", e);
+            throw new InvalidActException("is a class file that is cut off", e);
         } catch (UTFDataFormatException e) {
-            throw new Unfit("is a damaged class file", e);
+            throw new InvalidActException("is a damaged class file", e);
         }
     }
 
@@ -106,16 +111,18 @@ public record ClassFile(String name, String parent, int major, int flags, Nestin
         return nesting;
     }
 
-    boolean isAbstract() {
+    /** Returns whether objects of the class cannot be created. */
+    public boolean isAbstract() {
         return Modifier.isAbstract(flags);
     }
 
     /** Returns the Java version the class was compiled for: 17. */
-    int java() {
+    public int java() {
         return major - FIRST_MAJOR_BEHIND_JAVA_0;
     }
 
-    String packageName() {
+    /** Returns the package of the class; empty for the unnamed package. */
+    public String packageName() {
         return packageOf(name);
     }
 

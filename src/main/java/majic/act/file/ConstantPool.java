@@ -48,14 +48,14 @@ final class ConstantPool {
                 indexes[i] = in.readUnsignedShort();
             }
             case 15 -> in.skipNBytes(3);
-            default -> throw new Unfit("is a class file with an unknown constant " + tags[i]);
+            default -> throw new InvalidActException("is a class file with an unknown constant " + tags[i]);
         }
         return tags[i] == 5 || tags[i] == 6 ? 1 : 0;
     }
 
     String text(int index) throws IOException {
         if (index <= 0 || index >= texts.length || tags[index] != UTF8) {
-            throw new Unfit("is a damaged class file");
+            throw new InvalidActException("is a damaged class file");
         }
         return texts[index];
     }
@@ -63,7 +63,7 @@ final class ConstantPool {
     /** Returns a class's name with dots. */
     String className(int index) throws IOException {
         if (index <= 0 || index >= tags.length || tags[index] != CLASS) {
-            throw new Unfit("is a damaged class file");
+            throw new InvalidActException("is a damaged class file");
         }
         return text(indexes[index]).replace('/', '.');
     }

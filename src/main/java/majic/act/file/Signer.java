@@ -17,7 +17,8 @@ public record Signer(String name, String fingerprint) {
         X509Certificate certificate =
                 (X509Certificate) signer.getSignerCertPath().getCertificates().get(0);
         try {
-            return new Signer(certificate.getSubjectX500Principal().getName(), Sha256.of(certificate.getEncoded()));
+            return new Signer(
+                    certificate.getSubjectX500Principal().getName(), Signatures.sha256(certificate.getEncoded()));
         } catch (CertificateEncodingException e) {
             throw new IllegalStateException("a certificate that was read can be written", e);
         }

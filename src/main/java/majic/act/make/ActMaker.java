@@ -9,17 +9,12 @@ import majic.act.ActDetails;
 import majic.act.ActException;
 import majic.act.MajicAct;
 import majic.act.file.ActClassLoader;
+import majic.act.file.ActClasses;
 import majic.act.file.ActFile;
 import majic.act.file.ActManifest;
-import majic.act.file.ActNames;
-import majic.act.file.ActWriter;
 import majic.act.file.ClassFile;
-import majic.act.file.ClassPool;
-import majic.act.file.Family;
-import majic.act.file.NeededClasses;
-import majic.act.file.SavedAct;
-import majic.act.file.Suitability;
-import majic.act.file.Unfit;
+import majic.act.file.ClassNames;
+import majic.act.file.InvalidActException;
 
 /**
  * Makes an act's file from compiled classes, or from one source file. The class's constructor runs once, so that its
@@ -67,7 +62,7 @@ public final class ActMaker {
 
     private boolean isSuitable(ClassFile one) {
         try {
-            Suitability.check(one, named, ActFile.MAJIC);
+            ActClassCheck.check(one, named, ActFile.MAJIC);
             return true;
         } catch (IOException e) {
             return false;
@@ -93,11 +88,11 @@ public final class ActMaker {
 
     private String whyNone() {
         List<ClassFile> meant = named.values().stream()
-                .filter(one -> Suitability.isAct(one, named, ActFile.MAJIC))
+                .filter(one -> ActClassCheck.isAct(one, named, ActFile.MAJIC))
                 .toList();
         for (ClassFile one : meant.isEmpty() && named.size() == 1 ? List.copyOf(named.values()) : meant) {
             try {
-                Suitability.check(one, named, ActFile.MAJIC);
+                ActClassCheck.check(one, named, ActFile.MAJIC);
             } catch (IOException e) {
                 return "has no act: " + one.name() + " " + e.getMessage();
             }
@@ -116,14 +111,14 @@ public final class ActMaker {
     public byte[] make(String actClass, ActDetails details) {
         try {
             if (!named.containsKey(actClass)) {
-                throw new Unfit("is not in " + pool.label());
+                throw new InvalidActException("is not in " + pool.label());
             }
             NeededClasses needed = NeededClasses.of(actClass, pool, ActFile.MAJIC);
-            Suitability.check(needed.parsed().get(actClass), needed.parsed(), ActFile.MAJIC);
+            ActClassCheck.check(needed.parsed().get(actClass), needed.parsed(), ActFile.MAJIC);
             Map<String, byte[]> files = byPath(needed.code());
             files.putAll(pool.beside(needed.code().keySet()));
             MajicAct act = FreshAct.of(actClass, new ActClassLoader(actClass, files, ActFile.MAJIC));
-            return tried(pack(act, Family.of(actClass, needed.parsed(), ActFile.MAJIC), details, files));
+            return tried(pack(act, ActClasses.of(actClass, needed.parsed(), ActFile.MAJIC), details, files));
         } catch (IOException e) {
             throw new ActException(actClass + " " + e.getMessage(), e);
         }
@@ -140,16 +135,16 @@ public final class ActMaker {
     public static byte[] save(MajicAct act, ActDetails details) {
         String actClass = act.getClass().getName();
         try {
-            return tried(pack(act, Family.of(actClass, Map.of(), ActFile.MAJIC), details, Map.of()));
+            return tried(pack(act, ActClasses.of(actClass, Map.of(), ActFile.MAJIC), details, Map.of()));
         } catch (IOException e) {
             throw new ActException(actClass + " " + e.getMessage(), e);
         }
     }
 
-    private static byte[] pack(MajicAct act, Family family, ActDetails details, Map<String, byte[]> files)
+    private static byte[] pack(MajicAct act, ActClasses own, ActDetails details, Map<String, byte[]> files)
             throws IOException {
         ActManifest manifest = new ActManifest(act.getClass().getName(), details, majicVersion(), FreshAct.roles(act));
-        return ActWriter.pack(manifest, files, SavedAct.of(act, family));
+        return ActWriter.pack(manifest, files, SavedAct.of(act, own));
     }
 
     private static byte[] tried(byte[] file) {
@@ -164,7 +159,7 @@ public final class ActMaker {
 
     private static Map<String, byte[]> byPath(Map<String, byte[]> code) {
         Map<String, byte[]> paths = new TreeMap<>();
-        code.forEach((name, bytes) -> paths.put(ActNames.pathOf(name), bytes));
+        code.forEach((name, bytes) -> paths.put(ClassNames.pathOf(name), bytes));
         return paths;
     }
 }

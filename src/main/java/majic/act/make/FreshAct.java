@@ -6,10 +6,10 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import majic.act.Blame;
+import majic.act.FailureText;
 import majic.act.MajicAct;
 import majic.act.Role;
-import majic.act.file.Unfit;
+import majic.act.file.InvalidActException;
 
 /** Makes the first object of an act's class, to save it. This runs the author's code on the author's own computer. */
 final class FreshAct {
@@ -18,7 +18,7 @@ final class FreshAct {
     /**
      * Makes an act.
      *
-     * @throws Unfit with what is missing or wrong in its constructor, to put behind the class's name
+     * @throws InvalidActException with what is missing or wrong in its constructor, to put behind the class's name
      */
     static MajicAct of(String actClass, ClassLoader loader) throws IOException {
         try {
@@ -26,13 +26,13 @@ final class FreshAct {
             constructor.setAccessible(true);
             return (MajicAct) constructor.newInstance();
         } catch (NoSuchMethodException e) {
-            throw new Unfit("has no constructor without arguments; give it one", e);
+            throw new InvalidActException("has no constructor without arguments; give it one", e);
         } catch (InvocationTargetException e) {
-            throw new Unfit("failed in its constructor, where it has no robot yet: " + e.getCause(), e);
+            throw new InvalidActException("failed in its constructor, where it has no robot yet: " + e.getCause(), e);
         } catch (ExceptionInInitializerError e) {
-            throw new Unfit("failed in its static initialiser: " + e.getCause(), e);
+            throw new InvalidActException("failed in its static initialiser: " + e.getCause(), e);
         } catch (ReflectiveOperationException | LinkageError e) {
-            throw new Unfit("cannot be made: " + e, e);
+            throw new InvalidActException("cannot be made: " + e, e);
         }
     }
 
@@ -40,12 +40,12 @@ final class FreshAct {
     static List<Role> roles(MajicAct act) throws IOException {
         List<Role> roles = rolesAsSaid(act);
         if (roles.isEmpty()) {
-            throw new Unfit("asks for no robot in its roles()");
+            throw new InvalidActException("asks for no robot in its roles()");
         }
         Set<String> names = new HashSet<>();
         for (Role role : roles) {
             if (!names.add(role.name())) {
-                throw new Unfit("asks in its roles() for two robots of the name " + role.name());
+                throw new InvalidActException("asks in its roles() for two robots of the name " + role.name());
             }
         }
         return roles;
@@ -55,7 +55,7 @@ final class FreshAct {
         try {
             return List.copyOf(act.roles());
         } catch (RuntimeException | Error e) {
-            throw new Unfit("failed in its roles(): " + Blame.named(e), e);
+            throw new InvalidActException("failed in its roles(): " + FailureText.named(e), e);
         }
     }
 }

@@ -189,7 +189,7 @@ class ActFileTest {
     void aNameThatWouldForgeALineOfItsSheetCannot() {
         String name = "a.X\nsigned by CN=Ada\u202e\u001b[2J";
         ActFile file =
-                ActFile.of("a.act", changed(entries -> with(entries, ActNames.pathOf(name), TinyClass.of(name, 61))));
+                ActFile.of("a.act", changed(entries -> with(entries, ClassNames.pathOf(name), TinyClass.of(name, 61))));
         assertThat(file.describe()).hasSize(11).contains("signed by: nobody");
         assertThat(String.join("", file.describe())).contains("a.X?signed by CN=Ada??[2J");
     }

@@ -89,7 +89,7 @@ public class BoundedZipTest {
         byte[] jar = zip(Map.of("a/B.class", SOME));
         for (int length = 0; length < jar.length; length++) {
             byte[] part = Arrays.copyOf(jar, length);
-            assertThatThrownBy(() -> BoundedZip.unpack(part)).isInstanceOf(Unfit.class);
+            assertThatThrownBy(() -> BoundedZip.unpack(part)).isInstanceOf(InvalidActException.class);
         }
     }
 

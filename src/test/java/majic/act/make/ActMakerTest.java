@@ -13,10 +13,9 @@ import majic.act.ActException;
 import majic.act.Sources;
 import majic.act.TinyClass;
 import majic.act.file.ActFile;
-import majic.act.file.ActNames;
 import majic.act.file.BoundedZip;
 import majic.act.file.BoundedZipTest;
-import majic.act.file.JavaSource;
+import majic.act.file.ClassNames;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -52,7 +51,7 @@ class ActMakerTest {
     private Path unpacked() throws IOException {
         Path root = folder.resolve("classes");
         for (Map.Entry<String, byte[]> one : compiled.entrySet()) {
-            Path file = root.resolve(ActNames.pathOf(one.getKey()));
+            Path file = root.resolve(ClassNames.pathOf(one.getKey()));
             Files.createDirectories(file.getParent());
             Files.write(file, one.getValue());
         }
@@ -64,7 +63,7 @@ class ActMakerTest {
         byte[] fromSource = ActMaker.from(source).make("far.away.Wander", DETAILS);
         Path classes = unpacked();
         Map<String, byte[]> entries = new TreeMap<>();
-        compiled.forEach((name, bytes) -> entries.put(ActNames.pathOf(name), bytes));
+        compiled.forEach((name, bytes) -> entries.put(ClassNames.pathOf(name), bytes));
         Path jar = Files.write(folder.resolve("wander.jar"), BoundedZipTest.zip(entries));
         for (Path given : new Path[] {classes.resolve("far/away/Wander.class"), classes, jar}) {
             ActMaker maker = ActMaker.from(given);

@@ -1,4 +1,4 @@
-package majic.act.file;
+package majic.act.make;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -9,27 +9,30 @@ import java.lang.reflect.Modifier;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Optional;
-import majic.act.Blame;
+import majic.act.FailureText;
 import majic.act.MajicAct;
+import majic.act.file.ActClasses;
+import majic.act.file.ActObjectInput;
+import majic.act.file.InvalidActException;
 import org.jspecify.annotations.Nullable;
 
 /** Writes an act to an object stream, and finds the fields that cannot be saved. */
-public final class SavedAct {
+final class SavedAct {
     private SavedAct() {}
 
     /**
      * Saves an act.
      *
      * @return its object stream, which can be read back
-     * @throws Unfit if a field cannot be saved; the message names it
+     * @throws InvalidActException if a field cannot be saved; the message names it
      */
-    public static byte[] of(MajicAct act, Family family) throws IOException {
+    static byte[] of(MajicAct act, ActClasses own) throws IOException {
         try {
             byte[] stream = bytes(act);
-            readBack(stream, act, family);
+            readBack(stream, act, own);
             return stream;
         } catch (IOException e) {
-            throw new Unfit(badField(act, family).orElseGet(() -> reason(e)), e);
+            throw new InvalidActException(badField(act, own).orElseGet(() -> reason(e)), e);
         }
     }
 
@@ -41,18 +44,18 @@ public final class SavedAct {
         return bytes.toByteArray();
     }
 
-    private static void readBack(byte[] stream, MajicAct act, Family family) throws IOException {
+    private static void readBack(byte[] stream, MajicAct act, ActClasses own) throws IOException {
         try {
-            ActObjectInput.read(stream, family::has, act.getClass().getClassLoader());
+            ActObjectInput.read(stream, own::has, act.getClass().getClassLoader());
         } catch (RuntimeException | Error e) {
-            throw new Unfit("failed in its own code when it was read: " + Blame.named(e), e);
+            throw new InvalidActException("failed in its own code when it was read: " + FailureText.named(e), e);
         }
     }
 
-    private static Optional<String> badField(MajicAct act, Family family) {
+    private static Optional<String> badField(MajicAct act, ActClasses own) {
         for (Class<?> type = act.getClass(); type != MajicAct.class; type = type.getSuperclass()) {
             for (Field field : type.getDeclaredFields()) {
-                Optional<String> bad = saved(field) ? problem(field, act, family) : Optional.empty();
+                Optional<String> bad = saved(field) ? problem(field, act, own) : Optional.empty();
                 if (bad.isPresent()) {
                     return bad;
                 }
@@ -65,10 +68,10 @@ public final class SavedAct {
         return !Modifier.isStatic(field.getModifiers()) && !Modifier.isTransient(field.getModifiers());
     }
 
-    private static Optional<String> problem(Field field, MajicAct act, Family family) {
+    private static Optional<String> problem(Field field, MajicAct act, ActClasses own) {
         try {
             field.setAccessible(true);
-            readBack(bytes(new ArrayList<>(Collections.singletonList(field.get(act)))), act, family);
+            readBack(bytes(new ArrayList<>(Collections.singletonList(field.get(act)))), act, own);
             return Optional.empty();
         } catch (IOException e) {
             return Optional.of("cannot be saved: its field '" + field.getName() + "' " + reason(e)

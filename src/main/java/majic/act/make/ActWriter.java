@@ -1,4 +1,4 @@
-package majic.act.file;
+package majic.act.make;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -7,9 +7,11 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import majic.act.file.ActContents;
+import majic.act.file.ActManifest;
 
 /** Packs an act's file. The same contents give the same bytes, so that a consent given once stays valid. */
-public final class ActWriter {
+final class ActWriter {
     /** The earliest time that a zip file can store. */
     private static final LocalDateTime NO_TIME = LocalDateTime.of(1980, 1, 1, 0, 0);
 
@@ -22,7 +24,7 @@ public final class ActWriter {
      * @param files the classes and the files beside them, by path
      * @param data the object stream of the act
      */
-    public static byte[] pack(ActManifest manifest, Map<String, byte[]> files, byte[] data) {
+    static byte[] pack(ActManifest manifest, Map<String, byte[]> files, byte[] data) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ZipOutputStream out = new ZipOutputStream(bytes)) {
             put(out, ActManifest.PATH, manifest.bytes());

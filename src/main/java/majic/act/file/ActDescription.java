@@ -8,8 +8,8 @@ import majic.act.Printable;
 import majic.act.Role;
 
 /** Describes an act's file in lines of text to show to the user. */
-final class ActSheet {
-    private ActSheet() {}
+final class ActDescription {
+    private ActDescription() {}
 
     static List<String> of(ActFile file) {
         ActDetails details = file.details();

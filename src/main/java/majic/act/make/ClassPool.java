@@ -1,4 +1,4 @@
-package majic.act.file;
+package majic.act.make;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -13,6 +13,11 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.act.ActException;
+import majic.act.file.ActContents;
+import majic.act.file.BoundedZip;
+import majic.act.file.ClassFile;
+import majic.act.file.ClassNames;
+import majic.act.file.InvalidActException;
 import majic.text.IoReason;
 import org.jspecify.annotations.Nullable;
 
@@ -25,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  * @param root the folder in which further classes are searched for; null for none
  * @param others the other files in the folder or jar, which an act might read, by path
  */
-public record ClassPool(
+record ClassPool(
         String label, Map<String, byte[]> named, @Nullable Path root, Map<String, Content> others) {
     /** Reads a file only when it is needed. */
     interface Content {
@@ -41,7 +46,7 @@ public record ClassPool(
      *
      * @throws ActException if there are no classes in it
      */
-    public static ClassPool of(Path given) {
+    static ClassPool of(Path given) {
         String label = String.valueOf(given.getFileName());
         String kind = label.toLowerCase(Locale.ROOT);
         try {
@@ -57,7 +62,7 @@ public record ClassPool(
             return ofJar(label, BoundedZip.unpack(Files.readAllBytes(given)));
         } catch (NoSuchFileException e) {
             throw new ActException("there is no file " + given, e);
-        } catch (Unfit e) {
+        } catch (InvalidActException e) {
             throw new ActException(label + " " + e.getMessage(), e);
         } catch (IOException e) {
             throw new ActException("cannot read " + given + ": " + IoReason.of(e), e);
@@ -67,9 +72,9 @@ public record ClassPool(
     private static ClassPool ofClass(String label, Path file) throws IOException {
         byte[] bytes = Files.readAllBytes(file);
         String name = ClassFile.parse(bytes).name();
-        Path path = Path.of(ActNames.pathOf(name));
+        Path path = Path.of(ClassNames.pathOf(name));
         if (!file.endsWith(path)) {
-            throw new Unfit("is the class " + name + "; its place is " + path);
+            throw new InvalidActException("is the class " + name + "; its place is " + path);
         }
         Path root = file;
         for (int i = 0; i < path.getNameCount() && root != null; i++) {
@@ -95,15 +100,15 @@ public record ClassPool(
         return new ClassPool(label, classesAmong(classes), null, others);
     }
 
-    private static void checkCount(int classes) throws Unfit {
+    private static void checkCount(int classes) throws InvalidActException {
         if (classes == MAX_CLASSES) {
-            throw new Unfit("has more than " + MAX_CLASSES + " classes; name the act's own class file");
+            throw new InvalidActException("has more than " + MAX_CLASSES + " classes; name the act's own class file");
         }
     }
 
     private static byte[] readFile(Path file) throws IOException {
         if (Files.size(file) > BoundedZip.MAX_ENTRY_BYTES) {
-            throw new Unfit("has beside it the file " + file.getFileName() + ", which is larger than "
+            throw new InvalidActException("has beside it the file " + file.getFileName() + ", which is larger than "
                     + (BoundedZip.MAX_ENTRY_BYTES >> 20) + " MB; move it elsewhere");
         }
         return Files.readAllBytes(file);
@@ -129,16 +134,16 @@ public record ClassPool(
 
     private static Map<String, byte[]> classesAmong(Map<String, byte[]> files) {
         Map<String, byte[]> classes = new HashMap<>();
-        files.forEach((path, bytes) -> ActNames.classAt(path)
+        files.forEach((path, bytes) -> ClassNames.classAt(path)
                 .filter(name -> !path.startsWith("META-INF/") && !name.endsWith("module-info"))
                 .ifPresent(name -> classes.put(name, bytes)));
         return classes;
     }
 
     /** Returns the files in the same folders as some classes, by path: texts or pictures that these may read. */
-    public Map<String, byte[]> beside(Collection<String> classes) throws IOException {
+    Map<String, byte[]> beside(Collection<String> classes) throws IOException {
         Set<String> folders =
-                classes.stream().map(name -> folderOf(ActNames.pathOf(name))).collect(Collectors.toSet());
+                classes.stream().map(name -> folderOf(ClassNames.pathOf(name))).collect(Collectors.toSet());
         Map<String, byte[]> beside = new HashMap<>();
         for (Map.Entry<String, Content> other : others.entrySet()) {
             if (folders.contains(folderOf(other.getKey()))) {
@@ -151,10 +156,10 @@ public record ClassPool(
     /** Returns the bytes of a class, or null if it is not in the pool. */
     byte @Nullable [] find(String className) throws IOException {
         byte[] known = named.get(className);
-        if (known != null || root == null || ActNames.isReserved(className)) {
+        if (known != null || root == null || ClassNames.isReserved(className)) {
             return known;
         }
-        Path file = root.resolve(ActNames.pathOf(className));
+        Path file = root.resolve(ClassNames.pathOf(className));
         return Files.isRegularFile(file) ? Files.readAllBytes(file) : null;
     }
 }

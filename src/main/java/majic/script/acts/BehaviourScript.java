@@ -21,11 +21,11 @@ import majic.team.Member;
  * MAJIC Script as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a
  * saved session the lines that add robots count as saying of which type they are. Everything else of a session is refused.
  */
-public final class Behaviour {
+public final class BehaviourScript {
     private final List<Statement> statements;
     private final BehaviourInspection found;
 
-    private Behaviour(List<Statement> statements, BehaviourInspection found) {
+    private BehaviourScript(List<Statement> statements, BehaviourInspection found) {
         this.statements = statements;
         this.found = found;
     }
@@ -38,7 +38,7 @@ public final class Behaviour {
      * @return the behaviour
      * @throws BotException if it has mistakes, all of them in one message, each with its place
      */
-    public static Behaviour of(String title, String text) {
+    public static BehaviourScript of(String title, String text) {
         List<Mistake> mistakes = new ArrayList<>();
         List<Statement> script = ScriptParser.parse(text, List.of(), mistakes);
         BehaviourInspection found = new BehaviourInspection();
@@ -48,7 +48,7 @@ public final class Behaviour {
             mistakes.add(new Mistake(1, 1, "no robot is told anything; write \"me\" or a number in front"));
         }
         refuse(title, mistakes);
-        return new Behaviour(
+        return new BehaviourScript(
                 script.stream().filter(statement -> !isAdd(statement)).toList(), found);
     }
 

@@ -5,8 +5,8 @@ import java.util.stream.Stream;
 import majic.bot.BotException;
 
 /** Describes the failure of an act for its author. */
-public final class Blame {
-    private Blame() {}
+public final class FailureText {
+    private FailureText() {}
 
     /** Returns why {@code behave()} failed, then why {@code ended()} failed; either may be missing. */
     static Optional<String> of(MajicAct act) {

@@ -1,7 +1,7 @@
 package majic.act;
 
 /** Receives the events of a running act, on the act's thread. */
-interface Audience {
+interface ActListener {
     /**
      * Receives a note on what the act is doing.
      *

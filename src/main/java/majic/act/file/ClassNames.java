@@ -5,17 +5,17 @@ import java.util.regex.Pattern;
 import majic.act.MajicAct;
 
 /** Classifies class names by package, and derives an act's name from its class. */
-public final class ActNames {
+public final class ClassNames {
     public static final String ACT = MajicAct.class.getName();
 
     private static final Pattern MAJICS = Pattern.compile("(majic|majicsim)(\\..*)?");
     private static final Pattern JAVAS = Pattern.compile("(java|javax|jdk|sun|com\\.sun|netscape\\.javascript)\\..*");
     private static final String CLASS = ".class";
 
-    private ActNames() {}
+    private ClassNames() {}
 
     /** Returns whether a class name is reserved: its package is MAJIC's or the JDK's, so no file may contain it. */
-    static boolean isReserved(String className) {
+    public static boolean isReserved(String className) {
         return MAJICS.matcher(ClassFile.packageOf(className)).matches() || isOfJava(className);
     }
 
@@ -25,12 +25,13 @@ public final class ActNames {
     }
 
     /** Returns the class name of a path in a jar: {@code a.B} for {@code a/B.class}. */
-    static Optional<String> classAt(String path) {
+    public static Optional<String> classAt(String path) {
         return path.endsWith(CLASS)
                 ? Optional.of(path.substring(0, path.length() - CLASS.length()).replace('/', '.'))
                 : Optional.empty();
     }
 
+    /** Returns the path of a class in a jar: {@code a/B.class} for {@code a.B}. */
     public static String pathOf(String className) {
         return className.replace('.', '/') + CLASS;
     }

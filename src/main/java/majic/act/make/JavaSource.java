@@ -1,4 +1,4 @@
-package majic.act.file;
+package majic.act.make;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -22,6 +22,7 @@ import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 import majic.act.ActException;
+import majic.act.file.InvalidActException;
 import org.jspecify.annotations.Nullable;
 
 /** Compiles one source file in memory, for the oldest Java that MAJIC runs on. */
@@ -35,13 +36,13 @@ public final class JavaSource {
      *
      * @return its classes by name
      * @throws ActException if this Java has no compiler
-     * @throws Unfit with the first error that the compiler found
+     * @throws InvalidActException with the first error that the compiler found
      */
     public static Map<String, byte[]> compile(Path source) throws IOException {
         return compile(source, ToolProvider.getSystemJavaCompiler());
     }
 
-    public static Map<String, byte[]> compile(Path source, @Nullable JavaCompiler compiler) throws IOException {
+    static Map<String, byte[]> compile(Path source, @Nullable JavaCompiler compiler) throws IOException {
         if (compiler == null) {
             throw new ActException("this Java has no compiler; install a JDK, or compile " + source.getFileName()
                     + " elsewhere and give the class file");
@@ -57,7 +58,7 @@ public final class JavaSource {
             boolean done = compiler.getTask(null, memory, found, options(), null, files.getJavaFileObjects(source))
                     .call();
             if (!done) {
-                throw new Unfit(firstError(found));
+                throw new InvalidActException(firstError(found));
             }
         }
         Map<String, byte[]> classes = new HashMap<>();

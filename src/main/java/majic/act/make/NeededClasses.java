@@ -1,13 +1,16 @@
-package majic.act.file;
+package majic.act.make;
 
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Map;
 import java.util.TreeMap;
+import majic.act.file.ClassFile;
+import majic.act.file.ClassNames;
+import majic.act.file.InvalidActException;
 
 /** Finds the classes that are needed to link an act and are neither in MAJIC nor in the JDK. */
-public final class NeededClasses {
+final class NeededClasses {
     private final ClassPool pool;
     private final ClassLoader majic;
     private final Map<String, byte[]> code = new TreeMap<>();
@@ -22,9 +25,9 @@ public final class NeededClasses {
     /**
      * Collects the classes for an act.
      *
-     * @throws Unfit if one of them is missing
+     * @throws InvalidActException if one of them is missing
      */
-    public static NeededClasses of(String actClass, ClassPool pool, ClassLoader majic) throws IOException {
+    static NeededClasses of(String actClass, ClassPool pool, ClassLoader majic) throws IOException {
         NeededClasses needed = new NeededClasses(pool, majic);
         needed.open.add(actClass);
         while (!needed.open.isEmpty()) {
@@ -36,7 +39,7 @@ public final class NeededClasses {
     private void take(String name) throws IOException {
         byte[] bytes = pool.find(name);
         if (bytes == null) {
-            throw new Unfit("has no class " + name);
+            throw new InvalidActException("has no class " + name);
         }
         code.put(name, bytes);
         ClassFile one = ClassFile.parse(bytes);
@@ -51,23 +54,23 @@ public final class NeededClasses {
             return;
         }
         if (used.startsWith("majicsim.")) {
-            throw new Unfit("has the class " + user + ", which uses " + used
+            throw new InvalidActException("has the class " + user + ", which uses " + used
                     + "; that belongs to the simulated lab, and with a true robot there is none");
         }
-        if (!ActNames.isReserved(used) && pool.find(used) != null) {
+        if (!ClassNames.isReserved(used) && pool.find(used) != null) {
             open.add(used);
-        } else if (majic.getResource(ActNames.pathOf(used)) == null) {
-            throw new Unfit("has the class " + user + ", which uses " + used
+        } else if (majic.getResource(ClassNames.pathOf(used)) == null) {
+            throw new InvalidActException("has the class " + user + ", which uses " + used
                     + "; that is neither with it nor in MAJIC or Java");
         }
     }
 
     /** Returns the bytes of each class, by name. */
-    public Map<String, byte[]> code() {
+    Map<String, byte[]> code() {
         return code;
     }
 
-    public Map<String, ClassFile> parsed() {
+    Map<String, ClassFile> parsed() {
         return parsed;
     }
 }

@@ -18,8 +18,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** Holds the robots that an act commands, by role. All of them are released together, permanently. Thread-safe. */
-final class Cast {
-    private static final Logger LOG = System.getLogger(Cast.class.getName());
+final class ActRobots {
+    private static final Logger LOG = System.getLogger(ActRobots.class.getName());
 
     private final Permit permit = new Permit();
     private final AtomicBoolean takenBack = new AtomicBoolean();
@@ -31,7 +31,7 @@ final class Cast {
      *
      * @param robots by role, at least one each; {@value Role#ME} is the first
      */
-    Cast(Map<String, List<MajicBot>> robots) {
+    ActRobots(Map<String, List<MajicBot>> robots) {
         this.all = robots.values().stream().flatMap(List::stream).toList();
         robots.forEach((role, its) -> robotsByRole.put(
                 role,
