@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import majic.TestClock;
 import majic.bot.BotException;
 import majic.bot.FakeBot;
-import majic.bot.SteppedTime;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
@@ -33,18 +33,17 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Tag("jdk")
 @Timeout(30)
 class ActRunTest implements TeamListener {
-    private final SteppedTime time = new SteppedTime();
+    private final TestClock clock = new TestClock();
+    private final TimeSource time = clock.time();
     private final Team team = new Team(time);
     private final FakeBot leader = FakeBot.on(time);
     private final FakeBot follower = FakeBot.on(time);
     private final List<String> said = new CopyOnWriteArrayList<>();
-    private TimeSource.Membership membership;
     private Member first;
     private Member second;
 
     @BeforeEach
     void connect() {
-        membership = time.join();
         leader.connect();
         follower.connect();
         first = team.add(leader, OptionalInt.empty());
@@ -54,8 +53,8 @@ class ActRunTest implements TeamListener {
 
     @AfterEach
     void close() {
-        membership.close();
         team.close();
+        clock.close();
     }
 
     @Override

@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
+import majic.TestClock;
 import majic.act.file.ActFile;
 import majic.bot.BotEnvironment;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.Settings;
-import majic.bot.SteppedTime;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -38,21 +38,19 @@ class ActUnloadingTest {
     }
 
     private static WeakReference<ClassLoader> run(ActFile file) throws InterruptedException {
-        SteppedTime time = new SteppedTime();
-        try (TimeSource.Membership membership = time.join();
-                FakeBot robot = dog(time)) {
+        try (TestClock clock = new TestClock();
+                FakeBot robot = dog(clock.time())) {
             robot.connect();
             MajicAct act = file.load(Sources.trusting(file));
             act.start(robot);
-            time.sleep(10);
+            clock.time().sleep(10);
             act.join();
             assertThat(robot.sent()).startsWith("move 600");
-            assertThat(membership).isNotNull();
             return new WeakReference<>(act.getClass().getClassLoader());
         }
     }
 
-    private static FakeBot dog(SteppedTime time) {
+    private static FakeBot dog(TimeSource time) {
         return new FakeBot(new FakeType("aibo"), new BotEnvironment(time, Settings.inMemory()));
     }
 }

@@ -11,10 +11,10 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import majic.TestClock;
 import majic.bot.BotControl;
 import majic.bot.FakeBot;
 import majic.bot.MotionStopped;
-import majic.bot.SteppedTime;
 import majic.team.Member;
 import majic.team.Team;
 import majic.time.TimeSource;
@@ -28,9 +28,9 @@ import org.junit.jupiter.api.Timeout;
 class MajicActTest {
     private static final List<String> SAID = new CopyOnWriteArrayList<>();
 
-    private final SteppedTime time = new SteppedTime();
+    private final TestClock clock = new TestClock();
+    private final TimeSource time = clock.time();
     private final Team team = new Team(time);
-    private final TimeSource.Membership membership = time.join();
     private final FakeBot robot = FakeBot.on(time);
     private Member member;
 
@@ -43,8 +43,8 @@ class MajicActTest {
 
     @AfterEach
     void close() {
-        membership.close();
         team.close();
+        clock.close();
     }
 
     /** Returns the message of the exception. */

@@ -8,12 +8,12 @@ import java.util.OptionalInt;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
+import majic.TestClock;
 import majic.act.NoActs;
 import majic.act.file.Acts;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.Settings;
-import majic.bot.SteppedTime;
 import majic.log.Line;
 import majic.log.SessionLog;
 import majic.team.BotFactory;
@@ -22,7 +22,8 @@ import majic.time.TimeSource;
 
 /** A session with robots that exist only here, on a stepped clock that the test's thread has joined. */
 final class Desk implements AutoCloseable {
-    final SteppedTime time = new SteppedTime();
+    private final TestClock clock = new TestClock();
+    final TimeSource time = clock.time();
     final FakeType aibo = new FakeType("aibo");
     final FakeType pioneer = new FakeType("pioneer");
     final Team team = new Team(time);
@@ -32,7 +33,6 @@ final class Desk implements AutoCloseable {
     final MajicParser prompt;
     final MajicParser pipe;
     private final List<Line> heard = Collections.synchronizedList(new ArrayList<>());
-    private final TimeSource.Membership membership = time.join();
 
     Desk() {
         this(NoActs.here());
@@ -102,7 +102,7 @@ final class Desk implements AutoCloseable {
 
     @Override
     public void close() {
-        membership.close();
         team.close();
+        clock.close();
     }
 }

@@ -29,6 +29,7 @@ class SubscriptionsTest {
 
     @AutoClose
     private final TestClock clock = new TestClock();
+
     private final List<Packet> sent = new ArrayList<>();
 
     @Test
