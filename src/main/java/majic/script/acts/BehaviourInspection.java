@@ -27,6 +27,7 @@ import org.jspecify.annotations.Nullable;
  * may have.
  */
 final class BehaviourInspection extends Inspection {
+    private static final BehaviourRules RULES = new BehaviourRules();
     private static final Pattern NAME = Pattern.compile("\\w+");
 
     /** In place of a number, for {@code me}. */
@@ -133,12 +134,7 @@ final class BehaviourInspection extends Inspection {
     public @Nullable Void forRobots(Statement.ForRobots line) {
         robots(line.robots());
         Command command = line.command();
-        if (command instanceof Command.Act || command instanceof Command.ActOff) {
-            throw new ScriptException(command.at(), "act: a behaviour does not run others");
-        }
-        if (command instanceof Command.Help) {
-            throw new ScriptException(command.at(), "help: a behaviour needs none; leave the line out");
-        }
+        command.accept(RULES).ifPresent(why -> refuse(command.at(), why));
         Condition until = command.until();
         if (until != null) {
             inspect(until, line.robots());
@@ -153,17 +149,15 @@ final class BehaviourInspection extends Inspection {
 
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
-        SessionCommand command = line.command();
-        if (command instanceof SessionCommand.Add add) {
+        line.command().accept(RULES).ifPresent(why -> refuse(line.at(), why));
+        if (line.command() instanceof SessionCommand.Add add) {
             add(line, add);
-        } else if (!(command instanceof SessionCommand.Await
-                || command instanceof SessionCommand.Pause
-                || command instanceof SessionCommand.StopAll)) {
-            String word = line.at().text().toLowerCase(Locale.ROOT);
-            throw new ScriptException(
-                    line.at(), word + ": is for a session; a behaviour only commands the robots it is given");
         }
         return null;
+    }
+
+    private static void refuse(Token word, String why) {
+        throw new ScriptException(word, word.text().toLowerCase(Locale.ROOT) + ": " + why);
     }
 
     private void add(Statement.ForSession line, SessionCommand.Add add) {
