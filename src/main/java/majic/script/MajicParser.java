@@ -26,8 +26,8 @@ import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes lines of MAJIC Script, checks them and hands them to the robots they are for. Each place where lines come from
- * has its own. Thread-safe.
+ * Parses lines of MAJIC Script, checks them and submits them to the robots they are for. Each place where lines come
+ * from has its own. Thread-safe.
  */
 public final class MajicParser {
     private static final Pattern STOP = Pattern.compile("(?iu)\\bstop\\b");
@@ -47,8 +47,8 @@ public final class MajicParser {
      * A parser with nothing to do yet.
      *
      * @param session what the lines act on, and where answers go
-     * @param interactive true for a person at a prompt or window, who reads a {@code get} at once and whose
-     *     {@code wait} never holds a {@code stop}; false for a pipe, where every line takes its turn
+     * @param interactive true for a prompt or window, where a {@code get} reads at once and a {@code wait} never
+     *     holds a {@code stop}; false for a pipe, where every line takes its turn
      */
     public MajicParser(Session session, boolean interactive) {
         this(session, interactive ? Source.PROMPT : Source.PIPE);
@@ -66,7 +66,7 @@ public final class MajicParser {
      * A parser for a program at the other end of a socket: every line takes its turn as in a pipe, but a {@code stop}
      * is done at once.
      *
-     * @param session what the lines act on, and where answers are told
+     * @param session what the lines act on, and where answers go
      * @return a new parser
      */
     public static MajicParser remote(Session session) {
@@ -74,7 +74,7 @@ public final class MajicParser {
     }
 
     /**
-     * Takes one line, checks it, and gives the orders in it or queues it behind a {@code wait}. Returns at once. Lines
+     * Parses one line, checks it, and submits its commands or queues it behind a {@code wait}. Returns at once. Lines
      * of an open block are kept until its {@code end}. The session's listeners receive the line, then its answers;
      * they receive a refusal as well, so the caller need not show it again. A line with the word {@code stop} that
      * cannot be understood is taken as STOP. Reads no file and waits for no robot: what a line with {@code act},
@@ -255,7 +255,7 @@ public final class MajicParser {
     }
 
     /**
-     * The lines that were accepted, as they were given: the thesis's {@code cmdList}.
+     * The lines that were accepted, as they were typed: the thesis's {@code cmdList}.
      *
      * @return a snapshot, oldest first; of very many lines only the last ten thousand
      */

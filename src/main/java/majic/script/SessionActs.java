@@ -203,19 +203,19 @@ final class SessionActs implements ActRunner {
         if (acts.trust().isTrusted(file)) {
             return List.of("trust " + name + ": agreed to already");
         }
-        List<String> told = new ArrayList<>();
+        List<String> lines = new ArrayList<>();
         if (hash.isEmpty()) {
-            file.describe().forEach(line -> told.add("trust " + name + ": " + line));
+            file.describe().forEach(line -> lines.add("trust " + name + ": " + line));
             // In quotes, as many a hash begins like a number.
-            told.add("trust " + name + ": its code can do all that you can; if you agree: trust "
+            lines.add("trust " + name + ": its code can do all that you can; if you agree: trust "
                     + SessionRecord.quoted(name) + " \"" + file.sha256().substring(0, SHORTEST_HASH) + '"');
         } else if (hash.length() < SHORTEST_HASH || !file.sha256().startsWith(hash.toLowerCase(Locale.ROOT))) {
             throw new BotException("trust " + name + ": the hash of this file is " + file.sha256());
         } else {
             acts.trust().agree(file);
-            told.add("trust " + name + ": done");
+            lines.add("trust " + name + ": done");
         }
-        return told;
+        return lines;
     }
 
     @Override

@@ -56,11 +56,11 @@ public final class BehaviourScript {
      * Checks whether robots can do what it commands.
      *
      * @param actions for its commands
-     * @param given the robots by role
+     * @param byRole the robots by role
      * @return what is wrong, in any order
      */
-    public List<Mistake> check(Actions actions, Map<String, Member> given) {
-        Selection robots = among(given);
+    public List<Mistake> check(Actions actions, Map<String, Member> byRole) {
+        Selection robots = among(byRole);
         List<Mistake> mistakes = new ArrayList<>(Checker.check(statements, actions, robots));
         mistakes.addAll(rawCommands(robots));
         return mistakes;
@@ -92,11 +92,11 @@ public final class BehaviourScript {
     }
 
     /** The robots it means, among those it was given by role. */
-    public Selection among(Map<String, Member> given) {
+    public Selection among(Map<String, Member> byRole) {
         Map<Integer, Member> byNumber = new LinkedHashMap<>();
-        roleByNumber().forEach((number, role) -> byNumber.put(number, given.get(role.name())));
+        roleByNumber().forEach((number, role) -> byNumber.put(number, byRole.get(role.name())));
         byNumber.remove(BehaviourInspection.ME);
-        return new Selection(given.get(Role.ME), byNumber);
+        return new Selection(byRole.get(Role.ME), byNumber);
     }
 
     /** Under 0 stands {@code me}, where it is not one of the numbers. */

@@ -23,18 +23,18 @@ public final class RoleAssignment {
      * @throws BotException if they are too few, too many, or do not fit their roles
      */
     public static Map<String, List<Member>> cast(String act, List<Role> roles, Member me, List<Member> others) {
-        List<Member> given = new ArrayList<>(List.of(me));
-        given.addAll(others);
+        List<Member> robots = new ArrayList<>(List.of(me));
+        robots.addAll(others);
         Role last = roles.get(roles.size() - 1);
-        if (given.size() < roles.size() || (given.size() > roles.size() && !last.several())) {
+        if (robots.size() < roles.size() || (robots.size() > roles.size() && !last.several())) {
             throw new BotException(act + ": " + wanted(act, roles, me, others.size()));
         }
         Map<String, List<Member>> cast = new LinkedHashMap<>();
-        for (int index = 0; index < given.size(); index++) {
+        for (int index = 0; index < robots.size(); index++) {
             Role role = roles.get(Math.min(index, roles.size() - 1));
-            Member member = given.get(index);
+            Member member = robots.get(index);
             check(act, role, member);
-            if (given.indexOf(member) < index) {
+            if (robots.indexOf(member) < index) {
                 throw new BotException(act + ": robot " + member.number() + " cannot play two parts");
             }
             cast.computeIfAbsent(role.name(), key -> new ArrayList<>()).add(member);

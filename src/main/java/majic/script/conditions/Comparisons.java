@@ -16,14 +16,14 @@ import majic.script.syntax.Token;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
-/** Holds a parameter of one robot against the right-hand side of a comparison. */
+/** Compares a parameter of one robot with the right-hand side of a comparison. */
 public final class Comparisons {
     private static final String CLEAR = "clear";
 
     private Comparisons() {}
 
     /**
-     * Looks whether a whole condition makes sense for the robots it speaks of; reads nothing.
+     * Checks whether a whole condition makes sense for the robots it names; reads nothing.
      *
      * @param own whose parameters are meant where no robot is named; null where there is none
      * @throws ScriptException if it does not, or a robot is not there
@@ -34,7 +34,7 @@ public final class Comparisons {
     }
 
     /**
-     * Looks whether the comparison makes sense for a robot; reads nothing.
+     * Checks whether the comparison makes sense for a robot; reads nothing.
      *
      * @throws ScriptException if it does not
      */

@@ -57,17 +57,17 @@ public final class ConditionEvaluator implements Condition.Visitor<Truth> {
 
     /** The last readings of a robot that is not connected are out of date, so they count as unknown. */
     private Truth ask(Condition.Comparison comparison, Member member) {
-        String who = member == own ? "" : member.number() + " ";
+        String robot = member == own ? "" : member.number() + " ";
         if (!member.bot().isConnected()) {
-            return Truth.unknown(who + comparison.parameter().text() + " is unknown (connection lost)");
+            return Truth.unknown(robot + comparison.parameter().text() + " is unknown (connection lost)");
         }
         try {
             Truth truth = Comparisons.of(comparison, member.bot());
-            return truth.undecided() == null ? truth : Truth.unknown(who + truth.undecided());
+            return truth.undecided() == null ? truth : Truth.unknown(robot + truth.undecided());
         } catch (MotionStopped e) {
             throw e;
         } catch (BotException | ScriptException e) {
-            return Truth.unknown(who + comparison.parameter().text() + " is unknown (" + e.getMessage() + ")");
+            return Truth.unknown(robot + comparison.parameter().text() + " is unknown (" + e.getMessage() + ")");
         }
     }
 

@@ -22,19 +22,19 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Collects what is done in a session, with its times, so that a script can do it again: commands, and what reaches the
- * robots past the script, as stops by button or key and driving by hand. The team reports these after they were sent, so
+ * robots without a command, as stops by button or key and manual control. The team reports these after they were sent, so
  * recording delays none of them. Thread-safe.
  */
 public final class SessionRecord {
     private final Team team;
     private final List<RecordedEvent> events = new ArrayList<>();
     private final Map<Integer, Long> lastAnswerNanos = new HashMap<>();
-    private final Map<Integer, Map<Integer, Long>> finishedBeforeHand = new HashMap<>();
+    private final Map<Integer, Map<Integer, Long>> finishedBeforeManual = new HashMap<>();
     private final Set<Integer> started = new TreeSet<>();
 
     public SessionRecord(Team team) {
         this.team = team;
-        team.addListener(new PastTheScript());
+        team.addListener(new TeamRecorder());
     }
 
     /** The time on the clock of the team, nanoseconds. */
@@ -58,11 +58,11 @@ public final class SessionRecord {
     }
 
     /**
-     * Looks at a command that is about to be given; nothing is kept before {@link #keep}.
+     * Creates the entry for a command that is about to run; nothing is kept before {@link #keep}.
      *
      * @param text the line that does it again
      * @param robots those it makes do something
-     * @param by the script that gives it; null for a line
+     * @param by the script that runs it; null for a line
      * @param block the block it stands in; null for a line of its own
      */
     public synchronized RecordedEvent command(
@@ -143,7 +143,7 @@ public final class SessionRecord {
         return finished;
     }
 
-    /** A robot that a script, an act or a hand has is not free, though it may have nothing to do just now. */
+    /** A robot with an owner is not free, though it may have nothing to do just now. */
     private boolean hasFinished(int number, @Nullable Owner by) {
         return team.members().stream()
                 .filter(member -> member.number() == number)
@@ -177,7 +177,7 @@ public final class SessionRecord {
     }
 
     /** Records from the team what was done without a command. */
-    private final class PastTheScript implements TeamListener {
+    private final class TeamRecorder implements TeamListener {
         @Override
         public void answered(Answer answer) {
             synchronized (SessionRecord.this) {
@@ -203,7 +203,7 @@ public final class SessionRecord {
             Owner owner = member.owner();
             if (owner != null && owner.kind() == Owner.Kind.MANUAL) {
                 synchronized (SessionRecord.this) {
-                    finishedBeforeHand.put(member.number(), finishedOthers(Set.of(member.number()), null));
+                    finishedBeforeManual.put(member.number(), finishedOthers(Set.of(member.number()), null));
                 }
             }
         }
@@ -212,8 +212,8 @@ public final class SessionRecord {
         public void drivenManually(Member member, List<ManualCommand> commands) {
             synchronized (SessionRecord.this) {
                 Set<Integer> robot = Set.of(member.number());
-                Map<Integer, Long> finished = finishedBeforeHand.getOrDefault(member.number(), Map.of());
-                finishedBeforeHand.remove(member.number());
+                Map<Integer, Long> finished = finishedBeforeManual.getOrDefault(member.number(), Map.of());
+                finishedBeforeManual.remove(member.number());
                 Set<Integer> begins = robot;
                 for (ManualCommand command : commands) {
                     String line = member.number() + " " + command.text();

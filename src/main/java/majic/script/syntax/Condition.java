@@ -56,7 +56,7 @@ public sealed interface Condition {
         }
     }
 
-    /** A parameter held against a value; without robots it is the parameter of the command's robot. */
+    /** A parameter compared with a value; without robots it is the parameter of the command's robot. */
     record Comparison(@Nullable Robots robots, Token parameter, Operator operator, Literal value) implements Condition {
         @Override
         public <R> R accept(Visitor<R> visitor) {

@@ -57,13 +57,13 @@ final class ConditionParser {
 
     /** {@code comparison = [ "any" | robots ] PARAMETER operator literal ;} */
     private Condition comparison() {
-        Robots who = whose();
+        Robots robots = robots();
         Token parameter = at.consume(Kind.WORD, "a parameter");
         Operator operator = operator();
-        return new Condition.Comparison(who, parameter, operator, literal());
+        return new Condition.Comparison(robots, parameter, operator, literal());
     }
 
-    private @Nullable Robots whose() {
+    private @Nullable Robots robots() {
         if (at.check("any")) {
             Token any = at.advance();
             return new Robots(any, List.of(new Robots.Any(any)));

@@ -12,7 +12,7 @@ import java.util.List;
  * @param message what is wrong and what would be right
  */
 public record Mistake(int line, int column, String message) {
-    private static final int MOST_TOLD = 20;
+    private static final int MOST_LISTED = 20;
 
     public String in(String file) {
         return file + ":" + line + ":" + column + ": " + message;
@@ -20,16 +20,16 @@ public record Mistake(int line, int column, String message) {
 
     /** A line for each of the first mistakes in a file, in their order, and one for all others. */
     public static List<String> inOrder(List<Mistake> mistakes, String file) {
-        List<String> told = new ArrayList<>(mistakes.stream()
+        List<String> listed = new ArrayList<>(mistakes.stream()
                 .sorted(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column))
-                .limit(MOST_TOLD)
+                .limit(MOST_LISTED)
                 .map(mistake -> mistake.in(file))
                 .toList());
-        int more = mistakes.size() - MOST_TOLD;
+        int more = mistakes.size() - MOST_LISTED;
         if (more > 0) {
-            told.add(file + ": and " + counted(more).replaceFirst(" ", " more "));
+            listed.add(file + ": and " + counted(more).replaceFirst(" ", " more "));
         }
-        return told;
+        return listed;
     }
 
     /** As in "1 mistake", "3 mistakes". */
