@@ -23,6 +23,7 @@ final class CommandQueue {
     private final int robot;
     private final TimeSource time;
     private final TeamEvents events;
+    private final Object lock;
     private final BooleanSupplier mayWork;
     private final Signal work;
     private final Deque<QueuedCommand> queue = new ArrayDeque<>();
@@ -36,12 +37,14 @@ final class CommandQueue {
      * @param robot the robot's number in the team
      * @param time the robot's clock
      * @param events receives the answers
-     * @param mayWork whether a command may be begun now; evaluated again after {@link #wake()}
+     * @param lock guards what {@code mayWork} depends on; taken before the lock of this queue
+     * @param mayWork whether a command may begin now; evaluated again after {@link #wake()}
      */
-    CommandQueue(int robot, TimeSource time, TeamEvents events, BooleanSupplier mayWork) {
+    CommandQueue(int robot, TimeSource time, TeamEvents events, Object lock, BooleanSupplier mayWork) {
         this.robot = robot;
         this.time = time;
         this.events = events;
+        this.lock = lock;
         this.mayWork = mayWork;
         this.work = time.signal();
     }
@@ -118,7 +121,14 @@ final class CommandQueue {
         return !queue.isEmpty();
     }
 
-    private synchronized @Nullable QueuedCommand next() {
+    /** Takes the next command out of the queue; no stop can come between this and the check that it may begin. */
+    private @Nullable QueuedCommand next() {
+        synchronized (lock) {
+            return mayWork.getAsBoolean() ? poll() : null;
+        }
+    }
+
+    private synchronized @Nullable QueuedCommand poll() {
         current = closed ? null : queue.poll();
         return current;
     }

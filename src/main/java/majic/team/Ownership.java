@@ -60,7 +60,7 @@ final class Ownership {
         this.events = events;
         this.stopIsLatched = stopIsLatched;
         this.control = new PermittedControl(bot, new Permit());
-        this.queue = new CommandQueue(robot, bot.time(), events, () -> mayWork(null));
+        this.queue = new CommandQueue(robot, bot.time(), events, this, () -> mayWork(null));
     }
 
     /** The queue of all commands but the borrower's. */
@@ -193,7 +193,7 @@ final class Ownership {
                 to,
                 permit,
                 new PermittedControl(bot, permit),
-                new CommandQueue(robot, bot.time(), events, () -> mayWork(to)));
+                new CommandQueue(robot, bot.time(), events, this, () -> mayWork(to)));
         synchronized (this) {
             Owner holder = holder();
             if (holder == by && (isStopping() || !queue.isAtRest())) {
