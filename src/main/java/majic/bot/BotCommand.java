@@ -119,7 +119,7 @@ public record BotCommand(
     }
 
     /**
-     * What is to stand at a place behind its name.
+     * Returns the argument at a place behind the name.
      *
      * @param index 0 for the first place
      * @return null where nothing more is expected

@@ -3,7 +3,7 @@ package majic.bot;
 import java.util.List;
 
 /**
- * What anyone may do with a robot. Distances are millimetres, ahead positive; angles degrees, counterclockwise
+ * The operations of a robot. Distances are millimetres, ahead positive; angles degrees, counterclockwise
  * positive. Thread-safe; all methods but {@link #drive} and {@link #stop} may wait for the robot, none of them without
  * end.
  *
@@ -61,10 +61,10 @@ public interface BotControl {
     void stop();
 
     /**
-     * Reads a parameter, waiting for the robot if it must be asked.
+     * Reads a parameter, waiting for the robot's answer if it does not report it.
      *
      * @param parameter its name, whatever the case
-     * @return its value; may be {@link Value.Unknown} where the robot cannot tell now
+     * @return its value; may be {@link Value.Unknown} if there is no reading now
      */
     Value get(String parameter);
 

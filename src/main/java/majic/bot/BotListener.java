@@ -11,7 +11,7 @@ public interface BotListener {
      * New readings arrived. If several arrive before the listener is called, only the newest is delivered.
      *
      * @param bot the robot
-     * @param state what it shares with all robots; ask the robot for the rest
+     * @param state the readings common to all robots; read the others from the robot
      */
     default void stateChanged(MajicBot bot, BotState state) {}
 
@@ -24,7 +24,7 @@ public interface BotListener {
     default void connectionChanged(MajicBot bot, MajicBot.Connection connection) {}
 
     /**
-     * The driver has something to say to the person: motors were switched on, which gait it chose.
+     * The driver sent a notice to the user: motors were switched on, which gait it chose.
      *
      * @param bot which robot
      * @param message one sentence or half of one

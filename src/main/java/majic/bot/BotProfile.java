@@ -26,7 +26,7 @@ public record BotProfile(
     private static final double CRAWL = 1;
 
     /**
-     * For robots that go as slowly as anybody asks for.
+     * Creates a profile of a robot without a lowest speed.
      *
      * @param bodyMm radius of a circle it fits in
      * @param speed the speeds it can go, mm/s

@@ -3,7 +3,7 @@ package majic.bot;
 import majic.time.TimeSource;
 
 /**
- * What a robot last said of itself, as far as every robot can. Immutable.
+ * The newest state that a robot reported, as far as all robots report it. Immutable.
  *
  * @param pose where it is, from where it was added
  * @param speedMmPerSec ahead positive
@@ -12,6 +12,6 @@ import majic.time.TimeSource;
  * @param atNanos when the robot reported it, on its {@link TimeSource}
  */
 public record BotState(Pose pose, double speedMmPerSec, double turnRateDegPerSec, boolean moving, long atNanos) {
-    /** Before the first word of a robot. */
+    /** The state before the first report of a robot. */
     public static final BotState UNKNOWN = new BotState(Pose.START, 0, 0, false, 0);
 }

@@ -62,7 +62,7 @@ final class ConnectionLife {
      * Records that the connection was lost.
      *
      * @param cause how
-     * @param first done before anybody can connect again
+     * @param first runs before the robot can be connected again
      * @return false if there was no connection to lose
      */
     synchronized boolean lose(LinkLost cause, Runnable first) {

@@ -19,7 +19,7 @@ public class LinkLost extends BotException {
      * A lost connection with its cause.
      *
      * @param message how it was lost, as half a sentence
-     * @param cause what the system said
+     * @param cause the exception of the system
      */
     public LinkLost(String message, Throwable cause) {
         super(message, cause);

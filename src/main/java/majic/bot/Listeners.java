@@ -31,9 +31,9 @@ final class Listeners {
 
     private final MajicBot bot;
     private final List<BotListener> all = new CopyOnWriteArrayList<>();
-    private final Deque<String> unheard = new ArrayDeque<>();
+    private final Deque<String> undelivered = new ArrayDeque<>();
     private final OrderedEvents events = new OrderedEvents();
-    private final AtomicBoolean stateIsUntold = new AtomicBoolean();
+    private final AtomicBoolean statePending = new AtomicBoolean();
     private final Signal changed;
     private volatile boolean closed;
 
@@ -71,12 +71,12 @@ final class Listeners {
 
     void add(BotListener listener) {
         List<String> kept;
-        synchronized (unheard) {
+        synchronized (undelivered) {
             all.add(listener);
-            kept = List.copyOf(unheard);
-            unheard.clear();
+            kept = List.copyOf(undelivered);
+            undelivered.clear();
         }
-        kept.forEach(message -> tell(listener, to -> to.notice(bot, message)));
+        kept.forEach(message -> call(listener, to -> to.notice(bot, message)));
     }
 
     void remove(BotListener listener) {
@@ -85,7 +85,7 @@ final class Listeners {
 
     /** Delivers a notice from the robot to the user. */
     void notice(String message) {
-        synchronized (unheard) {
+        synchronized (undelivered) {
             if (all.isEmpty()) {
                 keep(message);
                 return;
@@ -97,19 +97,19 @@ final class Listeners {
     }
 
     private void keep(String message) {
-        if (unheard.size() == MOST_KEPT) {
-            unheard.removeFirst();
+        if (undelivered.size() == MOST_KEPT) {
+            undelivered.removeFirst();
         }
-        unheard.addLast(message);
+        undelivered.addLast(message);
     }
 
     /** New readings: of several that come faster than the listeners take them, they get the newest. */
     void stateChanged() {
-        if (stateIsUntold.compareAndSet(false, true)) {
+        if (statePending.compareAndSet(false, true)) {
             events.put(() -> {
-                stateIsUntold.set(false);
+                statePending.set(false);
                 BotState newest = bot.state();
-                tell(listener -> listener.stateChanged(bot, newest));
+                call(listener -> listener.stateChanged(bot, newest));
             });
         }
         deliver();
@@ -123,7 +123,7 @@ final class Listeners {
     /** Queues an event for the listeners there are now: one that is added later has not seen what led to it. */
     private long put(Consumer<BotListener> event) {
         List<BotListener> present = List.copyOf(all);
-        return events.put(() -> present.stream().filter(all::contains).forEach(listener -> tell(listener, event)));
+        return events.put(() -> present.stream().filter(all::contains).forEach(listener -> call(listener, event)));
     }
 
     /** Delivers what was put, on this thread if it may wait. */
@@ -146,11 +146,11 @@ final class Listeners {
         }
     }
 
-    private void tell(Consumer<BotListener> news) {
-        all.forEach(listener -> tell(listener, news));
+    private void call(Consumer<BotListener> news) {
+        all.forEach(listener -> call(listener, news));
     }
 
-    private void tell(BotListener listener, Consumer<BotListener> news) {
+    private void call(BotListener listener, Consumer<BotListener> news) {
         try {
             news.accept(listener);
         } catch (RuntimeException | Error e) {

@@ -602,7 +602,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     /**
      * Runs a task periodically on the robot's own timer thread, from now until the robot is closed.
      *
-     * @param what names the duty; one of the same name is replaced
+     * @param what the name of the task; a task of the same name is replaced
      * @param seconds the period
      * @param task quick; failures are logged
      */

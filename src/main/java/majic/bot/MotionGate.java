@@ -24,8 +24,8 @@ public final class MotionGate {
     private static final double DRIVE_RENEWAL_S = 0.3;
 
     /**
-     * A timed drive that is renewed later than this fails, seconds: the program stood still, and a robot that its own
-     * watchdog has stopped meanwhile must not go on by itself.
+     * A timed drive that is renewed later than this fails, seconds: the program was suspended, and a robot that its own
+     * watchdog has stopped meanwhile must not move again by itself.
      */
     private static final double LATEST_RENEWAL_S = 1.5;
 
@@ -225,7 +225,7 @@ public final class MotionGate {
         });
     }
 
-    /** Looked at again under the lock: a motion that has begun meanwhile must not get a drive into it. */
+    /** Called again under the lock: a drive must not be sent into a motion that has begun meanwhile. */
     private void refuseInMotion() {
         if (motionUnderWay.get()) {
             throw new BotException(bot.name() + " is in a motion; stop it before driving");
@@ -275,7 +275,7 @@ public final class MotionGate {
      * Sends the stop for good, behind what is being sent: nothing follows any more when all permits are revoked. Does
      * not wait until it is confirmed.
      *
-     * @param connected whether there is a robot to tell
+     * @param connected whether there is a connection to write to
      */
     void end(boolean connected) {
         if (connected) {

@@ -8,7 +8,7 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One thing that can be asked of a robot or set on it, or one argument of a robot's own command. Immutable.
+ * A value of a robot that can be read or set, or one argument of a robot's own command. Immutable.
  *
  * @param name letters and digits; compared without regard to case
  * @param kind what values it takes

@@ -55,7 +55,7 @@ public final class Permit {
     /**
      * Goes on only with a valid permit.
      *
-     * @throws BotException what the revocation said, usually {@link MotionStopped}
+     * @throws BotException the exception of the revocation, usually {@link MotionStopped}
      */
     public void check() {
         Supplier<? extends BotException> reason = revocation;

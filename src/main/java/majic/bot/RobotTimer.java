@@ -20,12 +20,12 @@ final class RobotTimer {
 
     private final TimeSource time;
     private final Signal changed;
-    private final Map<String, Duty> duties = new HashMap<>();
+    private final Map<String, Task> tasks = new HashMap<>();
     private boolean closed;
 
-    private record Duty(long dueNanos, long periodNanos, Runnable task) {
-        Duty again(long nowNanos) {
-            return new Duty(Math.max(dueNanos + periodNanos, nowNanos), periodNanos, task);
+    private record Task(long dueNanos, long periodNanos, Runnable task) {
+        Task again(long nowNanos) {
+            return new Task(Math.max(dueNanos + periodNanos, nowNanos), periodNanos, task);
         }
     }
 
@@ -38,29 +38,29 @@ final class RobotTimer {
         time.thread(name + " timer", () -> WaitPolicy.without(this::run)).start();
     }
 
-    /** Replaces any duty of the same name. */
+    /** Replaces any task of the same name. */
     void every(String name, double seconds, Runnable task) {
-        put(name, new Duty(time.nanos() + nanos(seconds), nanos(seconds), task));
+        put(name, new Task(time.nanos() + nanos(seconds), nanos(seconds), task));
     }
 
-    /** Replaces any duty of the same name. */
+    /** Replaces any task of the same name. */
     void once(String name, double seconds, Runnable task) {
-        put(name, new Duty(time.nanos() + nanos(seconds), 0, task));
+        put(name, new Task(time.nanos() + nanos(seconds), 0, task));
     }
 
     void close() {
-        synchronized (duties) {
+        synchronized (tasks) {
             closed = true;
-            duties.clear();
+            tasks.clear();
         }
         changed.raise();
     }
 
-    private void put(String name, Duty duty) {
+    private void put(String name, Task next) {
         boolean sooner;
-        synchronized (duties) {
-            sooner = duty.dueNanos < nextDue();
-            duties.put(name, duty);
+        synchronized (tasks) {
+            sooner = next.dueNanos < nextDue();
+            tasks.put(name, next);
         }
         if (sooner) {
             changed.raise();
@@ -79,53 +79,53 @@ final class RobotTimer {
         }
     }
 
-    /** Whatever becomes of one duty, the pulses go on and a drive that is not renewed ends. */
+    /** Whatever becomes of one task, the pulses go on and a drive that is not renewed ends. */
     private void runDue() {
         for (Runnable task : takeDue(time.nanos())) {
             try {
                 task.run();
             } catch (BotException e) {
-                LOG.log(Level.DEBUG, "a robot's duty failed", e);
+                LOG.log(Level.DEBUG, "a scheduled task of a robot failed", e);
             } catch (RuntimeException | Error e) {
-                LOG.log(Level.WARNING, "a robot's duty failed", e);
+                LOG.log(Level.WARNING, "a scheduled task of a robot failed", e);
             }
         }
     }
 
     private List<Runnable> takeDue(long now) {
-        synchronized (duties) {
+        synchronized (tasks) {
             List<Runnable> due = new ArrayList<>();
-            Map<String, Duty> again = new HashMap<>();
-            for (Iterator<Map.Entry<String, Duty>> all = duties.entrySet().iterator(); all.hasNext(); ) {
-                Map.Entry<String, Duty> entry = all.next();
-                Duty duty = entry.getValue();
-                if (duty.dueNanos <= now) {
-                    due.add(duty.task);
+            Map<String, Task> again = new HashMap<>();
+            for (Iterator<Map.Entry<String, Task>> all = tasks.entrySet().iterator(); all.hasNext(); ) {
+                Map.Entry<String, Task> entry = all.next();
+                Task next = entry.getValue();
+                if (next.dueNanos <= now) {
+                    due.add(next.task);
                     all.remove();
-                    if (duty.periodNanos > 0) {
-                        again.put(entry.getKey(), duty.again(now));
+                    if (next.periodNanos > 0) {
+                        again.put(entry.getKey(), next.again(now));
                     }
                 }
             }
-            duties.putAll(again);
+            tasks.putAll(again);
             return due;
         }
     }
 
     private boolean isClosed() {
-        synchronized (duties) {
+        synchronized (tasks) {
             return closed;
         }
     }
 
     private long dueNanos() {
-        synchronized (duties) {
+        synchronized (tasks) {
             return nextDue();
         }
     }
 
     private long nextDue() {
-        return duties.values().stream().mapToLong(Duty::dueNanos).min().orElse(Long.MAX_VALUE);
+        return tasks.values().stream().mapToLong(Task::dueNanos).min().orElse(Long.MAX_VALUE);
     }
 
     private double waitSeconds(long due) {

@@ -37,7 +37,7 @@ class CalibrateCommandTest {
     }
 
     @Test
-    void movesFirstAndSaysWhatToMeasureAndType() {
+    void movesFirstAndAnswersWhatToMeasureAndType() {
         assertThat(calibrate("forward"))
                 .isEqualTo("it takes this for about 1000 mm; measure it and type what you saw, as in: "
                         + "calibrate forward 1000mm");
@@ -77,7 +77,7 @@ class CalibrateCommandTest {
     }
 
     @Test
-    void refusesWhatNobodyCanHaveMeasured() {
+    void refusesAnImpossibleMeasurement() {
         calibrate("forward");
 
         assertThatThrownBy(() -> calibrate("forward", Value.of(9410, Unit.MM)))

@@ -37,7 +37,7 @@ class ConnectionNewsTest implements BotListener {
     }
 
     @Test
-    void aListenerMayWaitForSomebodyWhoClosesTheRobot() {
+    void aListenerMayWaitForAThreadThatClosesTheRobot() {
         whenLost = () -> CompletableFuture.runAsync(bot::close, task -> new Thread(task).start())
                 .orTimeout(10, TimeUnit.SECONDS)
                 .join();

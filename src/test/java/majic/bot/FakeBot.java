@@ -114,7 +114,7 @@ public final class FakeBot extends MajicBot {
         refusal = problem;
     }
 
-    /** Makes connecting fail as no driver should; null makes it whole again. */
+    /** Makes connecting throw an error that drivers should not throw; null ends that. */
     public void breakDownWhileConnecting(@Nullable RuntimeException mistake) {
         refusal = mistake;
     }

@@ -15,7 +15,7 @@ class ListenersTest {
     private final List<String> second = new ArrayList<>();
 
     @Test
-    void aWarningBeforeAnybodyListensIsHeardByTheFirstWhoDoes() {
+    void aNoticeBeforeThereIsAListenerIsKeptForTheFirst() {
         listeners.notice("the switches are wrong");
         listeners.add(into(first));
         listeners.add(into(second));
@@ -25,7 +25,7 @@ class ListenersTest {
     }
 
     @Test
-    void whatIsSaidLaterIsHeardByAll() {
+    void laterNoticesReachAllListeners() {
         listeners.add(into(first));
         listeners.add(into(second));
         listeners.notice("it stands");
@@ -35,7 +35,7 @@ class ListenersTest {
     }
 
     @Test
-    void oneThatFailsDoesNotKeepTheOthersFromHearing() {
+    void aListenerThatFailsDoesNotKeepOthersFromBeingCalled() {
         listeners.add(new BotListener() {
             @Override
             public void notice(MajicBot bot, String message) {

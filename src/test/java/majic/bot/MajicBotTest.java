@@ -25,7 +25,7 @@ class MajicBotTest {
     }
 
     @Test
-    void moveReturnsWhenTheRobotStandsAgain() {
+    void moveReturnsWhenTheRobotIsStationaryAgain() {
         MotionReport report = bot.move(600);
 
         assertThat(report).hasToString("600 mm, 2.0 s");
@@ -72,7 +72,7 @@ class MajicBotTest {
     }
 
     @Test
-    void aGuardThatCannotBeToldFailsTheMoveAndHalts() {
+    void aGuardThatCannotBeEvaluatedFailsTheMoveAndHalts() {
         assertThatThrownBy(() -> bot.move(500, () -> {
                     throw new BotException("sonar: no reading yet");
                 }))
@@ -143,7 +143,7 @@ class MajicBotTest {
     }
 
     @Test
-    void aTimedDriveIsDoneWhenTheRobotHasConfirmedThatItStands() {
+    void aTimedDriveIsDoneWhenTheRobotHasConfirmedItsStop() {
         bot.standAfter(0.4);
 
         MotionReport report = bot.drive(200, 30, 1, Guard.NEVER);

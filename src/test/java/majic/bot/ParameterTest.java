@@ -10,7 +10,7 @@ class ParameterTest {
             Parameter.number("cycle", Unit.MS, "how often").within(10, 1000).inWholes();
 
     @Test
-    void whatIsCountedInWholesTakesNoFractions() {
+    void aWholeNumberTakesNoFractions() {
         assertThatThrownBy(() -> CYCLE.fit(Value.of(20.5, Unit.NONE)))
                 .isInstanceOf(ParameterException.class)
                 .hasMessage("cycle 20.5: not a whole number");

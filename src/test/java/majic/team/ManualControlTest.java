@@ -55,7 +55,7 @@ class ManualControlTest {
     }
 
     @Test
-    void aRobotInTheHandIsNobodyElses() {
+    void aRobotUnderManualControlRefusesOtherSources() {
         ManualControl hand = new ManualControl(member);
 
         assertThatThrownBy(() -> member.check(true, null)).hasMessageContaining("driven by hand");
@@ -74,14 +74,14 @@ class ManualControlTest {
     }
 
     @Test
-    void whileStopIsLatchedThereIsNoHand() {
+    void manualControlIsRefusedWhileStopIsLatched() {
         team.stopAll();
 
         assertThatThrownBy(() -> new ManualControl(member)).hasMessageContaining("STOP is latched");
     }
 
     @Test
-    void whatGoesWrongIsSaidAndTheRobotLetGo() throws InterruptedException {
+    void anErrorIsReportedAndReleasesTheRobot() throws InterruptedException {
         ManualControl hand = new ManualControl(member);
         hand.set("headPan", 500);
 

@@ -139,7 +139,7 @@ class StopOrderTest {
     }
 
     @Test
-    void aListenerThatBlocksHoldsUpNoByteOfStopAllNorItsCaller() {
+    void aListenerThatBlocksDelaysNoByteOfStopAllNorItsCaller() {
         moveBothWithACommandWaiting();
         team.addListener(new BlockedTeamListener());
 
@@ -149,7 +149,7 @@ class StopOrderTest {
     }
 
     @Test
-    void aListenerThatBlocksHoldsUpNoByteOfAStopNorItsCaller() {
+    void aListenerThatBlocksDelaysNoByteOfAStopNorItsCaller() {
         moveBothWithACommandWaiting();
         team.addListener(new BlockedTeamListener());
 
@@ -159,7 +159,7 @@ class StopOrderTest {
     }
 
     @Test
-    void aListenerThatBlocksHoldsUpNoByteOfTheTeamsEnd() {
+    void aListenerThatBlocksDelaysNoByteOfTheTeamsEnd() {
         moveBothWithACommandWaiting();
         team.addListener(new BlockedTeamListener());
 
@@ -169,7 +169,7 @@ class StopOrderTest {
     }
 
     @Test
-    void aListenerThatBlocksHoldsUpNoByteToARobotThatIsRemoved() {
+    void aListenerThatBlocksDelaysNoByteToARobotThatIsRemoved() {
         moveBothWithACommandWaiting();
         team.addListener(new BlockedTeamListener());
 
@@ -179,7 +179,7 @@ class StopOrderTest {
     }
 
     @Test
-    void anOwnerThatDoesNotReturnHoldsUpNoByte() {
+    void anOwnerThatDoesNotReturnDelaysNoByte() {
         team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", this::blockForEver));
 
         team.stop(team.members(), null);
@@ -188,7 +188,7 @@ class StopOrderTest {
     }
 
     @Test
-    void anOwnerThatDoesNotReturnHoldsUpNoOtherOwnersEnd() {
+    void anOwnerThatDoesNotReturnDelaysNoOtherOwnersEnd() {
         List<String> ended = new CopyOnWriteArrayList<>();
         team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", this::blockForEver));
         team.member(2).claim(new Owner(Owner.Kind.ACT, "Guard", () -> ended.add("Guard")));
@@ -200,7 +200,7 @@ class StopOrderTest {
     }
 
     @Test
-    void aRobotsListenerThatBlocksHoldsUpNoByteToIt() {
+    void aRobotsListenerThatBlocksDelaysNoByteToIt() {
         first.addListener(new BlockedBotListener());
         first.sendDrivesThrough(() -> first.notice("motors on"));
         aside(() -> first.drive(100, 0));
@@ -212,7 +212,7 @@ class StopOrderTest {
     }
 
     @Test
-    void aRobotsListenerThatBlocksHoldsUpNoFarewell() {
+    void aRobotsListenerThatBlocksDelaysNoClosing() {
         first.addListener(new BlockedBotListener());
 
         aside(first::close);
@@ -221,7 +221,7 @@ class StopOrderTest {
     }
 
     @Test
-    void aDriveLapsesThoughAListenerBlocksTheRobotsTimer() {
+    void aDriveExpiresThoughAListenerBlocksTheRobotsTimer() {
         first.addListener(new BlockedBotListener());
         first.every("report", 0.01, () -> first.tell("voltage", Value.of(11, Unit.V)));
 
@@ -258,7 +258,7 @@ class StopOrderTest {
     }
 
     @Test
-    void aLatchIsToldBeforeItsRelease() {
+    void listenersReceiveALatchBeforeItsRelease() {
         List<Boolean> told = new CopyOnWriteArrayList<>();
         CountDownLatch telling = new CountDownLatch(1);
         team.addListener(new TeamListener() {

@@ -107,7 +107,7 @@ class TeamTest {
     }
 
     @Test
-    void whatWasQueuedBehindAFailureIsNotRunAndSaysSo() throws InterruptedException {
+    void commandsQueuedBehindAFailureAreNotRunAndAnswered() throws InterruptedException {
         join().stallAfter(120);
         listen();
         team.member(1).submit(move(300), null);
@@ -269,7 +269,7 @@ class TeamTest {
     }
 
     @Test
-    void aLeaseRevokedInAMotionLeavesTheRobotStanding() throws InterruptedException {
+    void aPermitRevokedInAMotionStopsTheRobot() throws InterruptedException {
         FakeBot bot = join();
         Permit lease = new Permit();
         BotControl held = new PermittedControl(bot, lease);
@@ -285,7 +285,7 @@ class TeamTest {
     }
 
     @Test
-    void aFullQueueRefusesAndSaysWhatEmptiesIt() {
+    void aFullQueueRefusesACommandAndNamesWhatEmptiesIt() {
         join();
         int oneUnderWayAndOneTooMany = CommandQueue.DEPTH + 2;
         assertThatThrownBy(() -> {
@@ -297,7 +297,7 @@ class TeamTest {
     }
 
     @Test
-    void aHandThatFallsSilentLeavesTheRobotStanding() throws InterruptedException {
+    void manualControlThatIsNotRenewedStopsTheRobot() throws InterruptedException {
         FakeBot bot = join();
         ManualControl hand = new ManualControl(team.member(1));
         hand.drive(200, 0);
@@ -330,7 +330,7 @@ class TeamTest {
     }
 
     @Test
-    void anOwnerThatDoesNotEndHoldsUpNoStopButIsNamedInTheAnswer() throws InterruptedException {
+    void anOwnerThatDoesNotEndDelaysNoStopButIsNamedInTheAnswer() throws InterruptedException {
         join();
         join();
         listen();
@@ -361,7 +361,7 @@ class TeamTest {
     }
 
     @Test
-    void aListenerThatBreaksDownHoldsUpNoStop() throws InterruptedException {
+    void aListenerThatBreaksDownDelaysNoStop() throws InterruptedException {
         FakeBot first = join();
         FakeBot second = join();
         team.member(1).submit(move(3000), null);
@@ -457,7 +457,7 @@ class TeamTest {
     }
 
     @Test
-    void aRobotThatCannotBeToldToStandIsNotSaidTo() throws InterruptedException {
+    void aRobotThatNoStopReachesIsNotReportedAsStopped() throws InterruptedException {
         FakeBot bot = join();
         listen();
         bot.cut();
