@@ -21,6 +21,7 @@ import majic.time.WaitPolicy;
 public final class LinkReader<M> {
     private static final Logger LOG = System.getLogger(LinkReader.class.getName());
     private static final int CHUNK = 4096;
+    private static final String SERIAL = "serial:";
 
     private final Link link;
     private final String closed;
@@ -66,7 +67,7 @@ public final class LinkReader<M> {
             for (int count = link.read(chunk); count >= 0; count = link.read(chunk)) {
                 handler.decode(chunk, count, each);
             }
-            return new IOException(link.address().startsWith("serial:") ? "the serial port is gone" : closed);
+            return new IOException(closedBy(link.address()));
         } catch (IOException e) {
             return e;
         } catch (RuntimeException | Error e) {
@@ -75,11 +76,18 @@ public final class LinkReader<M> {
         }
     }
 
+    /** The cause of the end of the link, worded as a failed write to a serial port is. */
+    private String closedBy(String address) {
+        return address.startsWith(SERIAL)
+                ? "the serial port " + address.substring(SERIAL.length()) + " is gone"
+                : closed;
+    }
+
     private void receive(M message) {
         try {
             handler.received(message);
         } catch (RuntimeException | Error e) {
-            LOG.log(Level.WARNING, "could not take in " + message, e);
+            LOG.log(Level.WARNING, "could not process " + message, e);
         }
     }
 }

@@ -47,7 +47,7 @@ class LinkReaderTest {
     }
 
     @Test
-    void whatOneMessageCausesCostsOnlyThisMessage() throws InterruptedException {
+    void anErrorOverOneMessageIsLoggedAndTheNextMessageIsReceived() throws InterruptedException {
         read(new Chunks() {
             @Override
             public void received(String message) {
@@ -64,7 +64,7 @@ class LinkReaderTest {
     }
 
     @Test
-    void anErrorInDecodingEndsTheLinkInOneSentence() throws InterruptedException {
+    void anErrorInDecodingEndsTheLink() throws InterruptedException {
         read(new Chunks() {
             @Override
             public void decode(byte[] bytes, int count, Consumer<String> messages) {

@@ -57,7 +57,7 @@ class MajicHemissonOnAPortTest {
 
         assertThatThrownBy(() -> bot.move(1000))
                 .isInstanceOf(LinkLost.class)
-                .hasMessageContaining("the serial port is gone")
+                .hasMessageContaining("the serial port " + robot.name() + " is gone")
                 .hasMessageContaining("lift it");
     }
 
@@ -73,12 +73,13 @@ class MajicHemissonOnAPortTest {
     }
 
     @Test
-    void closingTellsItToStand() {
+    void closingStopsItAndConfirmsTheStop() {
         bot.drive(42, 0);
         robot.awaitMotion();
 
         bot.close();
 
-        assertThat(robot.heard()).endsWith("D,0,0", "E");
+        assertThat(robot.heard()).containsSubsequence("D,3,3", "D,0,0", "E");
+        assertThat(robot.heard()).last().isIn("D,0,0", "E");
     }
 }
