@@ -203,7 +203,7 @@ public final class MajicAibo extends MajicBot {
     }
 
     /** Makes the poller of pictures and LEDs, which does not poll yet. */
-    PanelPoller poller(PanelPoller.Audience audience) {
+    PanelPoller poller(PanelPoller.PictureReceiver audience) {
         return new PanelPoller(new RobotWait(time(), changes()), this::openSensors, audience);
     }
 

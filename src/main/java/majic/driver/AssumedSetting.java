@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  * was sent. Thread-safe.
  */
 public final class AssumedSetting {
-    private static final Value NEVER_SENT = Value.unknown("the robot does not tell, and nobody has set it");
+    private static final Value NEVER_SENT = Value.unknown("the robot does not report it, and it was not set");
 
     private volatile @Nullable Sent last;
 

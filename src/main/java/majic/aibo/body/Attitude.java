@@ -3,15 +3,15 @@ package majic.aibo.body;
 import java.util.Optional;
 
 /**
- * How the dog is tilted, from what its acceleration sensors make of gravity: on its feet it is all in z, downwards (URBI
- * sheet 13). Immutable.
+ * The tilt of the dog, from the direction of gravity in its acceleration sensors; on its feet gravity is along z, downwards
+ * (URBI sheet 13). Immutable.
  *
  * @param pitchDeg nose up positive, −90 to 90
  * @param rollDeg right side down positive, −180 to 180
  */
 public record Attitude(double pitchDeg, double rollDeg) {
     /** Returns what the sensors report now; empty before the first report. */
-    public static Optional<Attitude> of(Senses senses) {
+    public static Optional<Attitude> of(SensorReadings senses) {
         Optional<Double> x = senses.number(Sensor.ACCEL_X);
         Optional<Double> y = senses.number(Sensor.ACCEL_Y);
         Optional<Double> z = senses.number(Sensor.ACCEL_Z);

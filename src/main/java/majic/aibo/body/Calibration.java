@@ -7,11 +7,11 @@ import majic.bot.Range;
 import majic.bot.Settings;
 
 /**
- * How long this very dog takes for a millimetre or a degree at the usual pace of its legs. Kept in the user's settings
+ * The time that one dog takes for a millimetre or a degree at the usual pace of its legs. Stored in the user's settings
  * under {@code aibo.HOST.forward}, {@code .backward} (ms per mm), {@code .left}, {@code .right} (ms per degree).
  */
 public final class Calibration {
-    /** What a factor may be, times the usual one or that part of it; anything else is a slip of the pen. */
+    /** A factor may differ from the usual one by this factor; others are taken for typing errors. */
     private static final double MOST_TIMES_USUAL = 4;
 
     private final Settings settings;
@@ -29,15 +29,15 @@ public final class Calibration {
                 .orElse(gait.usualMsPerUnit());
     }
 
-    /** What a factor may be. */
+    /** The valid range of a factor. */
     public static Range range(Gait gait) {
         return new Range(gait.usualMsPerUnit() / MOST_TIMES_USUAL, gait.usualMsPerUnit() * MOST_TIMES_USUAL);
     }
 
     /**
-     * Takes over a factor and keeps it.
+     * Stores a factor.
      *
-     * @throws BotException if it could not be kept for the next start
+     * @throws BotException if it could not be stored for the next start
      */
     public void keep(Gait gait, double msPerUnit) {
         settings.put(keyStem + gait.key(), String.format(Locale.ROOT, "%.3f", msPerUnit));
@@ -55,12 +55,12 @@ public final class Calibration {
         return stride(gait, (int) Math.round(possible.clamp(cycleMs)));
     }
 
-    /** A gait as fast as the dog's feet hold. */
+    /** A gait at the highest pace at which the feet do not slip. */
     Stride fastest(Gait gait) {
         return stride(gait, Stride.FASTEST_CYCLE_MS);
     }
 
-    /** A gait as slow as it still makes sense. */
+    /** A gait at the lowest useful pace. */
     Stride slowest(Gait gait) {
         return stride(gait, Stride.SLOWEST_CYCLE_MS);
     }

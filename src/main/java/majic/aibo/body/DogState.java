@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 /** Holds the dog's readings, the obstacles around it and its estimated position. Outlives a connection. Thread-safe. */
 public final class DogState {
     private final Calibration calibration;
-    private final Senses senses = new Senses();
+    private final SensorReadings senses = new SensorReadings();
     private final LedReadings leds = new LedReadings();
     private final InfraRed infraRed = new InfraRed(senses);
     private final RecentObstacles obstacles = new RecentObstacles();
@@ -28,7 +28,7 @@ public final class DogState {
         return calibration;
     }
 
-    public Senses senses() {
+    public SensorReadings senses() {
         return senses;
     }
 

@@ -2,7 +2,7 @@ package majic.aibo.body;
 
 import java.util.Arrays;
 
-/** The four things the stick's gaits can do; each lasts for the milliseconds it is given (URBI sheet 15). */
+/** The four gaits of the stick; each runs for a given time, ms (URBI sheet 15). */
 public enum Gait {
     /** Straight ahead. */
     FORWARD("walk", 1, "forward", 12.0),
@@ -56,7 +56,7 @@ public enum Gait {
         return key;
     }
 
-    /** Milliseconds for one mm or one degree at the usual pace of the legs, before anybody has measured the dog (URBI sheet 15, "Calibration"). */
+    /** Milliseconds for one mm or one degree at the usual pace of the legs, without a calibration (URBI sheet 15, "Calibration"). */
     double usualMsPerUnit() {
         return usualMsPerUnit;
     }
@@ -71,7 +71,7 @@ public enum Gait {
         return "robot." + function + "(" + sign * ms + ")";
     }
 
-    /** What it means that the dog has complained of a call. */
+    /** The message for an error that the dog reports for a call. */
     public static String refusal(String failure) {
         return failure.contains("function") || failure.contains("robot.")
                 ? "the stick in the dog has no such gait (" + failure + ")"

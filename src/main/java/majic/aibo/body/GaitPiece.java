@@ -5,8 +5,7 @@ import majic.bot.Pose;
 import majic.driver.DeadReckoning;
 
 /**
- * One piece of a gait: how much it is to cover, and by the server's clock how much of it the dog has done. Safe from any
- * thread.
+ * One piece of a gait: the commanded amount, and the amount covered by the time stamps of the server. Thread-safe.
  */
 public final class GaitPiece implements DeadReckoning.Segment {
     /** The longest walk that is sent to the dog, ms: it would go on for this time if all connections failed. */
@@ -42,7 +41,7 @@ public final class GaitPiece implements DeadReckoning.Segment {
         return gait().sign() * stride.unitsPerSecond();
     }
 
-    /** What to ask the dog for. */
+    /** The call to send to the dog. */
     public String call() {
         return gait().call(Math.round(durationMs));
     }

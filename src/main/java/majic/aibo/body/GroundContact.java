@@ -9,7 +9,7 @@ import java.util.List;
  * @param pitchDeg how far the body is raised in front
  * @param heightMm of the body's origin
  */
-record Contact(double pitchDeg, double heightMm) {
+record GroundContact(double pitchDeg, double heightMm) {
     private static final double TOUCHES_MM = 0.01;
 
     /**
@@ -18,11 +18,11 @@ record Contact(double pitchDeg, double heightMm) {
      * @param points what it can rest on, in the body's frame
      * @param measuredDeg the pitch to which its own should be the nearest
      */
-    static Contact of(List<Spot> points, double measuredDeg) {
-        Contact nearest = level(points, measuredDeg);
+    static GroundContact of(List<BodyPoint> points, double measuredDeg) {
+        GroundContact nearest = level(points, measuredDeg);
         double off = Double.POSITIVE_INFINITY;
-        for (Spot rear : points) {
-            for (Spot front : points) {
+        for (BodyPoint rear : points) {
+            for (BodyPoint front : points) {
                 double pitch = -Math.toDegrees(Math.atan2(front.z() - rear.z(), front.x() - rear.x()));
                 if (Math.abs(pitch - measuredDeg) < off && carries(points, rear, front, pitch)) {
                     off = Math.abs(pitch - measuredDeg);
@@ -34,16 +34,16 @@ record Contact(double pitchDeg, double heightMm) {
     }
 
     /** Its lowest point touches the ground. */
-    private static Contact level(List<Spot> points, double pitchDeg) {
+    private static GroundContact level(List<BodyPoint> points, double pitchDeg) {
         double lowest = points.stream()
                 .mapToDouble(point -> point.raised(pitchDeg).z())
                 .min()
                 .orElse(0);
-        return new Contact(pitchDeg, -lowest);
+        return new GroundContact(pitchDeg, -lowest);
     }
 
     /** Whether the body rests on these two, its middle between them. */
-    private static boolean carries(List<Spot> points, Spot rear, Spot front, double pitchDeg) {
+    private static boolean carries(List<BodyPoint> points, BodyPoint rear, BodyPoint front, double pitchDeg) {
         double ground = rear.raised(pitchDeg).z();
         return rear.raised(pitchDeg).x() <= 0
                 && front.raised(pitchDeg).x() > 0
@@ -51,7 +51,7 @@ record Contact(double pitchDeg, double heightMm) {
     }
 
     /** Where a point of the body is when it lies so. */
-    Spot onGround(Spot own) {
-        return own.raised(pitchDeg).plus(new Spot(0, 0, heightMm));
+    BodyPoint onGround(BodyPoint own) {
+        return own.raised(pitchDeg).plus(new BodyPoint(0, 0, heightMm));
     }
 }

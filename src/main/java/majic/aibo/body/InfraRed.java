@@ -16,10 +16,10 @@ public final class InfraRed {
     /** The chest sensor may see the floor; only what is clearly nearer than that is something in the way. */
     private static final double NEARER_THAN_FLOOR = 0.85;
 
-    private final Senses senses;
+    private final SensorReadings senses;
     private volatile double floorCm = Double.NaN;
 
-    InfraRed(Senses senses) {
+    InfraRed(SensorReadings senses) {
         this.senses = senses;
     }
 

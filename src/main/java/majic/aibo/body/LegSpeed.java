@@ -11,8 +11,8 @@ import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 
 /**
- * The variables on the dog that hold the pace of its legs. All its clients share them, so they are put back as they were
- * found. Outlives a connection: what one that broke could not put back, the next one does. Thread-safe.
+ * The variables on the dog that hold the pace of its legs. All its clients share them, so their former values are restored; if
+ * a connection breaks, by the next one. Thread-safe.
  */
 public final class LegSpeed {
     private static final Gait[] ONE_FOR_EACH_VARIABLE = {Gait.FORWARD, Gait.LEFT};
@@ -20,7 +20,7 @@ public final class LegSpeed {
     private final Map<Gait, UrbiRequest> found = new EnumMap<>(Gait.class);
     private final Set<String> changed = new HashSet<>();
 
-    /** Asks how they stand, on a connection; waits for nothing. */
+    /** Asks for their values on a connection; does not wait for the answers. */
     public synchronized void look(UrbiConnection connection, Tags tags) {
         for (Gait gait : ONE_FOR_EACH_VARIABLE) {
             if (changed.contains(gait.paceVariable())) {
@@ -36,7 +36,7 @@ public final class LegSpeed {
         return stride.order();
     }
 
-    /** What puts them back, where they were changed and the dog has reported the former values. */
+    /** The commands that restore those that were changed and whose former values the dog has reported. */
     public synchronized String restore() {
         StringBuilder commands = new StringBuilder();
         found.forEach((gait, ask) -> {

@@ -9,8 +9,8 @@ public enum Limb {
 
     private static final double HALF_LENGTH_MM = 65;
     private static final double HALF_WIDTH_MM = 62;
-    private static final Spot THIGH = new Spot(0, 0, -70);
-    private static final Spot SHANK = new Spot(0, 0, -74);
+    private static final BodyPoint THIGH = new BodyPoint(0, 0, -70);
+    private static final BodyPoint SHANK = new BodyPoint(0, 0, -74);
 
     private final int ahead;
     private final int left;
@@ -44,16 +44,16 @@ public enum Limb {
      * @param middle elbow or knee
      * @param foot its lowest joint
      */
-    public record Bones(Spot top, Spot middle, Spot foot) {}
+    public record Bones(BodyPoint top, BodyPoint middle, BodyPoint foot) {}
 
     /** Where the bones are, in the body's frame. Fore legs bend their elbows to the rear, hind legs their knees ahead. */
-    Bones bones(Senses senses) {
+    Bones bones(SensorReadings senses) {
         double swingDeg = ahead * senses.number(swing).orElse(fore() ? -20.0 : -25.0);
         double spreadDeg = left * senses.number(spread).orElse(fore() ? 25.0 : 10.0);
         double kneeDeg = ahead * senses.number(knee).orElse(fore() ? 90.0 : 80.0);
-        Spot top = new Spot(ahead * HALF_LENGTH_MM, left * HALF_WIDTH_MM, 0);
-        Spot middle = top.plus(THIGH.spread(spreadDeg).raised(swingDeg));
-        Spot foot = middle.plus(SHANK.raised(kneeDeg).spread(spreadDeg).raised(swingDeg));
+        BodyPoint top = new BodyPoint(ahead * HALF_LENGTH_MM, left * HALF_WIDTH_MM, 0);
+        BodyPoint middle = top.plus(THIGH.spread(spreadDeg).raised(swingDeg));
+        BodyPoint foot = middle.plus(SHANK.raised(kneeDeg).spread(spreadDeg).raised(swingDeg));
         return new Bones(top, middle, foot);
     }
 

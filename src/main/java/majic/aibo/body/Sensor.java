@@ -3,7 +3,7 @@ package majic.aibo.body;
 import java.util.Arrays;
 import java.util.List;
 
-/** What the driver asks the dog for again and again, with the expression that reads it (URBI sheet 13). */
+/** The values that the dog reports periodically, with the expression that reads each (URBI sheet 13). */
 public enum Sensor {
     NEAR("distanceNear.val", Rate.FAST),
     FAR("distance.val", Rate.FAST),
@@ -45,11 +45,11 @@ public enum Sensor {
 
     /** How often. */
     public enum Rate {
-        /** What a moving dog is stopped by: twice the dog's cycle of 32 ms. */
+        /** Values that can stop a moving dog: twice the dog's cycle of 32 ms. */
         FAST(64),
-        /** What people look at. */
+        /** Values that are displayed. */
         SLOW(256),
-        /** What changes slowly. */
+        /** Values that change slowly. */
         RARE(1024);
 
         private final int periodMs;

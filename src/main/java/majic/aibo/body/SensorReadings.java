@@ -9,7 +9,7 @@ import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /** The newest reading of every sensor. Thread-safe. */
-public final class Senses {
+public final class SensorReadings {
     private static final double STIFF = 0.5;
 
     /** The scripts on the stick take more than this as pressed (URBI sheet 13). */

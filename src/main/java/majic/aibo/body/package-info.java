@@ -1,6 +1,5 @@
 /**
- * What is known of the dog: its joints, sensors, gaits and LEDs, what they reported, and the position estimated
- * from them.
+ * The dog's joints, sensors, gaits and LEDs, their readings, and the position estimated from them.
  */
 @NullMarked
 package majic.aibo.body;

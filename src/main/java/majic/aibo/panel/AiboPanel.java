@@ -13,13 +13,13 @@ import majic.panel.SidePane;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * Shows one dog: what its camera sees, the dog itself with all that moves, shines and can be touched, and its readings.
- * The sliders of the head move it; nothing else sends it anything but questions.
+ * Shows one dog: the picture of its camera, a drawing with its joints, LEDs and touch sensors, and its readings. Only the sliders
+ * of the head move it; everything else only reads.
  */
 public final class AiboPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
 
-    /** What the camera sees is worth as much of the width. */
+    /** The share of the width for the camera and the controls. */
     private static final double ASIDES = 0.38;
 
     private static final String LONGEST_READING = "-88888 mm";
@@ -54,7 +54,7 @@ public final class AiboPanel extends RefreshingPanel {
     private final BodyPanel body = new BodyPanel();
     private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
 
-    private AiboPanel(MajicBot bot, DogState dog, Function<PanelPoller.Audience, PanelPoller> pollers) {
+    private AiboPanel(MajicBot bot, DogState dog, Function<PanelPoller.PictureReceiver, PanelPoller> pollers) {
         super(bot);
         this.bot = bot;
         this.dog = dog;
@@ -85,7 +85,8 @@ public final class AiboPanel extends RefreshingPanel {
      * @param dog what is drawn
      * @param pollers makes what asks for the pictures that the panel shows
      */
-    public static JComponent create(MajicBot bot, DogState dog, Function<PanelPoller.Audience, PanelPoller> pollers) {
+    public static JComponent create(
+            MajicBot bot, DogState dog, Function<PanelPoller.PictureReceiver, PanelPoller> pollers) {
         AiboPanel panel = new AiboPanel(bot, dog, pollers);
         panel.refreshIfChanged();
         return panel;

@@ -5,8 +5,8 @@ import java.util.OptionalInt;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.aibo.body.Attitude;
-import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
+import majic.aibo.body.SensorReadings;
 import majic.panel.BatteryIcon;
 import majic.panel.Horizon;
 import majic.panel.StatusLight;
@@ -38,7 +38,7 @@ final class BodyPanel extends JPanel {
         add(posture);
     }
 
-    void refresh(Senses senses, boolean connected) {
+    void refresh(SensorReadings senses, boolean connected) {
         horizon.setEnabled(connected);
         horizon.show(Attitude.of(senses)
                 .map(now -> new Horizon.Tilt(now.pitchDeg(), now.rollDeg()))

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * The camera's pictures on their way to the screen: decoded on the poller's thread, shown by the next refresh. For the
  * event thread, except what a poller calls.
  */
-final class CameraPanel implements PanelPoller.Audience {
+final class CameraPanel implements PanelPoller.PictureReceiver {
     private static final int WIDTH = 208;
     private static final int HEIGHT = 160;
 

@@ -82,7 +82,7 @@ final class DogDrawing extends JPanel {
         pen.setColor(colors().grey(0.35));
         pen.setStroke(DrawingColors.stroke(2.5));
         pen.draw(new Line2D.Double(-FigureDrawing.REAR_MM, 0, FigureDrawing.AHEAD_MM, 0));
-        new FigureDrawing(dog, View.SIDE, colors(), isEnabled()).paint(pen);
+        new FigureDrawing(dog, Projection.SIDE, colors(), isEnabled()).paint(pen);
         pen.dispose();
     }
 
@@ -94,7 +94,7 @@ final class DogDrawing extends JPanel {
         pen.translate(width / 2, (height + size) / 2 - HEAD_AT * size);
         new BeamsDrawing(dog, colors(), REACH * size, scale * NOSE_MM).paint(pen);
         pen.scale(scale, -scale);
-        FigureDrawing figure = new FigureDrawing(dog, View.ABOVE, colors(), isEnabled());
+        FigureDrawing figure = new FigureDrawing(dog, Projection.ABOVE, colors(), isEnabled());
         pen.translate(0, -figure.skeleton().neckFoot().x());
         figure.paint(pen);
         pen.dispose();

@@ -3,11 +3,11 @@ package majic.aibo.panel;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.util.List;
+import majic.aibo.body.BodyPoint;
 import majic.aibo.body.DogState;
 import majic.aibo.body.Limb;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.Skeleton;
-import majic.aibo.body.Spot;
 import majic.panel.DrawingColors;
 
 /** The whole dog as one view shows it, with every joint as it was measured; in mm, the ground at 0. */
@@ -29,12 +29,12 @@ final class FigureDrawing {
 
     private final DogState dog;
     private final Skeleton skeleton;
-    private final View view;
+    private final Projection view;
     private final DrawingColors colors;
     private final boolean live;
 
     /** A live dog's LEDs shine. */
-    FigureDrawing(DogState dog, View view, DrawingColors colors, boolean live) {
+    FigureDrawing(DogState dog, Projection view, DrawingColors colors, boolean live) {
         this.dog = dog;
         this.skeleton = new Skeleton(dog.senses());
         this.view = view;
@@ -52,7 +52,7 @@ final class FigureDrawing {
             addLeg(parts, limb);
         }
         addTail(parts);
-        parts.bone(skeleton.body(new Spot(-46, 0, 0)), skeleton.body(new Spot(42, 0, 2)), 102, 0.12);
+        parts.bone(skeleton.body(new BodyPoint(-46, 0, 0)), skeleton.body(new BodyPoint(42, 0, 2)), 102, 0.12);
         for (int place = 0; place < PLACES.size(); place++) {
             addBack(parts, place);
         }
@@ -66,13 +66,13 @@ final class FigureDrawing {
         parts.boneBehind(BEHIND_PAW_MM, bones.top(), bones.middle(), 46, 0.26);
         parts.boneBehind(BEHIND_PAW_MM, bones.middle(), bones.foot(), 32, 0.2);
         boolean down = dog.senses().isPressed(limb.paw());
-        Spot toe = bones.foot().plus(new Spot(12, 0, -1));
-        parts.part(bones.foot().plus(new Spot(-3, 0, -1)), toe, 27, down ? colors.accent() : colors.paper());
+        BodyPoint toe = bones.foot().plus(new BodyPoint(12, 0, -1));
+        parts.part(bones.foot().plus(new BodyPoint(-3, 0, -1)), toe, 27, down ? colors.accent() : colors.paper());
     }
 
     private void addTail(PartsDrawing parts) {
         for (int piece = 0; piece < TAIL_PIECES; piece++) {
-            Spot from = skeleton.tail((double) piece / TAIL_PIECES);
+            BodyPoint from = skeleton.tail((double) piece / TAIL_PIECES);
             parts.bone(from, skeleton.tail((piece + 1.0) / TAIL_PIECES), 17, 0.5);
         }
     }
@@ -81,17 +81,17 @@ final class FigureDrawing {
     private void addBack(PartsDrawing parts, int place) {
         double x = 38 - place * PAD_STEP_MM;
         boolean pressed = dog.senses().isPressed(PADS.get(place));
-        parts.pad(skeleton.body(new Spot(x - 9, 0, 51)), skeleton.body(new Spot(x + 9, 0, 51)), 15, pressed);
+        parts.pad(skeleton.body(new BodyPoint(x - 9, 0, 51)), skeleton.body(new BodyPoint(x + 9, 0, 51)), 15, pressed);
         String name = "ledB" + PLACES.get(place);
-        double height = view == View.SIDE ? 31 : 48;
+        double height = view == Projection.SIDE ? 31 : 48;
         parts.lamp(
-                skeleton.body(new Spot(x - 8, -24, height)),
+                skeleton.body(new BodyPoint(x - 8, -24, height)),
                 COLOURS.get(place),
                 dog.leds().amount(name + "C"));
-        double left = view == View.SIDE ? -24 : 24;
-        double further = view == View.SIDE ? 8 : -8;
+        double left = view == Projection.SIDE ? -24 : 24;
+        double further = view == Projection.SIDE ? 8 : -8;
         parts.lamp(
-                skeleton.body(new Spot(x + further, left, height)),
+                skeleton.body(new BodyPoint(x + further, left, height)),
                 LedDrawing.WHITE,
                 dog.leds().amount(name + "W"));
     }

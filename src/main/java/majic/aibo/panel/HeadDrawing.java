@@ -1,17 +1,17 @@
 package majic.aibo.panel;
 
 import java.awt.Color;
+import majic.aibo.body.BodyPoint;
 import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.Skeleton;
-import majic.aibo.body.Spot;
 import majic.panel.DrawingColors;
 
 /** The head with its visor, jaw and ears, its touch sensors and LEDs. */
 final class HeadDrawing {
-    private static final Spot SKULL = new Spot(-4, 0, 16);
-    private static final Spot JAW_HINGE = new Spot(18, 0, -20);
-    private static final Spot JAW = new Spot(40, 0, 0);
+    private static final BodyPoint SKULL = new BodyPoint(-4, 0, 16);
+    private static final BodyPoint JAW_HINGE = new BodyPoint(18, 0, -20);
+    private static final BodyPoint JAW = new BodyPoint(40, 0, 0);
     private static final double EAR_MM = 42;
 
     /** The head sits on the neck and hides its upper end, however it is turned. */
@@ -33,40 +33,44 @@ final class HeadDrawing {
     }
 
     void addTo(PartsDrawing parts) {
-        parts.boneBehind(NECK_BEHIND_MM, skeleton.neckFoot(), skeleton.head(new Spot(0, 0, -14)), 40, 0.4);
-        parts.bone(skeleton.head(SKULL), skeleton.head(new Spot(6, 0, 16)), 82, 0.08);
-        parts.bone(skeleton.head(new Spot(24, 0, 8)), skeleton.head(new Spot(46, 0, 4)), 56, 0.08);
-        parts.part(skeleton.head(new Spot(58, 0, 8)), skeleton.head(new Spot(62, 0, 2)), 36, visor(colors));
+        parts.boneBehind(NECK_BEHIND_MM, skeleton.neckFoot(), skeleton.head(new BodyPoint(0, 0, -14)), 40, 0.4);
+        parts.bone(skeleton.head(SKULL), skeleton.head(new BodyPoint(6, 0, 16)), 82, 0.08);
+        parts.bone(skeleton.head(new BodyPoint(24, 0, 8)), skeleton.head(new BodyPoint(46, 0, 4)), 56, 0.08);
+        parts.part(skeleton.head(new BodyPoint(58, 0, 8)), skeleton.head(new BodyPoint(62, 0, 2)), 36, visor(colors));
         parts.bone(skeleton.head(JAW_HINGE), skeleton.jaw(JAW_HINGE, JAW), 19, 0.3);
         addTouch(parts);
         addEar(parts, 1, "earL");
         addEar(parts, -1, "earR");
         parts.lamp(
-                skeleton.head(new Spot(18, -9, 52)),
+                skeleton.head(new BodyPoint(18, -9, 52)),
                 LedDrawing.ORANGE,
                 dog.leds().amount("ledHC"));
         parts.lamp(
-                skeleton.head(new Spot(18, 9, 52)), LedDrawing.WHITE, dog.leds().amount("ledHW"));
+                skeleton.head(new BodyPoint(18, 9, 52)),
+                LedDrawing.WHITE,
+                dog.leds().amount("ledHW"));
         parts.lamp(
-                skeleton.head(new Spot(-42, 0, 26)), LedDrawing.BLUE, dog.leds().amount("ledWIFI"));
+                skeleton.head(new BodyPoint(-42, 0, 26)),
+                LedDrawing.BLUE,
+                dog.leds().amount("ledWIFI"));
     }
 
     private void addTouch(PartsDrawing parts) {
-        Spot chin = skeleton.jaw(JAW_HINGE, new Spot(34, 0, -9));
+        BodyPoint chin = skeleton.jaw(JAW_HINGE, new BodyPoint(34, 0, -9));
         parts.pad(
                 chin,
-                skeleton.jaw(JAW_HINGE, new Spot(42, 0, -9)),
+                skeleton.jaw(JAW_HINGE, new BodyPoint(42, 0, -9)),
                 13,
                 dog.senses().isPressed(Sensor.CHIN));
-        Spot top = skeleton.head(new Spot(-14, 0, 56));
-        parts.pad(top, skeleton.head(new Spot(2, 0, 57)), 15, dog.senses().isPressed(Sensor.HEAD_TOUCH));
+        BodyPoint top = skeleton.head(new BodyPoint(-14, 0, 56));
+        parts.pad(top, skeleton.head(new BodyPoint(2, 0, 57)), 15, dog.senses().isPressed(Sensor.HEAD_TOUCH));
     }
 
     /** Hangs down, or stands off when it is flicked. */
     private void addEar(PartsDrawing parts, int side, String device) {
         boolean flicked = dog.leds().amount(device).orElse(0.0) > 0.5;
-        Spot root = new Spot(-16, side * 38, 34);
-        Spot hang = new Spot(-4, 0, -EAR_MM).spread(side * (flicked ? 75.0 : 12.0));
+        BodyPoint root = new BodyPoint(-16, side * 38, 34);
+        BodyPoint hang = new BodyPoint(-4, 0, -EAR_MM).spread(side * (flicked ? 75.0 : 12.0));
         parts.bone(skeleton.head(root), skeleton.head(root.plus(hang)), 24, 0.45);
     }
 }

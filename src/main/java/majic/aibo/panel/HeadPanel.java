@@ -5,25 +5,25 @@ import java.util.Map;
 import java.util.Optional;
 import javax.swing.JPanel;
 import majic.aibo.body.Joint;
-import majic.aibo.body.Senses;
+import majic.aibo.body.SensorReadings;
 import majic.bot.MajicBot;
 import majic.panel.SetpointSlider;
 import net.miginfocom.swing.MigLayout;
 
-/** Sliders that turn the head. They move the dog, so a script, an act or STOP keeps them from it. For the event thread. */
+/** Sliders that turn the head. They move the dog, so they are refused while a script or an act owns it or STOP is active. For the event thread. */
 final class HeadPanel extends JPanel {
     private static final long serialVersionUID = 1;
 
     private final transient MajicBot bot;
-    private final transient Senses senses;
-    private final transient SliderControl grip;
+    private final transient SensorReadings senses;
+    private final transient SliderControl control;
     private final transient Map<Joint, SetpointSlider> sliders = new EnumMap<>(Joint.class);
 
-    HeadPanel(MajicBot bot, Senses senses) {
+    HeadPanel(MajicBot bot, SensorReadings senses) {
         super(new MigLayout("insets 0, wrap 1, fillx, gap 0 1, novisualpadding", "[grow, fill]"));
         this.bot = bot;
         this.senses = senses;
-        this.grip = new SliderControl(bot);
+        this.control = new SliderControl(bot);
         setOpaque(false);
         add(Joint.HEAD_PAN);
         add(Joint.HEAD_TILT);
@@ -35,7 +35,7 @@ final class HeadPanel extends JPanel {
         boolean turns = joint == Joint.HEAD_PAN;
         String name = joint.urbiName();
         SetpointSlider slider =
-                new SetpointSlider(bot.parameter(name), turns, (degrees, last) -> grip.choose(name, degrees, last));
+                new SetpointSlider(bot.parameter(name), turns, (degrees, last) -> control.choose(name, degrees, last));
         sliders.put(joint, slider);
         add(slider);
     }
@@ -51,7 +51,7 @@ final class HeadPanel extends JPanel {
             slider.show(
                     words(senses.number(joint.sensor())),
                     senses.number(joint.sensor()).orElse(null),
-                    grip.isHolding());
+                    control.isHolding());
         });
     }
 }

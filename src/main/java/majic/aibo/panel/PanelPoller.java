@@ -12,16 +12,16 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Polls what is needed only while the panel is shown: pictures, and the state of the LEDs and ears. Has a thread of its
- * own meanwhile, since no other may wait for a picture. Readings go first: after each picture the
- * connection is left to them for at least as long as the picture took. Thread-safe.
+ * Polls the values that are needed only while the panel is visible: pictures, and the state of the LEDs and ears. Has its own thread
+ * meanwhile, because no other may wait for a picture. After each picture the connection is left to the readings for at least as long as
+ * the picture took. Thread-safe.
  */
 public final class PanelPoller {
     private static final double LEAST_PERIOD_S = 0.1;
     private static final double AFTER_FAILURE_S = 1;
 
     /** Receives the pictures. Called on the poller's thread; may block. */
-    public interface Audience {
+    public interface PictureReceiver {
         /** A picture came. */
         void see(UrbiValue picture, double perSecond);
 
@@ -31,30 +31,30 @@ public final class PanelPoller {
 
     private final RobotWait waiting;
     private final Supplier<@Nullable UrbiConnection> connection;
-    private final Audience audience;
+    private final PictureReceiver audience;
     private final Camera camera;
     private final Tags tags = new Tags();
-    private @Nullable Look current;
+    private @Nullable PollRun current;
 
     /**
      * Makes a poller that does not poll yet.
      *
      * @param connection the one for sensors and settings that is open now; null while none is
      */
-    public PanelPoller(RobotWait waiting, Supplier<@Nullable UrbiConnection> connection, Audience audience) {
+    public PanelPoller(RobotWait waiting, Supplier<@Nullable UrbiConnection> connection, PictureReceiver audience) {
         this.waiting = waiting;
         this.connection = connection;
         this.audience = audience;
         this.camera = new Camera(waiting);
     }
 
-    /** Begins or ends looking. Never waits. */
+    /** Begins or ends polling. Never blocks. */
     public synchronized void look(boolean whether) {
-        Look last = current;
+        PollRun last = current;
         if (whether && last == null) {
-            Look begun = new Look();
+            PollRun begun = new PollRun();
             current = begun;
-            waiting.time().thread("aibo spectator", begun::run).start();
+            waiting.time().thread("aibo panel poller", begun::run).start();
         } else if (!whether && last != null) {
             last.over = true;
             current = null;
@@ -62,8 +62,8 @@ public final class PanelPoller {
         }
     }
 
-    /** One look, from its beginning to its end. */
-    private final class Look {
+    /** The polling while the panel is visible. */
+    private final class PollRun {
         private final FrameRate rate = new FrameRate();
         private volatile boolean over;
 

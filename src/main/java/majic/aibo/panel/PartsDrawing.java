@@ -8,7 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import majic.aibo.body.Spot;
+import majic.aibo.body.BodyPoint;
 import majic.panel.DrawingColors;
 
 /** The parts of the dog as one view shows them, painted from the farthest to the nearest, in mm. */
@@ -19,7 +19,7 @@ final class PartsDrawing {
     /** What faces away is a little darker. */
     private static final double SHADE = 0.0012;
 
-    private final View view;
+    private final Projection view;
     private final DrawingColors colors;
     private final boolean live;
     private final LedDrawing leds;
@@ -28,7 +28,7 @@ final class PartsDrawing {
     private record Part(double depth, Consumer<Graphics2D> paint) {}
 
     /** No parts yet; LEDs shine only while the dog is connected. */
-    PartsDrawing(View view, DrawingColors colors, boolean live) {
+    PartsDrawing(Projection view, DrawingColors colors, boolean live) {
         this.view = view;
         this.colors = colors;
         this.live = live;
@@ -36,12 +36,12 @@ final class PartsDrawing {
     }
 
     /** A round-ended part of this thickness. */
-    void bone(Spot from, Spot to, double widthMm, double grey) {
+    void bone(BodyPoint from, BodyPoint to, double widthMm, double grey) {
         boneBehind(0, from, to, widthMm, grey);
     }
 
     /** The same, painted as if it were farther away. */
-    void boneBehind(double furtherMm, Spot from, Spot to, double widthMm, double grey) {
+    void boneBehind(double furtherMm, BodyPoint from, BodyPoint to, double widthMm, double grey) {
         double depth = (view.depth(from) + view.depth(to)) / 2;
         double shaded = grey + SHADE * Math.max(0, Math.min(120, depth + 40));
         Color color = colors.grey(Math.min(0.75, shaded));
@@ -49,19 +49,19 @@ final class PartsDrawing {
     }
 
     /** A part of a colour of its own. */
-    void part(Spot from, Spot to, double widthMm, Color color) {
+    void part(BodyPoint from, BodyPoint to, double widthMm, Color color) {
         double depth = (view.depth(from) + view.depth(to)) / 2;
         parts.add(new Part(depth, pen -> capsule(pen, from, to, widthMm, color)));
     }
 
     /** A touch sensor; stands out while it is pressed. */
-    void pad(Spot from, Spot to, double widthMm, boolean pressed) {
+    void pad(BodyPoint from, BodyPoint to, double widthMm, boolean pressed) {
         double depth = (view.depth(from) + view.depth(to)) / 2;
         Color color = pressed ? colors.accent() : colors.paper();
         parts.add(new Part(depth, pen -> capsule(pen, from, to, pressed ? 1.35 * widthMm : widthMm, color)));
     }
 
-    void lamp(Spot at, Color light, Optional<Double> amount) {
+    void lamp(BodyPoint at, Color light, Optional<Double> amount) {
         Optional<Double> shown = live ? amount : Optional.empty();
         parts.add(new Part(view.depth(at) - 1, pen -> leds.paint(pen, view.across(at), view.up(at), light, shown)));
     }
@@ -71,7 +71,7 @@ final class PartsDrawing {
         parts.forEach(part -> part.paint().accept(pen));
     }
 
-    private void capsule(Graphics2D pen, Spot from, Spot to, double widthMm, Color color) {
+    private void capsule(Graphics2D pen, BodyPoint from, BodyPoint to, double widthMm, Color color) {
         Line2D line = new Line2D.Double(view.across(from), view.up(from), view.across(to), view.up(to));
         pen.setColor(colors.grey(0.8));
         pen.setStroke(DrawingColors.stroke(widthMm));

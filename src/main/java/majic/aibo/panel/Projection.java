@@ -1,37 +1,37 @@
 package majic.aibo.panel;
 
 import java.util.function.ToDoubleFunction;
-import majic.aibo.body.Spot;
+import majic.aibo.body.BodyPoint;
 
 /** Where the drawn dog is looked at from; lengths in mm. */
-enum View {
+enum Projection {
     /** From its right and a little from behind and above, so that the legs do not hide each other; it looks to the right. */
-    SIDE(spot -> spot.x() + 0.3 * spot.y(), spot -> spot.z() + 0.05 * spot.y(), Spot::y),
+    SIDE(spot -> spot.x() + 0.3 * spot.y(), spot -> spot.z() + 0.05 * spot.y(), BodyPoint::y),
     /** From above; it looks upwards. */
-    ABOVE(spot -> -spot.y(), Spot::x, spot -> -spot.z());
+    ABOVE(spot -> -spot.y(), BodyPoint::x, spot -> -spot.z());
 
-    private final ToDoubleFunction<Spot> across;
-    private final ToDoubleFunction<Spot> up;
-    private final ToDoubleFunction<Spot> depth;
+    private final ToDoubleFunction<BodyPoint> across;
+    private final ToDoubleFunction<BodyPoint> up;
+    private final ToDoubleFunction<BodyPoint> depth;
 
-    View(ToDoubleFunction<Spot> across, ToDoubleFunction<Spot> up, ToDoubleFunction<Spot> depth) {
+    Projection(ToDoubleFunction<BodyPoint> across, ToDoubleFunction<BodyPoint> up, ToDoubleFunction<BodyPoint> depth) {
         this.across = across;
         this.up = up;
         this.depth = depth;
     }
 
     /** To the right of the picture's middle. */
-    double across(Spot spot) {
+    double across(BodyPoint spot) {
         return across.applyAsDouble(spot);
     }
 
     /** Up in the picture. */
-    double up(Spot spot) {
+    double up(BodyPoint spot) {
         return up.applyAsDouble(spot);
     }
 
     /** How far behind the dog's middle. */
-    double depth(Spot spot) {
+    double depth(BodyPoint spot) {
         return depth.applyAsDouble(spot);
     }
 }

@@ -13,48 +13,48 @@ import org.jspecify.annotations.Nullable;
  */
 final class SliderControl {
     private final MajicBot bot;
-    private @Nullable ManualControl hand;
+    private @Nullable ManualControl control;
     private boolean dragging;
-    private boolean held;
+    private boolean taken;
 
     SliderControl(MajicBot bot) {
         this.bot = bot;
     }
 
-    /** Whether what was chosen last is still being done. */
+    /** Whether the last chosen angle is not yet reached. */
     boolean isHolding() {
-        return hand != null && !hand.isOff();
+        return control != null && !control.isOff();
     }
 
     /** Chooses an angle; a refusal is shown to the user once a drag. */
     void choose(String joint, double degrees, boolean last) {
         if (!dragging) {
             dragging = true;
-            held = take(joint, degrees);
-        } else if (held && hand != null) {
-            hand.set(joint, degrees);
+            taken = take(joint, degrees);
+        } else if (taken && control != null) {
+            control.set(joint, degrees);
         }
         if (last) {
             dragging = false;
-            if (hand != null) {
-                hand.finish();
+            if (control != null) {
+                control.finish();
             }
         }
     }
 
     private boolean take(String joint, double degrees) {
-        if (hand != null && hand.set(joint, degrees)) {
+        if (control != null && control.set(joint, degrees)) {
             return true;
         }
         Member.of(bot).ifPresent(member -> {
             try {
-                hand = new ManualControl(member);
-                hand.set(joint, degrees);
+                control = new ManualControl(member);
+                control.set(joint, degrees);
             } catch (BotException e) {
-                hand = null;
+                control = null;
                 member.report(e);
             }
         });
-        return hand != null;
+        return control != null;
     }
 }

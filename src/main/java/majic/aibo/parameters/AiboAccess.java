@@ -4,8 +4,8 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
-import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
+import majic.aibo.body.SensorReadings;
 import majic.aibo.session.AiboSession;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
@@ -28,17 +28,17 @@ public final class AiboAccess {
     private static final Value NOT_REPORTED = Value.unknown("the dog tells it only when asked");
 
     private final Tags tags = new Tags();
-    private final Senses senses;
+    private final SensorReadings senses;
     private final RobotWait waiting;
     private final Supplier<AiboSession> session;
 
-    public AiboAccess(Senses senses, RobotWait waiting, Supplier<AiboSession> session) {
+    public AiboAccess(SensorReadings senses, RobotWait waiting, Supplier<AiboSession> session) {
         this.senses = senses;
         this.waiting = waiting;
         this.session = session;
     }
 
-    Senses senses() {
+    SensorReadings senses() {
         return senses;
     }
 

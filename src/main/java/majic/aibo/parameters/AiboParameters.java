@@ -20,11 +20,11 @@ public final class AiboParameters {
         this.themes = List.of(
                 new RangeParameters(dog),
                 new BodyParameters(access),
-                new SenseParameters(access),
+                new SensorValueParameters(access),
                 new JointParameters(access),
                 new LoadParameters(access, dog),
                 new EarParameters(access),
-                new LightParameters(access),
+                new LedParameters(access),
                 new CameraParameters(access),
                 new SoundParameters(access, volume));
     }

@@ -2,8 +2,8 @@ package majic.aibo.parameters;
 
 import java.util.List;
 import majic.aibo.body.Posture;
-import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
+import majic.aibo.body.SensorReadings;
 import majic.aibo.session.AiboSession;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
@@ -20,7 +20,7 @@ final class BodyParameters implements ParameterTheme<UrbiVersion> {
     private static final double ASK_S = 4;
 
     private final AiboAccess access;
-    private final Senses senses;
+    private final SensorReadings senses;
 
     BodyParameters(AiboAccess access) {
         this.access = access;

@@ -12,14 +12,14 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** The 26 LEDs, alone and in groups (URBI sheet 13). None of it moves the dog. */
-final class LightParameters implements ParameterTheme<UrbiVersion> {
+final class LedParameters implements ParameterTheme<UrbiVersion> {
     private static final List<String> PLACES = List.of("front", "middle", "rear");
 
     private final AiboAccess access;
     private volatile List<Value> former = List.of();
     private volatile boolean lit;
 
-    LightParameters(AiboAccess access) {
+    LedParameters(AiboAccess access) {
         this.access = access;
     }
 

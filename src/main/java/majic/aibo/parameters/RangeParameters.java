@@ -2,8 +2,8 @@ package majic.aibo.parameters;
 
 import java.util.Optional;
 import majic.aibo.body.DogState;
-import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
+import majic.aibo.body.SensorReadings;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
@@ -14,7 +14,7 @@ import majic.driver.ParameterTheme;
 /** What the infra-red beams meet, in mm where the dog has cm. */
 final class RangeParameters implements ParameterTheme<UrbiVersion> {
     private final DogState dog;
-    private final Senses senses;
+    private final SensorReadings senses;
 
     RangeParameters(DogState dog) {
         this.dog = dog;

@@ -1,7 +1,7 @@
 package majic.aibo.parameters;
 
-import majic.aibo.body.Senses;
 import majic.aibo.body.Sensor;
+import majic.aibo.body.SensorReadings;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
@@ -10,13 +10,13 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 
 /** The dog's touch and acceleration sensors, as it reports them. */
-final class SenseParameters implements ParameterTheme<UrbiVersion> {
+final class SensorValueParameters implements ParameterTheme<UrbiVersion> {
     private static final double PERCENT = 100;
 
     private final AiboAccess access;
-    private final Senses senses;
+    private final SensorReadings senses;
 
-    SenseParameters(AiboAccess access) {
+    SensorValueParameters(AiboAccess access) {
         this.access = access;
         this.senses = access.senses();
     }

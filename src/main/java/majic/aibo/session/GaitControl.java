@@ -1,7 +1,7 @@
 package majic.aibo.session;
 
 import java.util.function.BooleanSupplier;
-import majic.aibo.body.Senses;
+import majic.aibo.body.SensorReadings;
 import majic.aibo.body.Stride;
 import org.jspecify.annotations.Nullable;
 
@@ -20,9 +20,10 @@ final class GaitControl {
     private final DogGuard guard;
     private final HeadSweep sweep;
     private final MessageRouter router;
-    private final Senses readings;
+    private final SensorReadings readings;
 
-    GaitControl(MotionExecutor executor, DogGuard guard, HeadSweep sweep, MessageRouter router, Senses readings) {
+    GaitControl(
+            MotionExecutor executor, DogGuard guard, HeadSweep sweep, MessageRouter router, SensorReadings readings) {
         this.executor = executor;
         this.guard = guard;
         this.sweep = sweep;

@@ -8,8 +8,8 @@ import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What was recorded so far. The dog's clock tells where each block belongs: one that comes again is left out, and where
- * some are missing there is silence, so that the rest keeps its time. Filled by a reader's thread; safe from any.
+ * The sound recorded so far. The dog's time stamps give the place of each block: a repeated block is dropped and missing ones are
+ * replaced by silence, so that the timing stays correct. Filled by the reader thread; thread-safe.
  */
 final class SoundRecording {
     private final double seconds;

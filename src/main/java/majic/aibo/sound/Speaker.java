@@ -14,9 +14,9 @@ import majic.bot.LinkLost;
 import majic.bot.Motion;
 
 /**
- * Plays one sound at a time, to its end. What is sent over goes out in pieces on the sensors' connection, each after the
- * end of the former (URBI sheet 12), so a stop has to outlast one piece at most, and nothing that moves waits for it.
- * Waits as a motion does, so a stop ends it at once. Safe from any thread.
+ * Plays one sound at a time, to its end. A sound is sent in pieces on the connection for sensors, each after the end of the one before
+ * (URBI sheet 12), so at most one piece plays on after a stop, and no motion waits for it. Waits as a motion does, so a stop ends
+ * it at once. Thread-safe.
  */
 public final class Speaker {
     private static final Logger LOG = System.getLogger(Speaker.class.getName());
@@ -116,7 +116,7 @@ public final class Speaker {
         }
     }
 
-    /** Waits until the speaker has nothing left to play. A dog that cannot tell is taken at its time. */
+    /** Waits until the speaker has nothing left to play; a dog that does not report it is taken to be done. */
     private void awaitQuiet(UrbiConnection on, Motion motion, double seconds) {
         double lastS = motion.seconds() + seconds;
         while (leftMs(on, motion) > 0) {

@@ -23,7 +23,7 @@ public record HemissonParameters(
     /** Adds all of them. */
     public void describe(ParameterTable table) {
         new InfraredParameters(table, access).describe();
-        new LedParameters(table, lamps).describe();
+        new LedAndBuzzerParameters(table, lamps).describe();
         new MotorParameters(table, access, calibration).describe();
         new RobotParameters(table, access, robot).describe();
         new PinParameters(table, access, pins).describe();

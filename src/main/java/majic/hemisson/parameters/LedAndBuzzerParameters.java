@@ -8,11 +8,11 @@ import majic.bot.Value;
 import majic.hemisson.line.Leds;
 
 /** The four LEDs and the buzzer. */
-final class LedParameters {
+final class LedAndBuzzerParameters {
     private final ParameterTable table;
     private final LedsAndBuzzer lamps;
 
-    LedParameters(ParameterTable table, LedsAndBuzzer lamps) {
+    LedAndBuzzerParameters(ParameterTable table, LedsAndBuzzer lamps) {
         this.table = table;
         this.lamps = lamps;
     }

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class AttitudeTest {
-    private final Senses senses = new Senses();
+    private final SensorReadings senses = new SensorReadings();
 
     @ParameterizedTest
     @CsvSource({"0, 0, -9.8, 0, 0", "-6.93, 0, -6.93, 45, 0", "0, 6.93, -6.93, 0, 45", "0, 0, 9.8, 0, 180"})

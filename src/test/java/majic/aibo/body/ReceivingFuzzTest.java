@@ -50,7 +50,7 @@ class ReceivingFuzzTest {
 
     @FuzzTest
     void noMessageUpsetsTheDriver(byte[] wire) {
-        Senses senses = new Senses();
+        SensorReadings senses = new SensorReadings();
         for (UrbiMessage message : new UrbiDecoder().feed(wire, wire.length)) {
             UrbiRequest ask = new UrbiRequest(message.tag(), UrbiRequest.Expects.VALUE);
             PendingRequests pending = new PendingRequests();

@@ -10,9 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class SkeletonTest {
-    private static final Spot NOSE = new Spot(80, 0, 0);
+    private static final BodyPoint NOSE = new BodyPoint(80, 0, 0);
 
-    private final Senses senses = new Senses();
+    private final SensorReadings senses = new SensorReadings();
 
     @ParameterizedTest
     @EnumSource(Limb.class)
@@ -36,12 +36,12 @@ class SkeletonTest {
     void aLyingDogRestsOnItsBelly() {
         legs(55, -5, 40, -120, 0, 119);
 
-        assertThat(skeleton().body(new Spot(0, 0, 0)).z()).isLessThan(60);
+        assertThat(skeleton().body(new BodyPoint(0, 0, 0)).z()).isLessThan(60);
     }
 
     @Test
     void headPanTurnsTheNoseToTheLeftAndTiltRaisesIt() {
-        Spot ahead = skeleton().head(NOSE);
+        BodyPoint ahead = skeleton().head(NOSE);
         put(Sensor.HEAD_PAN, 60);
         put(Sensor.HEAD_TILT, 30);
 
@@ -51,9 +51,9 @@ class SkeletonTest {
 
     @Test
     void aBowedNeckBringsTheHeadAheadAndDown() {
-        Spot upright = skeleton().head(new Spot(0, 0, 0));
+        BodyPoint upright = skeleton().head(new BodyPoint(0, 0, 0));
         put(Sensor.NECK, -79);
-        Spot bowed = skeleton().head(new Spot(0, 0, 0));
+        BodyPoint bowed = skeleton().head(new BodyPoint(0, 0, 0));
 
         assertThat(bowed.x()).isGreaterThan(upright.x() + 50);
         assertThat(bowed.z()).isLessThan(upright.z() - 40);
@@ -61,7 +61,7 @@ class SkeletonTest {
 
     @Test
     void theMouthOpensDownwards() {
-        Spot shut = jaw();
+        BodyPoint shut = jaw();
         put(Sensor.MOUTH, -58);
 
         assertThat(jaw().z()).isLessThan(shut.z() - 20);
@@ -69,7 +69,7 @@ class SkeletonTest {
 
     @Test
     void theTailRisesAndPointsToTheLeft() {
-        Spot low = skeleton().tail(1);
+        BodyPoint low = skeleton().tail(1);
         put(Sensor.TAIL_TILT, 45);
         put(Sensor.TAIL_PAN, 59);
 
@@ -89,20 +89,21 @@ class SkeletonTest {
 
     @Test
     void aBodyRestsWhereItsMiddleIsBetweenTheTwoItTouches() {
-        List<Spot> points = List.of(new Spot(-10, 0, -10), new Spot(10, 0, -10), new Spot(30, 0, 0));
+        List<BodyPoint> points =
+                List.of(new BodyPoint(-10, 0, -10), new BodyPoint(10, 0, -10), new BodyPoint(30, 0, 0));
 
-        Contact level = Contact.of(points, 0);
+        GroundContact level = GroundContact.of(points, 0);
 
         assertThat(level.pitchDeg()).isCloseTo(0, within(1e-9));
-        assertThat(level.onGround(new Spot(0, 0, 0)).z()).isCloseTo(10, within(1e-9));
+        assertThat(level.onGround(new BodyPoint(0, 0, 0)).z()).isCloseTo(10, within(1e-9));
     }
 
     private Skeleton skeleton() {
         return new Skeleton(senses);
     }
 
-    private Spot jaw() {
-        return skeleton().jaw(new Spot(18, 0, -20), new Spot(40, 0, 0));
+    private BodyPoint jaw() {
+        return skeleton().jaw(new BodyPoint(18, 0, -20), new BodyPoint(40, 0, 0));
     }
 
     private void legs(double fore1, double fore2, double fore3, double hind1, double hind2, double hind3) {

@@ -147,7 +147,7 @@ class PioneerParametersTest {
     void whatOnlyReadingsCanShowIsUnknownWithItsReason() {
         Stream.of("digitalIn", "analog", "charging", "compass", "temperature", "faults", "encoderLeft", "joystickX")
                 .forEach(name -> assertThat(bot.get(name)).hasToString("unknown (this robot does not tell)"));
-        assertThat(bot.get("mute")).hasToString("unknown (the robot does not tell, and nobody has set it)");
+        assertThat(bot.get("mute")).hasToString("unknown (the robot does not report it, and it was not set)");
     }
 
     @Test
