@@ -62,7 +62,7 @@ class AiboActsInLabTest {
 
     @ParameterizedTest(name = "in {0}")
     @MethodSource("labs")
-    void theDancerStandsInTheEndAsItStoodBefore(Supplier<LabRig> lab) throws InterruptedException {
+    void theDanceEndsInThePoseInWhichItBegan(Supplier<LabRig> lab) throws InterruptedException {
         try (LabRig rig = ActLabs.with(lab, "aibo")) {
             Pose before = rig.truePose("aibo");
             assertThat(rig.run("1 act Dance")).last().asString().startsWith("1 act Dance: done");

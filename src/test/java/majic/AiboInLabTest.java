@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(60)
 class AiboInLabTest {
     @Test
-    void theHeadLooksWhereItWasToldRightAfterAWalk() throws InterruptedException {
+    void theHeadTakesACommandedPositionRightAfterAWalk() throws InterruptedException {
         try (LabRig rig = LabRig.noisy(1)) {
             MajicBot dog = rig.add("aibo");
             dog.move(200);
@@ -29,7 +29,7 @@ class AiboInLabTest {
     }
 
     @Test
-    void thePostureIsTakenAndTold() {
+    void thePostureIsTakenAndReported() {
         try (LabRig rig = LabRig.exact()) {
             MajicBot dog = rig.add("aibo");
 
@@ -89,7 +89,7 @@ class AiboInLabTest {
     }
 
     @Test
-    void whoWalksTheDogByHandHasItsJointsToo() throws InterruptedException {
+    void drivingTheDogByHandTakesItsJointsToo() throws InterruptedException {
         try (LabRig rig = LabRig.exact()) {
             rig.add("aibo");
             try (ManualControl hand = new ManualControl(rig.team().member(1))) {

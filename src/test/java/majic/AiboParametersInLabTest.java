@@ -20,7 +20,7 @@ class AiboParametersInLabTest {
     private final MajicBot dog = rig.add("aibo");
 
     @Test
-    void aLegGoesWhereItIsTold() throws InterruptedException {
+    void aLegMovesToTheCommandedAngle() throws InterruptedException {
         assertThat(rig.run("1 set legLF1 20 500ms")).last().isEqualTo("1 set legLF1 20 500ms: done");
 
         assertThat(dog.get("legLF1").number()).isCloseTo(20, within(1.0));

@@ -74,7 +74,7 @@ class AiboSoundInLabTest {
     }
 
     @Test
-    void aSoundThatIsNowhereIsSaidToBe() throws InterruptedException {
+    void aMissingSoundIsReported() throws InterruptedException {
         assertThat(rig.run("1 play miaow"))
                 .singleElement()
                 .asString()
@@ -113,7 +113,7 @@ class AiboSoundInLabTest {
     }
 
     @Test
-    void whatTheDogHearsBecomesAFileThatOthersRead() throws Exception {
+    void aRecordingIsAFileThatOtherProgramsCanRead() throws Exception {
         Path file = folder.resolve("room.wav");
         theDogsOwnChimesAreOver();
         rig.lab().simulators().besideAibo(handling -> handling.whistle(500, 5000));

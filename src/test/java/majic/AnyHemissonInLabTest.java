@@ -27,7 +27,7 @@ class AnyHemissonInLabTest {
                 "kteam+camera+ultrasonic+speech+lcd+io+overrun+paced",
                 "roadnarrows+camera+ultrasonic+speech+overrun+paced"
             })
-    void isNotDeafenedByAnythingItIsAsked(String model) throws Exception {
+    void noCommandBlocksItsReceiver(String model) throws Exception {
         try (LabRig rig = LabRig.exactWithHemisson(model)) {
             MajicBot bot = rig.add("hemisson");
             bot.parameters().forEach(parameter -> read(bot, parameter.name()));

@@ -48,7 +48,7 @@ class ExamplesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"Dog", "Feeler", "Race", "TenLines", "Wanderer"})
-    void withoutAnAddressItsUsageIsSaid(String example) throws Exception {
+    void withoutAnAddressItPrintsItsUsage(String example) throws Exception {
         PrintStream errors = System.err;
         System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));
         try {

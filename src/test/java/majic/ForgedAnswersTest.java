@@ -116,7 +116,7 @@ class ForgedAnswersTest {
     }
 
     @Test
-    void whatAnActSaysStaysInItsLine() throws Exception {
+    void theMessageOfAnActStaysInOneLine() throws Exception {
         robot.report(new Owner(Owner.Kind.ACT, "Liar", () -> {}), FORGED);
         isShownAs("1: Liar: " + HARMLESS);
     }

@@ -88,7 +88,7 @@ class HemissonInLabTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {1.2, 1.5, 4})
-    void standsAfterAnOutageThatItWasMovingThrough(double outageSeconds) throws Exception {
+    void isStationaryAfterAnOutageDuringAMotion(double outageSeconds) throws Exception {
         open(LabOptions.exactOnFreePorts());
         after(1, () -> lab.faults("hemisson").outage(outageSeconds));
 

@@ -22,8 +22,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Tests the Java on the pages of the documentation. A block is a class, or what stands in a method, or methods of an
- * act, or lines of an example; a line number in a failure is one of the page.
+ * Tests the Java on the pages of the documentation. A block is a class, the body of a method, methods of an
+ * act, or lines of an example. The line number of a failure is that on the page.
  */
 @Tag("jdk")
 @Timeout(120)
@@ -81,7 +81,7 @@ class JavaOnPagesTest {
     }
 
     @Test
-    void theRolesOfTheGuideAreWrittenAsItSays() throws Exception {
+    void theRolesOfTheGuideAreWrittenAsItStates() throws Exception {
         Page page = Page.of("docs/programmers-guide.md");
         Page.Code block = page.block("java", "List<Role> roles()");
         MajicAct act = (MajicAct) compile(block, block.text()).getConstructor().newInstance();

@@ -36,7 +36,7 @@ class LauncherTest {
     }
 
     @Test
-    void whatThePipeSaysReachesMajicThoughMavenReadsItsInput() throws Exception {
+    void theInputOfThePipeReachesMajicAlthoughMavenReadsItsInput() throws Exception {
         program("bin/mvn", "#!/bin/sh\ncat >/dev/null\ntouch target/majic.jar\necho BUILD SUCCESS\n");
         program("bin/javac", "#!/bin/sh\n");
         program(

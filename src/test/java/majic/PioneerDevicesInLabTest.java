@@ -40,7 +40,7 @@ class PioneerDevicesInLabTest {
     }
 
     @Test
-    void theStateOfTheBatteryIsTold() {
+    void theStateOfTheBatteryIsReported() {
         assertThat(bot.get("voltage").number()).isEqualTo(13.0);
         assertThat(bot.get("battery").number()).isEqualTo(100.0);
     }
@@ -53,7 +53,7 @@ class PioneerDevicesInLabTest {
     }
 
     @Test
-    void itsBeepIsHeardBesideIt() throws InterruptedException {
+    void itsBuzzerSounds() throws InterruptedException {
         List<Tone> heard = new ArrayList<>();
         assertThat(rig.run("1 set beep on")).containsExactly("1 set beep on: done");
         rig.lab().time().sleep(0.1);

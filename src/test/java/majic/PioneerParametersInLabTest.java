@@ -41,7 +41,7 @@ class PioneerParametersInLabTest {
     }
 
     @Test
-    void encodersAreAskedForWhenSomebodyReadsThem() throws InterruptedException {
+    void encodersAreRequestedOnlyWhileTheyAreRead() throws InterruptedException {
         double before = bot.get("encoderLeft").number();
 
         rig.run("1 move 500");
@@ -51,7 +51,7 @@ class PioneerParametersInLabTest {
     }
 
     @Test
-    void theGripperGoesWhereItIsToldAndSaysSo() throws InterruptedException {
+    void theGripperMovesAsCommandedAndReportsIt() throws InterruptedException {
         assertThat(rig.run("1 gripper close", "1 get gripper", "1 gripper deploy", "1 get gripper,lift"))
                 .containsExactly(
                         "1 gripper close: gripper closed, lift up",

@@ -26,7 +26,7 @@ class TeamActsInLabTest {
 
     @ParameterizedTest(name = "in {0}")
     @MethodSource("labs")
-    void theGuardStopsEverybodyWhenSomethingComesNear(Supplier<LabRig> lab) throws InterruptedException {
+    void theGuardStopsAllRobotsWhenAnObstacleComesNear(Supplier<LabRig> lab) throws InterruptedException {
         try (LabRig rig = lab.get().withAllRobots()) {
             rig.lab().time().sleep(3);
             rig.say("2 act Guard");
@@ -76,7 +76,7 @@ class TeamActsInLabTest {
 
     @ParameterizedTest(name = "in {0}")
     @MethodSource("labs")
-    void whoFollowsInAConvoyKeepsItsDistance(Supplier<LabRig> lab) throws InterruptedException {
+    void aFollowerInAConvoyKeepsItsDistance(Supplier<LabRig> lab) throws InterruptedException {
         try (LabRig rig = convoy(lab)) {
             Pose start = rig.truePose("aibo");
             rig.lab().time().sleep(12);
@@ -93,7 +93,7 @@ class TeamActsInLabTest {
 
     @ParameterizedTest(name = "in {0}")
     @MethodSource("labsWithTwoPioneers")
-    void allWhoFollowInAConvoyKeepTheirDistance(Supplier<LabRig> lab) throws InterruptedException {
+    void allFollowersInAConvoyKeepTheirDistance(Supplier<LabRig> lab) throws InterruptedException {
         try (LabRig rig = lab.get()) {
             ActLabs.place(rig, "hemisson", new Pose(0, -1200, 0));
             ActLabs.place(rig, "aibo", new Pose(-500, 0, 0));
@@ -120,7 +120,7 @@ class TeamActsInLabTest {
     }
 
     @Test
-    void whoSeesTooLittleToFollowIsRefusedAndNobodyMoves() throws InterruptedException {
+    void aFollowerWithTooShortASensorRangeIsRefusedAndNoRobotMoves() throws InterruptedException {
         try (LabRig rig = LabRig.exact().withAllRobots()) {
             Map<String, Pose> before = rig.lab().truePoses();
             assertThat(rig.run("2 act Convoy with 1,3"))
@@ -146,7 +146,7 @@ class TeamActsInLabTest {
 
     @ParameterizedTest(name = "in {0}")
     @MethodSource("labs")
-    void aConvoyWaitsForWhoLostSight(Supplier<LabRig> lab) throws InterruptedException {
+    void aConvoyWaitsForAFollowerThatLostTheLeader(Supplier<LabRig> lab) throws InterruptedException {
         try (LabRig rig = convoy(lab)) {
             rig.lab().time().sleep(12);
             ActLabs.place(rig, "aibo", new Pose(0, 2500, 0));

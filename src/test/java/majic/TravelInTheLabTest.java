@@ -61,7 +61,7 @@ class TravelInTheLabTest {
 
     @ParameterizedTest(name = "{0} at {1} mm/s")
     @CsvSource({"pioneer, 400", "aibo, 80", "hemisson, 100"})
-    void aDriveForATimeIsDoneWhenTheRobotStands(String type, double mmPerSec) throws InterruptedException {
+    void aDriveForATimeIsDoneWhenTheRobotIsStationary(String type, double mmPerSec) throws InterruptedException {
         try (LabRig rig = LabRig.exact()) {
             MajicBot bot = rig.add(type);
 

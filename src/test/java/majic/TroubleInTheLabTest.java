@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class TroubleInTheLabTest {
     @ParameterizedTest
     @ValueSource(strings = {"aibo", "pioneer", "hemisson"})
-    void aRobotThatIsNotThereIsSaidToBeMissing(String type) throws IOException {
+    void aMissingRobotIsReported(String type) throws IOException {
         int port = freePort();
         try (LabRig rig = LabRig.exact()) {
             MajicBot bot = rig.session().factory().create(type + ":tcp://127.0.0.1:" + port);
@@ -36,7 +36,7 @@ class TroubleInTheLabTest {
 
     @ParameterizedTest
     @CsvSource({"aibo, 6", "pioneer, 8", "hemisson, 5"})
-    void aPeerThatSaysNothingIsGivenUpInTime(String type, double boundSeconds) throws IOException {
+    void connectingToASilentPeerFailsInTime(String type, double boundSeconds) throws IOException {
         try (LabRig rig = LabRig.exact();
                 ServerSocket mute = new ServerSocket(0, 50, InetAddress.getLoopbackAddress())) {
             BotEnvironment onLabTime = new BotEnvironment(rig.lab().time(), Settings.inMemory());

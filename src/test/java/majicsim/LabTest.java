@@ -33,7 +33,7 @@ class LabTest {
     }
 
     @Test
-    void itsClockStandsUntilItIsStepped() {
+    void itsClockAdvancesOnlyInSteps() {
         assertThat(lab.nanos()).isZero();
         lab.step();
         assertThat(lab.nanos()).isEqualTo(Lab.STEP_NANOS);
@@ -51,7 +51,7 @@ class LabTest {
     }
 
     @Test
-    void furtherPioneersStandApartFromTheRest() throws IOException {
+    void furtherPioneersStartApartFromTheOtherRobots() throws IOException {
         try (Lab many = Lab.open(LabOptions.exactOnFreePorts().withPioneers(3))) {
             assertThat(many.addresses()).containsKeys("pioneer", "pioneer2", "pioneer3");
             assertThat(many.truePoses().keySet())
@@ -143,7 +143,7 @@ class LabTest {
     }
 
     @Test
-    void twoLabsOnDefaultPortsStandSideBySide() throws IOException {
+    void twoLabsOnDefaultPortsRunSideBySide() throws IOException {
         try (Lab first = Lab.open(LabOptions.standard());
                 Lab second = Lab.open(LabOptions.standard())) {
             assertThat(first.addresses().values())

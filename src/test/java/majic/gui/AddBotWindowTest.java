@@ -44,7 +44,7 @@ class AddBotWindowTest {
     }
 
     @Test
-    void aRobotThatHangsIsGivenUpAndClosed() {
+    void anAttemptThatHangsIsEndedAndItsRobotClosed() {
         window.run(() ->
                 new AddBotDialog(window.frame, window.session, services(), member -> {}, SHORT_MS).setVisible(true));
         connectTo("silent");
@@ -65,7 +65,7 @@ class AddBotWindowTest {
     }
 
     @Test
-    void anEmptyHostIsAskedFor() {
+    void anEmptyHostIsReported() {
         window.click("Add Bot");
         window.click("OK");
         assertThat(window.text("outcome")).startsWith("Host: fill in");

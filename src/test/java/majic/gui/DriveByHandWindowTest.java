@@ -31,14 +31,14 @@ class DriveByHandWindowTest {
         window.await("renewals", () -> bot.told.stream().filter(AHEAD::equals).count() >= 3);
         assertThat(bot.told).doesNotContain("halt");
         window.letGo(KeyEvent.VK_UP);
-        awaitStanding();
+        awaitStationary();
     }
 
     @Test
     void losingTheFocusStops() {
         holdUp();
         window.run(() -> window.find("commandLine", CommandLine.class).requestFocus());
-        awaitStanding();
+        awaitStationary();
     }
 
     @Test
@@ -53,7 +53,7 @@ class DriveByHandWindowTest {
     void stopEndsTheHandThoughTheKeyIsStillHeld() {
         holdUp();
         window.press(KeyEvent.VK_F12);
-        awaitStanding();
+        awaitStationary();
     }
 
     @Test
@@ -61,7 +61,7 @@ class DriveByHandWindowTest {
         window.holdMouse("drive LEFT");
         window.await("a turn", () -> bot.told.contains("drive 0 40"));
         window.letGoMouse();
-        awaitStanding();
+        awaitStationary();
     }
 
     @Test
@@ -79,7 +79,7 @@ class DriveByHandWindowTest {
         window.await("the robot to drive", () -> bot.told.contains(AHEAD));
     }
 
-    private void awaitStanding() {
+    private void awaitStationary() {
         window.await(
                 "the robot to stand", () -> bot.told.get(bot.told.size() - 1).equals("halt"));
         window.await("the hand to be off", () -> window.team.member(1).owner() == null);

@@ -70,7 +70,7 @@ class LoadActWindowTest {
     }
 
     @Test
-    void itIsGivenAsIfTyped() {
+    void theChoiceIsExecutedAsATypedLine() {
         ToyBot bot = window.add("one");
         load("Ahead");
         awaitRunning(1, "Ahead");

@@ -27,7 +27,7 @@ class NarrowWindowTest {
     }
 
     @Test
-    void everyButtonHasItsWordsAndStopIsWhole() {
+    void everyButtonHasItsTextAndStopIsFullyVisible() {
         assertThat(window.text("Save Session")).isEqualTo("Save Session");
         assertThat(button("Save Session").getWidth())
                 .isGreaterThanOrEqualTo(button("Save Session").getPreferredSize().width);

@@ -53,7 +53,7 @@ class SlowFileWindowTest {
     }
 
     @Test
-    void aRefusedLineComesBackToBeMended() {
+    void aRefusedLineReturnsForCorrection() {
         slow.answer();
         window.await("the line", () -> window.text("commandLine").equals("1 act Slow"));
         assertThat(window.text("hint")).contains("it brings code of its own");

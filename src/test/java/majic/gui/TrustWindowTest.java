@@ -61,7 +61,7 @@ class TrustWindowTest {
     }
 
     @Test
-    void itShowsWhoseCodeItIsAndWhatItUses() {
+    void itShowsTheAuthorOfTheCodeAndThePackagesThatItUses() {
         load();
         window.awaitDialog("Trust this code?");
         assertThat(window.text("trustAuthor")).startsWith("Mata Hari");
@@ -82,7 +82,7 @@ class TrustWindowTest {
     }
 
     @Test
-    void onceAgreedToItRunsAndIsNotAskedForAgain() {
+    void afterConsentItRunsWithoutAFurtherQuestion() {
         load();
         window.click("Agree and run");
         window.await("its code to run", () -> "loaded".equals(System.getProperty(OwnActs.FLAG)));

@@ -46,7 +46,7 @@ class SessionLogTest {
     }
 
     @Test
-    void aFullDiskIsSaidOnceAndTheLogGoesOnWithAFreshLine() throws Exception {
+    void aFullDiskIsReportedOnceAndTheLogContinuesWithANewLine() throws Exception {
         Path file = folder.resolve("full.log");
         BlockingQueue<String> alarms = new LinkedBlockingQueue<>();
         SmallDisk disk = new SmallDisk(file);

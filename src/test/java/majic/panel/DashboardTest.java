@@ -104,7 +104,7 @@ class DashboardTest {
     }
 
     @Test
-    void inATallRoomTheViewStandsOnTop() {
+    void inATallSpaceTheViewIsOnTop() {
         camera();
         layOut(500, 900);
 

@@ -23,7 +23,7 @@ class PictureViewTest {
     }
 
     @Test
-    void wordsStandOverTheFadedLastPicture() {
+    void aTextIsShownOverTheFadedLastPicture() {
         view.show(picture(208, 160), "5.0 frames/s");
         view.miss("not connected");
         BufferedImage painted = painted(208, 160);

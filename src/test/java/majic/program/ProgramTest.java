@@ -122,7 +122,7 @@ class ProgramTest {
     }
 
     @Test
-    void aScriptRunsWhereverTheOptionsStand() throws Exception {
+    void aScriptRunsWithOptionsInAnyPlace() throws Exception {
         Path script = Files.writeString(folder.resolve("little.majic"), "2 turn 5\n");
 
         Process majic = start("--lab", "--exact", "--aibo-port", "0", "run", script.toString(), "--pioneer-port", "0");
@@ -138,7 +138,7 @@ class ProgramTest {
     }
 
     @Test
-    void askedToTerminateItStopsTheRobotsFirst() throws Exception {
+    void atTerminationItStopsTheRobotsFirst() throws Exception {
         try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1)) {
             String hemisson = lab.address("hemisson").orElseThrow().toString();
             Process majic = start("--console", "--add", hemisson);

@@ -198,7 +198,7 @@ class LineServerTest {
     }
 
     @Test
-    void answersGoToTheClientThatAskedAndToThoseThatWantAll() throws IOException {
+    void answersGoToTheSendingClientAndToThoseThatRequestedAll() throws IOException {
         Client other = client();
         Client all = new Client(server).say(token() + " all");
         other.say("1 get x");
@@ -223,7 +223,7 @@ class LineServerTest {
     }
 
     @Test
-    void linesWaitUntilTheRobotsAskedForAreThereButStopsDoNot() throws IOException {
+    void linesWaitForTheRobotsOfTheCommandLineButStopsDoNot() throws IOException {
         try (LineServer early = LineServer.open(ANY_PORT, session, null)) {
             Client client = new Client(early).say("bots", "stop");
             assertThat(client.next()).isEqualTo("1 line not run: stopped");

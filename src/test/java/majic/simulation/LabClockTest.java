@@ -54,14 +54,14 @@ class LabClockTest {
     }
 
     @Test
-    void hoursPassWhileEverybodySleeps() throws InterruptedException {
+    void hoursPassWhileAllMembersSleep() throws InterruptedException {
         clock.sleep(7200);
 
         assertThat(clock.nanos()).isBetween(7_200_000_000_000L, 7_200_004_000_000L);
     }
 
     @Test
-    void standsStillWhileAMemberRuns() throws InterruptedException {
+    void doesNotAdvanceWhileAMemberRuns() throws InterruptedException {
         clock.sleep(1);
         long before = clock.nanos();
         long busy = 0;

@@ -10,7 +10,7 @@ class BatteryTest {
     private final Bench.Client client = bench.client();
 
     @Test
-    void withAnEmptyOneTheDogStandsAndIsSilent() {
+    void withAnEmptyBatteryTheDogKeepsItsPostureAndSendsNothing() {
         client.ask("motors on; robot.stand(); robot.walk(10s),", 4000);
         bench.dog().handling().changeBattery(0);
         client.ask("", 4);

@@ -51,7 +51,7 @@ class CameraTest {
     }
 
     @Test
-    void aRobotIsSeenWhereItStands() throws IOException {
+    void aRobotAppearsInThePictureAtItsPlace() throws IOException {
         bench.world().add(Body.box("pioneer", 200, 200, 200, new Pose(1200, 300, 0)));
 
         BufferedImage image = picture();

@@ -72,7 +72,7 @@ class ClientTest {
     }
 
     @Test
-    void whatAClosedConnectionLeftRunningIsGone() {
+    void commandsOfAClosedConnectionEnd() {
         client.say("motors on; at (headPan.val > 10) { headPan.val = 0 },");
         client.hangUp();
 

@@ -33,7 +33,7 @@ class TagTest {
     }
 
     @Test
-    void aCommandWhoseInsideIsStoppedEnds() {
+    void aCommandEndsWhenTheCommandInsideItIsStopped() {
         client.say("outer+end: { inner+end: wait(5s) },");
 
         assertThat(client.ask("stop inner;")).containsExactly("[outer] *** end");
@@ -73,7 +73,7 @@ class TagTest {
     }
 
     @Test
-    void aConditionHoldsACommandAndLetsItGo() {
+    void aConditionFreezesACommandAndReleasesIt() {
         client.ask("h = 1; n = 0; freezeif (h == 1) f: loop { n++; wait(100) },", 500);
         assertThat(client.ask("n;")).containsExactly("[notag] 0.000000");
 

@@ -81,7 +81,7 @@ class WalkTest {
     }
 
     @Test
-    void aFrozenWalkStandsStillAndGoesOnForTheRestOfItsTime() {
+    void aFrozenWalkPausesAndContinuesForTheRestOfItsTime() {
         client.ask("mv+end: robot.walk(2000),", 1000);
         client.ask("freeze mv;", 3000);
         double halfway = bench.dog().body().pose().xMm();

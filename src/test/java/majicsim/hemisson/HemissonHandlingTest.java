@@ -67,7 +67,7 @@ class HemissonHandlingTest {
     }
 
     @Test
-    void theOnOffLampIsTakenBackByTheHeartbeatAndTheOthersStay() {
+    void theOnOffLedIsResetByTheHeartbeatAndTheOthersAreNot() {
         Set<Boolean> onOff = new HashSet<>();
         desk.ask("L,1,1,1,0");
         for (int i = 0; i < 12; i++) {

@@ -182,7 +182,7 @@ class TcpPortTest {
     }
 
     @Test
-    void bytesOnTheShelfAreDeliveredThoughTheClientHasGone() throws Exception {
+    void keptBytesAreDeliveredAfterTheClientDisconnected() throws Exception {
         try (Client client = new Client(port.address())) {
             client.read(2);
             faults.delay(10);

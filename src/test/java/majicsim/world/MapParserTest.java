@@ -47,7 +47,7 @@ class MapParserTest {
                 "2D-Map;Cairn: RobotHome 3 4;LINES; | m.map:2: heading is missing",
                 "'' | m.map:1: a map begins with the line 2D-Map, not with an empty file",
             })
-    void saysFileLineAndWhatIsWrong(String text, String message) {
+    void namesTheFileTheLineAndTheMistake(String text, String message) {
         assertThatThrownBy(() -> parse(text.replace(';', '\n')))
                 .isInstanceOf(IOException.class)
                 .hasMessage(message);

@@ -94,7 +94,7 @@ class WorldMotionTest {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
-    void bodiesNeverStandInAWallOrInEachOther(long seed) {
+    void bodiesNeverOverlapAWallOrEachOther(long seed) {
         Random random = new Random(seed);
         World cage = new World(Room.standard());
         List<Body> bodies = List.of(

@@ -68,7 +68,7 @@ class ConnectAttemptTest {
     }
 
     @Test
-    void aCancelledAttemptEndsClosedAndUnheard() throws InterruptedException {
+    void aCancelledAttemptClosesTheRobotWithoutAReport() throws InterruptedException {
         ConnectAttempt attempt = attempt("toy://silent");
         attempt.start();
         WindowWait.await("the robot to be made", () -> !type.made.isEmpty(), 10);

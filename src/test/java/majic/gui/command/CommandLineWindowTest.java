@@ -27,7 +27,7 @@ class CommandLineWindowTest {
     }
 
     @Test
-    void aWrongLineStaysWithItsMessageUntilItIsMended() {
+    void aWrongLineStaysWithItsMessageUntilItIsCorrected() {
         window.command("7 move 50");
         assertThat(window.text("commandLine")).isEqualTo("7 move 50");
         assertThat(window.text("hint")).contains("7").contains("no robot");

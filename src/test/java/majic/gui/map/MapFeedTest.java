@@ -44,7 +44,7 @@ class MapFeedTest {
     }
 
     @Test
-    void aRobotOfTheLabOutsideTheTeamIsABystander() {
+    void aRobotOfTheLabOutsideTheTeamIsDrawnToo() {
         factory.useLab(new ToyLab());
         assertThat(feed.scene().bystanders()).containsExactly(new MapScene.Bystander("toy", ToyLab.FIRST_PLACE));
         add("sim:toy");

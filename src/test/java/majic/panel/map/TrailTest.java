@@ -19,7 +19,7 @@ class TrailTest {
     }
 
     @Test
-    void aLongWayIsKeptWholeInBoundedMemory() {
+    void aLongPathIsKeptInBoundedMemory() {
         for (int mm = 0; mm <= 1_000_000; mm += 10) {
             trail.add(new Pose(mm, 0, 0));
         }
@@ -44,7 +44,7 @@ class TrailTest {
     }
 
     @Test
-    void whatIsClearedIsGone() {
+    void aClearedPathIsEmpty() {
         trail.add(new Pose(500, 0, 0));
         trail.clear();
         assertThat(trail.size()).isZero();

@@ -25,14 +25,14 @@ class AuxPortTest {
     }
 
     @Test
-    void nothingComesUnasked() {
+    void withoutARequestNothingIsSent() {
         assertThat(rig.text(TTY2, HELLO).packets(AUX1, 0.5)).isEmpty();
         assertThat(data(rig.command(GETAUX, 2).packets(AUX1, 0.2))).isEqualTo("he");
         assertThat(data(rig.command(GETAUX, 200).packets(AUX1, 0.2))).isEqualTo("llo");
     }
 
     @Test
-    void askedForZeroItForgetsWhatWaits() {
+    void aRequestForZeroBytesDiscardsTheWaitingOnes() {
         rig.text(TTY2, HELLO).pulse(0.5).command(GETAUX, 0).command(GETAUX, 5);
         assertThat(rig.packets(AUX1, 0.5)).isEmpty();
     }

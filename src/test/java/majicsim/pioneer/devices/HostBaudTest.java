@@ -25,7 +25,7 @@ class HostBaudTest {
     }
 
     @Test
-    void silenceOrRubbishLetsItFallBack() {
+    void silenceOrInvalidDataRestoresTheOldSpeed() {
         rig.command(HOSTBAUD, 2).command(0, 0).step(0.6);
         rig.command(HOSTBAUD, 1).step(0.2).send("FA FB 03 00 00 01").step(0.296);
         assertThat(rig.robot.hostBaud()).isEqualTo(19_200);

@@ -14,7 +14,7 @@ class JoystickTest {
     private static final int FIRE_FLAG = 1 << 9;
 
     @Test
-    void atRestItStandsInItsCentre() {
+    void atRestItIsInItsCentre() {
         byte[] packet = Rig.open().command(JOYINFO, 1).packets(0xF8, 0.1).get(0);
         assertThat(packet).startsWith(0xFA, 0xFB, 0x0B, 0xF8, 0, 0, 0x00, 0x02, 0x00, 0x02, 0xFF, 0x03);
     }

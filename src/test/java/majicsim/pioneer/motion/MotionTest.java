@@ -50,7 +50,7 @@ class MotionTest {
 
     @ParameterizedTest
     @CsvSource({"90, 90", "-90, -90", "270, -90", "359, -1", "170, 170"})
-    void headTurnsTheShorterWayAndStandsThere(int asked, double heading) {
+    void headTurnsTheShorterWayAndStopsThere(int asked, double heading) {
         Rig rig = Rig.ready();
         for (int i = 0; i < 60; i++) {
             rig.command(HEAD, asked).step(0.1);

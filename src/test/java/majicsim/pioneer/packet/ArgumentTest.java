@@ -27,7 +27,7 @@ class ArgumentTest {
     }
 
     @Test
-    void longNumbersStandBehindAnyTypeByte() {
+    void longNumbersFollowAnyTypeByte() {
         Argument pose = argument("3B 60 F0 FF FF 48 F4 FF FF 2D 00 00 00");
         assertThat(new int[] {pose.int32(0), pose.int32(1), pose.int32(2)}).containsExactly(-4000, -3000, 45);
     }

@@ -43,7 +43,7 @@ class GarbageTest {
     }
 
     @Test
-    void aLimitOfZeroStandsStillAndLaterGoesOn() {
+    void aLimitOfZeroStopsTheRobotAndALaterOneLetsItContinue() {
         Rig rig = Rig.ready()
                 .command(6, 0)
                 .command(8, 500)

@@ -56,7 +56,7 @@ class PacketReaderTest {
     }
 
     @Test
-    void packetsHiddenBehindAFragmentComeWhenItIsGivenUp() {
+    void packetsBehindAFragmentAreFoundWhenTheFragmentIsDiscarded() {
         assertThat(reader.feed(Hex.concat(Hex.bytes("FA FB C8 04"), VEL))).isEmpty();
         assertThat(reader.hasFragment()).isTrue();
         assertThat(reader.giveUpFragment()).extracting(Packet::id).containsExactly(11);

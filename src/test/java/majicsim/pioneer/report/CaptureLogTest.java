@@ -54,7 +54,7 @@ class CaptureLogTest {
     }
 
     @Test
-    void theClientsWholeSessionDrivesThisRobotAsItDroveThatOne() {
+    void aRecordedSessionDrivesTheSimulatedRobotLikeTheRealOne() {
         Rig rig = Rig.silent();
         double labSeconds = 0;
         double start = Double.NaN;

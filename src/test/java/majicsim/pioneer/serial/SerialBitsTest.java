@@ -12,7 +12,7 @@ class SerialBitsTest {
     private static final byte[] SYNC0 = Hex.bytes("FA FB 03 00 00 00");
 
     @Test
-    void endsThatAgreeUnderstandEachOther() {
+    void endsWithTheSameSpeedReadTheSameBytes() {
         assertThat(SerialBits.heard(SYNC0, 38_400, 38_400)).isEqualTo(SYNC0);
     }
 

@@ -102,7 +102,7 @@ class SessionTest {
     }
 
     @Test
-    void aClientThatVanishesLeavesAStandingRobot() {
+    void theRobotStopsWhenItsClientDisconnects() {
         Rig rig = Rig.ready().command(VEL, 300).step(1.2);
         rig.reconnect();
         rig.step(2);
@@ -144,7 +144,7 @@ class SessionTest {
     }
 
     @Test
-    void extraPacketsStandInTheirPlaceAndOnlyAsOftenAsRequested() {
+    void extraPacketsComeInTheirOrderAndAsOftenAsRequested() {
         Rig rig = Rig.open().command(19, 2).command(40, 1).command(62, 1).command(237, 2);
         rig.line.take();
         assertThat(rig.step(0.1).line.take())

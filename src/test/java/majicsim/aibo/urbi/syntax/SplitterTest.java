@@ -27,7 +27,7 @@ class SplitterTest {
                 "};7; ~ };~7;~",
                 "(1;$$8; ~ 8;~~"
             })
-    void endsAtASemicolonOrCommaThatStandsFree(String text, String first, String second, String third) {
+    void endsAtASemicolonOrCommaOutsideBracketsAndQuotes(String text, String first, String second, String third) {
         List<String> wanted = new ArrayList<>(Arrays.asList(first, second, third));
         wanted.removeIf(part -> part == null || part.isEmpty());
 
