@@ -1,6 +1,7 @@
 package majic.link;
 
 import java.lang.System.Logger;
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -24,16 +25,26 @@ public final class Links {
      * @throws IllegalArgumentException if it is no such address; the message has an example
      */
     public static Link of(String address, int defaultPort, int baud) {
-        if (address.startsWith("tcp://")) {
-            return tcp(address.substring("tcp://".length()), defaultPort);
-        }
-        if (address.startsWith("//")) {
-            return tcp(address.substring(2), defaultPort);
-        }
-        return new SerialLink(address, baud);
+        return address.startsWith("tcp://") || address.startsWith("//")
+                ? tcp(address, defaultPort)
+                : new SerialLink(address, baud);
     }
 
-    private static Link tcp(String hostAndPort, int defaultPort) {
+    private static Link tcp(String address, int defaultPort) {
+        InetSocketAddress server = server(address, defaultPort);
+        return new TcpLink(server.getHostString(), server.getPort());
+    }
+
+    /**
+     * Reads host and port from a network address.
+     *
+     * @param address {@code //host}, {@code //host:port} or {@code tcp://host:port}
+     * @param defaultPort the port when the address names none; 0 if it must name one
+     * @return both, the host's name not looked up
+     * @throws IllegalArgumentException if it is no such address; the message has an example
+     */
+    public static InetSocketAddress server(String address, int defaultPort) {
+        String hostAndPort = address.replaceFirst("^(tcp:)?//", "");
         int colon = hostAndPort.lastIndexOf(':');
         boolean ipv6WithoutPort = hostAndPort.endsWith("]");
         String host = colon < 0 || ipv6WithoutPort ? hostAndPort : hostAndPort.substring(0, colon);
@@ -42,7 +53,7 @@ public final class Links {
             throw new IllegalArgumentException("//" + hostAndPort + ": not an address; it looks like //192.168.1.20:"
                     + (defaultPort == 0 ? 4001 : defaultPort) + " with a port from 1 to 65535");
         }
-        return new TcpLink(host, port);
+        return InetSocketAddress.createUnresolved(host, port);
     }
 
     private static int port(String text) {

@@ -2,15 +2,9 @@ package majic.link;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
-import java.net.ConnectException;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.NoRouteToHostException;
 import java.net.Socket;
-import java.net.SocketTimeoutException;
-import java.net.UnknownHostException;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
@@ -21,56 +15,36 @@ import org.jspecify.annotations.Nullable;
 final class TcpLink implements Link {
     private final String host;
     private final int port;
-    private final Names names;
+    private final TcpConnector connector;
     private final TrafficCounter counter = new TrafficCounter();
     private final ReentrantLock writing = new ReentrantLock();
     private volatile @Nullable Socket socket;
     private volatile String local = "";
     private boolean closed;
 
-    /** Resolves the names of computers. */
-    @FunctionalInterface
-    interface Names {
-        InetAddress find(String host) throws UnknownHostException;
-    }
-
     TcpLink(String host, int port) {
-        this(host, port, InetAddress::getByName);
+        this(host, port, new TcpConnector(host, port));
     }
 
-    TcpLink(String host, int port, Names names) {
+    TcpLink(String host, int port, TcpConnector connector) {
         this.host = host;
         this.port = port;
-        this.names = names;
+        this.connector = connector;
     }
 
     @Override
     public void open(int timeoutMs) throws IOException {
         long deadlineNanos = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMs);
-        InetAddress computer = find(timeoutMs);
+        InetAddress computer = connector.find(timeoutMs);
         Socket opening = begin();
         try {
-            opening.setTcpNoDelay(true);
-            long leftMs = TimeUnit.NANOSECONDS.toMillis(deadlineNanos - System.nanoTime());
-            opening.connect(new InetSocketAddress(computer, port), (int) Math.max(1, leftMs));
+            connector.connect(opening, computer, deadlineNanos, timeoutMs);
             local = opening.getLocalAddress().getHostAddress() + ":" + opening.getLocalPort();
             counter.opened();
             Links.register(this);
         } catch (IOException e) {
             abort();
-            throw explained(e, timeoutMs);
-        }
-    }
-
-    private InetAddress find(int timeoutMs) throws IOException {
-        try {
-            return TimedCall.call("looking up " + host, timeoutMs, () -> names.find(host));
-        } catch (UnknownHostException e) {
-            throw new IOException(
-                    "there is no computer named " + host + "; is the name right, or does its IP address do?", e);
-        } catch (TimeoutException e) {
-            throw new IOException(
-                    "the name " + host + " was not found within " + timeoutMs / 1000.0 + " s; use its IP address", e);
+            throw e;
         }
     }
 
@@ -82,20 +56,6 @@ final class TcpLink implements Link {
         Socket opening = new Socket();
         socket = opening;
         return opening;
-    }
-
-    private IOException explained(IOException e, int timeoutMs) {
-        String where = host + " port " + port;
-        if (e instanceof SocketTimeoutException) {
-            return new IOException("no answer from " + where + " within " + timeoutMs / 1000.0 + " s", e);
-        }
-        if (e instanceof ConnectException) {
-            return new IOException("nothing listens at " + where, e);
-        }
-        if (e instanceof NoRouteToHostException) {
-            return new IOException("there is no way to " + host + "; check the network", e);
-        }
-        return new IOException("cannot connect to " + where + ": " + e.getMessage(), e);
     }
 
     @Override

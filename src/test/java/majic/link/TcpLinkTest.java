@@ -14,10 +14,10 @@ class TcpLinkTest {
     @Test
     void aNameLookupWithoutAnswerIsGivenUpInTime() {
         CountDownLatch answered = new CountDownLatch(1);
-        TcpLink link = new TcpLink("robot.example", 8101, host -> {
+        TcpLink link = new TcpLink("robot.example", 8101, new TcpConnector("robot.example", 8101, host -> {
             await(answered);
             return InetAddress.getLoopbackAddress();
-        });
+        }));
 
         assertThatThrownBy(() -> link.open(200))
                 .hasMessage("the name robot.example was not found within 0.2 s; use its IP address");
