@@ -1,7 +1,9 @@
 package majic.bot;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * Where a robot is, as users type it: {@code aibo://192.168.1.20}, {@code hemisson:COM3}, {@code sim:pioneer},
@@ -49,6 +51,24 @@ public record BotAddress(String scheme, String rest) {
     public Optional<String> library() {
         int plus = scheme.indexOf('+');
         return plus < 0 ? Optional.empty() : Optional.of(scheme.substring(plus + 1));
+    }
+
+    /**
+     * Returns the library, if it is one of those that there are for the robot.
+     *
+     * @param known the names of these
+     * @return as {@link #library()}
+     * @throws BotException if it is another; the message lists the right addresses
+     */
+    public Optional<String> libraryAmong(List<String> known) {
+        library().filter(library -> !known.contains(library)).ifPresent(library -> {
+            String others = known.stream()
+                    .map(other -> " or " + type() + "+" + other + ":" + rest)
+                    .collect(Collectors.joining());
+            throw new BotException(this + ": there is no library " + library + " for it; it looks like " + type() + ":"
+                    + rest + others);
+        });
+        return library();
     }
 
     @Override

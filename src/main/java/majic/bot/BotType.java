@@ -1,7 +1,6 @@
 package majic.bot;
 
 import java.util.List;
-import java.util.stream.Collectors;
 import majic.text.Advice;
 
 /**
@@ -83,14 +82,7 @@ public interface BotType {
      *     installed; the message says what would be right
      */
     default MajicBot create(BotAddress address, BotEnvironment environment) {
-        address.library().filter(library -> !libraries().contains(library)).ifPresent(library -> {
-            throw new BotException(
-                    address + ": there is no library " + library + " for the " + label() + "; it looks like "
-                            + name() + ":" + address.rest()
-                            + libraries().stream()
-                                    .map(known -> " or " + name() + "+" + known + ":" + address.rest())
-                                    .collect(Collectors.joining()));
-        });
+        address.libraryAmong(libraries());
         return create(address.rest(), environment);
     }
 

@@ -10,6 +10,7 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import majic.aibo.urbi.LinkTransport;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiRefusal;
@@ -35,7 +36,8 @@ class UploadTest {
         server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
         connection = new UrbiConnection(
                 "sensors",
-                Links.of("//127.0.0.1:" + server.getLocalPort(), AiboType.PORT, 0),
+                new LinkTransport(
+                        Links.of("//127.0.0.1:" + server.getLocalPort(), AiboType.PORT, 0), TimeSource.system()),
                 new UrbiConnection.Owner() {
                     @Override
                     public void received(UrbiMessage message) {}

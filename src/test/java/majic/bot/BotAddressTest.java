@@ -35,7 +35,7 @@ class BotAddressTest {
         };
         assertThatThrownBy(() -> type.create(BotAddress.parse("fake+three://a"), BotEnvironment.plain()))
                 .isInstanceOf(BotException.class)
-                .hasMessage("fake+three://a: there is no library three for the Fake; it looks like fake://a or"
+                .hasMessage("fake+three://a: there is no library three for it; it looks like fake://a or"
                         + " fake+one://a or fake+two://a");
         assertThat(type.create(BotAddress.parse("fake://a"), BotEnvironment.plain()))
                 .isNotNull();

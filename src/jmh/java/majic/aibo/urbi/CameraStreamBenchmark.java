@@ -88,7 +88,7 @@ public class CameraStreamBenchmark {
             TimeSource time = TimeSource.system();
             connection = new UrbiConnection(
                     "pictures",
-                    Links.of("//127.0.0.1:" + camera.dog.port(), AiboType.PORT, 0),
+                    new LinkTransport(Links.of("//127.0.0.1:" + camera.dog.port(), AiboType.PORT, 0), time),
                     this,
                     new RobotWait(time, time.signal()));
             connection.open(CONNECT_MS);

@@ -9,10 +9,10 @@ import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiMessage;
+import majic.aibo.urbi.UrbiTransport;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.driver.RobotWait;
-import majic.link.Link;
 import org.jspecify.annotations.Nullable;
 
 /** One connection to a dog, from connect to its end: creates the parts, connects them, and runs their periodic tasks. */
@@ -51,7 +51,7 @@ public final class AiboSession {
     private final AiboDrive drive;
     private volatile @Nullable ConnectionMonitor monitor;
 
-    public AiboSession(Supplier<Link> link, RobotWait waiting, DogState dog, Robot robot) {
+    public AiboSession(Supplier<UrbiTransport> transport, RobotWait waiting, DogState dog, Robot robot) {
         this.waiting = waiting;
         this.dog = dog;
         this.robot = robot;
@@ -59,7 +59,7 @@ public final class AiboSession {
         this.clock = new DogClock(waiting);
         this.battery = new BatteryWatch(notice);
         this.router = new MessageRouter(waiting, dog, poll, clock, battery, robot::sensed);
-        this.connections = new AiboConnections(link, waiting, this::received, this::lost);
+        this.connections = new AiboConnections(transport, waiting, this::received, this::lost);
         this.executor = new MotionExecutor(connections, tags, waiting, dog, robot::sensed);
         this.guard = new DogGuard(connections, tags, waiting, clock);
         this.sweep = new HeadSweep(connections.sensors(), tags);

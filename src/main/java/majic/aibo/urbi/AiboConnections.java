@@ -11,7 +11,6 @@ import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.driver.RobotWait;
-import majic.link.Link;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,11 +34,14 @@ public final class AiboConnections implements UrbiConnection.Owner {
     private boolean opened;
 
     public AiboConnections(
-            Supplier<Link> link, RobotWait waiting, Consumer<UrbiMessage> listener, Consumer<LinkLost> whenLost) {
+            Supplier<UrbiTransport> transport,
+            RobotWait waiting,
+            Consumer<UrbiMessage> listener,
+            Consumer<LinkLost> whenLost) {
         this.waiting = waiting;
         this.listener = listener;
         this.whenLost = whenLost;
-        Function<String, UrbiConnection> make = purpose -> new UrbiConnection(purpose, link.get(), this, waiting);
+        Function<String, UrbiConnection> make = purpose -> new UrbiConnection(purpose, transport.get(), this, waiting);
         this.motion = make.apply("motion");
         this.sensors = make.apply("sensors");
         this.stop = make.apply("stop");

@@ -5,12 +5,8 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.function.Consumer;
 import majic.bot.LinkLost;
-import majic.driver.LinkHandler;
-import majic.driver.LinkReader;
 import majic.driver.RobotWait;
-import majic.link.Link;
 
 /**
  * One connection to an URBI server: writes commands, passes each answer to its request, and all other messages to the
@@ -32,7 +28,7 @@ public final class UrbiConnection {
     }
 
     private final String purpose;
-    private final Link link;
+    private final UrbiTransport transport;
     private final Owner owner;
     private final RobotWait waiting;
     private final PendingRequests pending = new PendingRequests();
@@ -42,29 +38,20 @@ public final class UrbiConnection {
     private volatile UrbiVersion version = UrbiVersion.V1_0;
     private volatile long lastTimeMs;
 
-    public UrbiConnection(String purpose, Link link, Owner owner, RobotWait waiting) {
+    public UrbiConnection(String purpose, UrbiTransport transport, Owner owner, RobotWait waiting) {
         this.purpose = purpose;
-        this.link = link;
+        this.transport = transport;
         this.owner = owner;
         this.waiting = waiting;
     }
 
-    /** Opens the link and starts its reader thread. */
+    /** Connects; messages are delivered from then on. */
     public void open(int timeoutMs) throws IOException {
-        link.open(timeoutMs);
-        new LinkReader<>(link, "the dog closed it", new Messages()).start("aibo " + purpose + " reader");
+        transport.open(timeoutMs, "aibo " + purpose, new Messages());
     }
 
-    /** Decodes and handles the messages of the server. */
-    private final class Messages implements LinkHandler<UrbiMessage> {
-        private final UrbiReader reader = new UrbiReader(waiting.time());
-
-        @Override
-        public void decode(byte[] bytes, int count, Consumer<UrbiMessage> messages) {
-            logIncoming(bytes, count);
-            reader.read(bytes, count).forEach(messages);
-        }
-
+    /** Handles the messages of the server. */
+    private final class Messages implements UrbiTransport.Receiver {
         @Override
         public void received(UrbiMessage message) {
             handle(message);
@@ -150,7 +137,7 @@ public final class UrbiConnection {
 
     private void write(byte[] message) {
         try {
-            link.write(message);
+            transport.write(message);
         } catch (IOException e) {
             breakDown(String.valueOf(e.getMessage()));
             throw new LinkLost("connection lost: " + e.getMessage(), e);
@@ -200,13 +187,13 @@ public final class UrbiConnection {
 
     void close() {
         expectEnd();
-        link.close();
+        transport.close();
     }
 
     /** Closes at once and discards what is not yet sent, so that no command reaches the dog late. */
     public void abort() {
         expectEnd();
-        link.abort();
+        transport.abort();
     }
 
     boolean isIdentified() {
@@ -224,11 +211,5 @@ public final class UrbiConnection {
     /** The newest time stamp of the server, ms. */
     public long lastTimeMs() {
         return lastTimeMs;
-    }
-
-    private void logIncoming(byte[] chunk, int count) {
-        if (LOG.isLoggable(Level.TRACE)) {
-            LOG.log(Level.TRACE, "{0} < {1}", purpose, new String(chunk, 0, count, StandardCharsets.ISO_8859_1));
-        }
     }
 }

@@ -8,6 +8,7 @@ import majic.aibo.AiboType;
 import majic.aibo.ScriptedDog;
 import majic.aibo.urbi.AiboConnections;
 import majic.aibo.urbi.DogClock;
+import majic.aibo.urbi.LinkTransport;
 import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiRequest;
 import majic.driver.RobotWait;
@@ -31,8 +32,11 @@ class DogGuardTest {
     void install() throws IOException {
         dog = new ScriptedDog();
         waiting = dog.waiting();
-        connections =
-                new AiboConnections(() -> Links.of(dog.address(), AiboType.PORT, 0), waiting, said -> {}, lost -> {});
+        connections = new AiboConnections(
+                () -> new LinkTransport(Links.of(dog.address(), AiboType.PORT, 0), waiting.time()),
+                waiting,
+                said -> {},
+                lost -> {});
         connections.open();
         guard = new DogGuard(connections, new Tags(), waiting, new DogClock(waiting));
         guard.install();

@@ -19,7 +19,10 @@ class AiboConnectionsTest {
         try (ScriptedDog dog = new ScriptedDog()) {
             RobotWait waiting = dog.waiting();
             AiboConnections connections = new AiboConnections(
-                    () -> Links.of(dog.address(), AiboType.PORT, 0), waiting, said -> {}, lost -> {});
+                    () -> new LinkTransport(Links.of(dog.address(), AiboType.PORT, 0), waiting.time()),
+                    waiting,
+                    said -> {},
+                    lost -> {});
 
             connections.close("stop walk;");
 

@@ -24,7 +24,8 @@ class ErrorsInMessagesTest {
         ReplayLink link = new ReplayLink(line("[1:a] 1.000000"), line("[2:b] 2.000000"), line("[3:c] 3.000000"));
         TimeSource time = TimeSource.system();
 
-        new UrbiConnection("sensors", link, new Failing(), new RobotWait(time, time.signal())).open(1000);
+        new UrbiConnection("sensors", new LinkTransport(link, time), new Failing(), new RobotWait(time, time.signal()))
+                .open(1000);
         ended.await();
 
         assertThat(tags).containsExactly("a", "b", "c");

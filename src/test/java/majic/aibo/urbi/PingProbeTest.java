@@ -28,8 +28,11 @@ class PingProbeTest {
     @BeforeEach
     void open() throws IOException {
         dog = ScriptedDog.inRealTime();
-        connections =
-                new AiboConnections(() -> Links.of(dog.address(), AiboType.PORT, 0), waiting, said -> {}, lost -> {});
+        connections = new AiboConnections(
+                () -> new LinkTransport(Links.of(dog.address(), AiboType.PORT, 0), waiting.time()),
+                waiting,
+                said -> {},
+                lost -> {});
         connections.open();
         RobotWait stepped = new RobotWait(clock.time(), clock.time().signal());
         probe = new PingProbe(connections.stop(), new Tags(), stepped, new DogClock(stepped));
