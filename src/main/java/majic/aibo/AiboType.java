@@ -1,6 +1,7 @@
 package majic.aibo;
 
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
@@ -40,6 +41,16 @@ public final class AiboType implements BotType {
 
     @Override
     public MajicBot create(String address, BotEnvironment environment) {
+        return new MajicAibo(address, environment);
+    }
+
+    @Override
+    public List<String> libraries() {
+        return AiboTransports.LIBRARIES;
+    }
+
+    @Override
+    public MajicBot create(BotAddress address, BotEnvironment environment) {
         return new MajicAibo(address, environment);
     }
 

@@ -1,5 +1,6 @@
 package majic.aibo;
 
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.DogState;
@@ -21,6 +22,7 @@ import majic.aibo.sound.RecordCommand;
 import majic.aibo.sound.Speaker;
 import majic.aibo.sound.Volume;
 import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiTransport;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
@@ -32,8 +34,6 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.CalibrateCommand;
 import majic.driver.RobotWait;
-import majic.link.Link;
-import majic.link.Links;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -46,7 +46,7 @@ import org.jspecify.annotations.Nullable;
 public final class MajicAibo extends MajicBot {
     private static final double TICK_S = 0.1;
 
-    private final String address;
+    private final Supplier<UrbiTransport> transports;
     private final DogState dog;
     private final AiboParameters parameters;
     private volatile @Nullable AiboSession session;
@@ -55,11 +55,12 @@ public final class MajicAibo extends MajicBot {
     /**
      * Makes the driver of a dog, without touching it, for a program that needs just a robot.
      *
-     * @param address as users type it: {@code aibo://192.168.1.20} or {@code aibo://192.168.1.20:54000}
+     * @param address as users type it: {@code aibo://192.168.1.20}, {@code aibo://192.168.1.20:54000}, or
+     *     {@code aibo+liburbi://192.168.1.20} to drive it by that library
      * @throws BotException if it is no such address
      */
     public MajicAibo(String address) {
-        this(rest(address), BotEnvironment.plain());
+        this(BotAddress.parse(address), BotEnvironment.plain());
     }
 
     /**
@@ -70,10 +71,20 @@ public final class MajicAibo extends MajicBot {
      * @throws BotException if it is no such address; the message says what one looks like
      */
     public MajicAibo(String address, BotEnvironment environment) {
+        this(new BotAddress("aibo", address), environment);
+    }
+
+    /**
+     * Makes the driver of a dog, without touching it.
+     *
+     * @param address may name a library
+     * @param environment its clock and settings
+     * @throws BotException if it is no dog's address, or the library is missing; the message says what is right
+     */
+    public MajicAibo(BotAddress address, BotEnvironment environment) {
         super(new AiboType(), new Paces(calibration(address, environment)).profile(), environment);
-        this.address = address;
         this.dog = new DogState(calibration(address, environment));
-        link(); // refuses a wrong address now and not when it is connected
+        this.transports = AiboTransports.of(address, environment);
         AiboAccess access = new AiboAccess(dog.senses(), new RobotWait(time(), changes()), this::session);
         Volume volume = new Volume();
         this.parameters = new AiboParameters(table(), dog, access, volume);
@@ -86,16 +97,8 @@ public final class MajicAibo extends MajicBot {
         add(new RecordCommand(() -> session().microphone(), changes()::raise, this::notice).command());
     }
 
-    private static String rest(String address) {
-        BotAddress parsed = BotAddress.parse(address);
-        if (!parsed.scheme().equals("aibo")) {
-            throw new BotException(address + ": not an Aibo's address; it looks like aibo://192.168.1.20");
-        }
-        return parsed.rest();
-    }
-
-    private static Calibration calibration(String address, BotEnvironment environment) {
-        return new Calibration(environment.settings(), address.replaceFirst("^(tcp:)?//", ""));
+    private static Calibration calibration(BotAddress address, BotEnvironment environment) {
+        return new Calibration(environment.settings(), address.rest().replaceFirst("^(tcp:)?//", ""));
     }
 
     private Stride stride(Gait gait) {
@@ -114,22 +117,11 @@ public final class MajicAibo extends MajicBot {
         }
     }
 
-    private Link link() {
-        if (!address.startsWith("//") && !address.startsWith("tcp://")) {
-            throw new BotException("aibo:" + address + ": not an Aibo's address; it looks like aibo://192.168.1.20");
-        }
-        try {
-            return Links.of(address, AiboType.PORT, 0);
-        } catch (IllegalArgumentException e) {
-            throw new BotException("aibo:" + e.getMessage(), e);
-        }
-    }
-
     @Override
     protected void open() {
         lostBecause = null;
         dog.forgetReadings();
-        AiboSession opening = new AiboSession(this::link, new RobotWait(time(), changes()), dog, new SessionEvents());
+        AiboSession opening = new AiboSession(transports, new RobotWait(time(), changes()), dog, new SessionEvents());
         session = opening;
         try {
             opening.open();

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
@@ -12,10 +11,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
-import java.util.jar.JarEntry;
-import java.util.jar.JarOutputStream;
-import java.util.stream.Stream;
-import javax.tools.ToolProvider;
 import majic.bot.BotException;
 import majic.bot.Settings;
 import majic.vendor.probe.ProbeAdapter;
@@ -219,26 +214,6 @@ class VendorLibraryTest {
             Files.createDirectories(file.getParent());
             Files.writeString(file, source.getValue());
         }
-        List<String> files = sources.keySet().stream()
-                .map(name -> work.resolve(name).toString())
-                .toList();
-        int failures = ToolProvider.getSystemJavaCompiler()
-                .run(
-                        null,
-                        null,
-                        null,
-                        Stream.concat(Stream.of("-proc:none"), files.stream()).toArray(String[]::new));
-        assertThat(failures).isZero();
-        Path file = folder.resolve(jar);
-        Files.createDirectories(file.getParent());
-        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(file))) {
-            for (String source : sources.keySet()) {
-                String name = source.replace(".java", ".class");
-                out.putNextEntry(new JarEntry(name));
-                try (InputStream bytes = Files.newInputStream(work.resolve(name))) {
-                    bytes.transferTo(out);
-                }
-            }
-        }
+        VendorJar.compile(work, folder.resolve(jar));
     }
 }

@@ -1,0 +1,5 @@
+package liburbi.call;
+
+public interface UCallbackListener {
+    void actionPerformed(URBIEvent event);
+}
