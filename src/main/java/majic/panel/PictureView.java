@@ -64,24 +64,6 @@ public final class PictureView extends JPanel {
         repaint();
     }
 
-    /**
-     * Returns the caption in the corner.
-     *
-     * @return empty while there is no picture
-     */
-    public String caption() {
-        return caption;
-    }
-
-    /**
-     * Returns the reason that is shown in place of a picture.
-     *
-     * @return empty while there is one
-     */
-    public String words() {
-        return words;
-    }
-
     /** Returns the area that pictures fill; it keeps their aspect ratio. */
     private Rectangle2D frame() {
         BufferedImage shown = image;

@@ -116,13 +116,4 @@ public final class SetpointSlider extends JPanel {
         super.setEnabled(enabled);
         slider.setEnabled(enabled);
     }
-
-    /**
-     * Returns the knob.
-     *
-     * @return for tests
-     */
-    public JSlider slider() {
-        return slider;
-    }
 }

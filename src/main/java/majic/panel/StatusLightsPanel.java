@@ -31,15 +31,6 @@ public final class StatusLightsPanel extends JPanel {
         lights.forEach(this::add);
     }
 
-    /**
-     * Returns all lights.
-     *
-     * @return in the order of reading
-     */
-    public List<StatusLight> lights() {
-        return lights;
-    }
-
     /** Returns the minimum width. */
     int widthOf(int sideBySide) {
         return sideBySide * (lightWidth() + GAP) - GAP;

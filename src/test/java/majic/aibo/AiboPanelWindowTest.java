@@ -75,7 +75,9 @@ class AiboPanelWindowTest {
 
     @Test
     void theCameraIsOffWhileAnotherTabIsShown() throws Exception {
-        await("a picture", () -> view().caption().endsWith("frames/s"));
+        await(
+                "a picture",
+                () -> view().getAccessibleContext().getAccessibleName().endsWith("frames/s"));
         select(1);
         await("the last words", this::stopped);
         int asked = dog.received(ASKED).size();
@@ -91,7 +93,7 @@ class AiboPanelWindowTest {
     void aDamagedPictureIsToldInItsPlace() {
         dog.set(ASKED, "BIN 5 jpeg 208 160\nabcde");
 
-        await("words", () -> view().words().contains("damaged"));
+        await("words", () -> view().getAccessibleContext().getAccessibleName().contains("damaged"));
     }
 
     @Test

@@ -4,52 +4,60 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JSlider;
 import majic.bot.Parameter;
 import majic.bot.Unit;
 import org.junit.jupiter.api.Test;
 
 class SetpointSliderTest {
-    private final List<String> wishes = new ArrayList<>();
+    private final List<String> chosen = new ArrayList<>();
     private final SetpointSlider slider = new SetpointSlider(
             Parameter.number("neck", Unit.DEG, "lowers the neck").within(-79, 2),
             false,
-            (value, last) -> wishes.add(value + (last ? " at last" : "")));
+            (value, last) -> chosen.add(value + (last ? " at last" : "")));
+
+    private final JSlider knob = Stream.of(slider.getComponents())
+            .filter(JSlider.class::isInstance)
+            .map(JSlider.class::cast)
+            .findFirst()
+            .orElseThrow();
 
     @Test
-    void theKnobFollowsWhatIsMeasuredWithoutAWish() {
+    void theKnobFollowsWhatIsMeasuredUntilAValueIsChosen() {
         slider.show("-20 deg", -20.4, false);
 
-        assertThat(slider.slider().getValue()).isEqualTo(-20);
-        assertThat(wishes).isEmpty();
+        assertThat(knob.getValue()).isEqualTo(-20);
+        assertThat(chosen).isEmpty();
     }
 
     @Test
     void aDragChoosesEachPlaceAndMarksTheLast() {
-        slider.slider().setValueIsAdjusting(true);
-        slider.slider().setValue(-10);
-        slider.slider().setValue(-30);
-        slider.slider().setValueIsAdjusting(false);
+        knob.setValueIsAdjusting(true);
+        knob.setValue(-10);
+        knob.setValue(-30);
+        knob.setValueIsAdjusting(false);
 
-        assertThat(wishes).containsExactly("0.0", "-10.0", "-30.0", "-30.0 at last");
+        assertThat(chosen).containsExactly("0.0", "-10.0", "-30.0", "-30.0 at last");
     }
 
     @Test
     void aHeldKnobStaysWhereItIsHeld() {
-        slider.slider().setValueIsAdjusting(true);
-        slider.slider().setValue(-30);
+        knob.setValueIsAdjusting(true);
+        knob.setValue(-30);
         slider.show("-5 deg", -5.0, false);
 
-        assertThat(slider.slider().getValue()).isEqualTo(-30);
+        assertThat(knob.getValue()).isEqualTo(-30);
     }
 
     @Test
     void theKnobStaysOnWhatWasChosenUntilItHasComeAbout() {
-        slider.slider().setValue(-30);
+        knob.setValue(-30);
         slider.show("-5 deg", -5.0, true);
-        assertThat(slider.slider().getValue()).isEqualTo(-30);
+        assertThat(knob.getValue()).isEqualTo(-30);
         slider.show("-29 deg", -29.0, false);
 
-        assertThat(slider.slider().getValue()).isEqualTo(-29);
+        assertThat(knob.getValue()).isEqualTo(-29);
     }
 
     @Test
@@ -57,6 +65,6 @@ class SetpointSliderTest {
         slider.show("-20 deg", -20.0, false);
         slider.show("–", null, false);
 
-        assertThat(slider.slider().getValue()).isEqualTo(-20);
+        assertThat(knob.getValue()).isEqualTo(-20);
     }
 }

@@ -2,10 +2,12 @@ package majic.hemisson.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.stream.Stream;
 import majic.bot.MajicBot.Connection;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.MotorValues;
 import majic.hemisson.panel.HemissonScene.Line;
+import majic.panel.StatusLight;
 import org.junit.jupiter.api.Test;
 
 /** What the advice and the lights of the Hemisson's tab say, and when. */
@@ -77,7 +79,8 @@ class HemissonAdviceTest {
 
     private String light(String name, HemissonScene view) {
         lights.show(view);
-        return lights.panel().lights().stream()
+        return Stream.of(lights.panel().getComponents())
+                .map(StatusLight.class::cast)
                 .filter(light -> light.getName().equals(name))
                 .map(light -> light.kind() + " " + light.getText())
                 .findFirst()

@@ -6,9 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.panel.StatusLight;
 import majic.panel.map.MapView;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.SipBytes;
@@ -103,7 +105,8 @@ class PioneerDrawingTest {
     }
 
     private String light(String name) {
-        return lights.panel().lights().stream()
+        return Stream.of(lights.panel().getComponents())
+                .map(StatusLight.class::cast)
                 .filter(light -> light.getName().equals(name))
                 .map(light -> light.kind() + " " + light.getText())
                 .findFirst()
