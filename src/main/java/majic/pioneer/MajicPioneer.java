@@ -3,6 +3,7 @@ package majic.pioneer;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
@@ -16,14 +17,10 @@ import majic.bot.Motion;
 import majic.bot.Pose;
 import majic.bot.Value;
 import majic.driver.RobotWait;
-import majic.link.Link;
-import majic.link.Links;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.PioneerIdentity;
-import majic.pioneer.line.ArcosConnection;
 import majic.pioneer.line.ArcosHandshake;
-import majic.pioneer.line.BaudRates;
 import majic.pioneer.panel.PioneerPanel;
 import majic.pioneer.panel.PioneerScene;
 import majic.pioneer.parameters.PioneerAccess;
@@ -35,6 +32,7 @@ import majic.pioneer.session.LinkWatch;
 import majic.pioneer.session.Maneuver;
 import majic.pioneer.session.MotionFaults;
 import majic.pioneer.session.MotionTarget;
+import majic.pioneer.session.PioneerConnection;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.Equipment;
@@ -48,7 +46,7 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A MobileRobots Pioneer over TCP or a serial port, by the ARCOS protocol and without the maker's library. Motions are
+ * A MobileRobots Pioneer over TCP or a serial port, by the ARCOS protocol or through the maker's library ARIA. Motions are
  * controlled here at every SIP, about ten times a second, and end within 10 mm and 1 degree by the robot's odometry.
  * Velocities are sent in whole mm/s and deg/s.
  *
@@ -61,7 +59,7 @@ public final class MajicPioneer extends MajicBot {
 
     private static final double EMERGENCY_S = 1;
 
-    private final String address;
+    private final Function<ConnectWait, PioneerConnection> connections;
     private final AtomicReference<@Nullable PioneerSession> session = new AtomicReference<>();
     private final PoseOffset placement = new PoseOffset();
     private final PioneerParameters parameters;
@@ -73,11 +71,12 @@ public final class MajicPioneer extends MajicBot {
     /**
      * Creates the driver of a robot, with the system's clock and no settings.
      *
-     * @param address as users type it: {@code pioneer://10.0.0.5}, {@code pioneer:/dev/ttyS0}
-     * @throws BotException if it is no such address
+     * @param address as users type it: {@code pioneer://10.0.0.5}, {@code pioneer:/dev/ttyS0},
+     *     {@code pioneer+aria://10.0.0.5}
+     * @throws BotException if it is no such address, or the library that it names is missing
      */
     public MajicPioneer(String address) {
-        this(BotAddress.parse(address).rest(), BotEnvironment.plain());
+        this(BotAddress.parse(address), BotEnvironment.plain());
     }
 
     /**
@@ -88,9 +87,28 @@ public final class MajicPioneer extends MajicBot {
      * @throws BotException if it is no such address
      */
     public MajicPioneer(String address, BotEnvironment environment) {
+        this(new BotAddress("pioneer", address), environment);
+    }
+
+    /**
+     * Creates the driver of a robot.
+     *
+     * @param address may name a library
+     * @param environment the clock and settings to use
+     * @throws BotException if it is no such address, or the library is missing; the message says what is right
+     */
+    public MajicPioneer(BotAddress address, BotEnvironment environment) {
+        this(PioneerConnections.of(address, environment), environment);
+    }
+
+    /**
+     * Creates the driver of a robot.
+     *
+     * @param connections makes the connection of each session
+     */
+    MajicPioneer(Function<ConnectWait, PioneerConnection> connections, BotEnvironment environment) {
         super(new PioneerType(), Models.USUAL.profile(Ramps.careful(Limits.of(Models.USUAL, null))), environment);
-        this.address = address;
-        link();
+        this.connections = connections;
         PioneerAccess access = new PioneerAccess(session::get);
         RampParameters pace = new RampParameters(access, this::useRamps);
         this.parameters =
@@ -99,14 +117,6 @@ public final class MajicPioneer extends MajicBot {
         describe(Equipment.of(Models.USUAL, null));
         every("link watch", LinkWatch.PERIOD_S, this::watch);
         every("requests", Subscriptions.PERIOD_S, this::request);
-    }
-
-    private Link link() {
-        try {
-            return Links.of(address, PioneerType.PORT, BaudRates.POWER_UP);
-        } catch (IllegalArgumentException e) {
-            throw new BotException("pioneer:" + e.getMessage(), e);
-        }
     }
 
     /** Describes the parameters and commands of a robot with this equipment. */
@@ -147,8 +157,7 @@ public final class MajicPioneer extends MajicBot {
 
     private void openOnce() {
         ConnectWait wait = new ConnectWait(new RobotWait(time(), changes()), () -> connection() == Connection.CLOSED);
-        PioneerSession opening =
-                new PioneerSession(new ArcosConnection(link(), wait), wait, lastPose, new SessionEvents());
+        PioneerSession opening = new PioneerSession(connections.apply(wait), wait, lastPose, new SessionEvents());
         session.set(opening);
         opening.open(requestedRamps);
         try {

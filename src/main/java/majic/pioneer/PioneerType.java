@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
@@ -40,6 +41,16 @@ public final class PioneerType implements BotType {
 
     @Override
     public MajicBot create(String address, BotEnvironment environment) {
+        return new MajicPioneer(address, environment);
+    }
+
+    @Override
+    public List<String> libraries() {
+        return PioneerConnections.LIBRARIES;
+    }
+
+    @Override
+    public MajicBot create(BotAddress address, BotEnvironment environment) {
         return new MajicPioneer(address, environment);
     }
 

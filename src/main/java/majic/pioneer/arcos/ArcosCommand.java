@@ -1,5 +1,7 @@
 package majic.pioneer.arcos;
 
+import java.util.Arrays;
+
 /**
  * The commands of a Pioneer with their numbers, arguments, units and ranges, under the manual's names (ARCOS sheet 6.1).
  * Those of arms (70 to 81) and of simulators (6.2) are left out.
@@ -243,6 +245,18 @@ public enum ArcosCommand {
             String counted = unit.isEmpty() ? "" : " (" + unit + ")";
             return kind == Kind.STRING ? "at most " + most + " bytes" : least + " to " + most + counted;
         }
+    }
+
+    /**
+     * The command with a number.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
+    public static ArcosCommand of(int number) {
+        return Arrays.stream(values())
+                .filter(command -> command.number == number)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("there is no command " + number));
     }
 
     /** Its number, the type of its packet. */

@@ -6,7 +6,7 @@ import java.util.Map;
 
 /**
  * The answer to CONFIG: how the robot is built and set (ARCOS sheet 10). Older firmware sends fewer fields; those that did
- * not come are zero or empty. Immutable.
+ * not come are zero or empty. A library may give access to some fields only. Immutable.
  */
 public final class Config {
     /** The type of the packet. */
@@ -29,12 +29,26 @@ public final class Config {
     }
 
     /**
+     * Fields from elsewhere than a packet; all others are not known.
+     *
+     * @param known numbers as {@code Long}, and texts, as {@link ConfigField} has them
+     */
+    public static Config of(Map<ConfigField, Object> known) {
+        return new Config(new EnumMap<>(known));
+    }
+
+    /** Whether the robot or the library gives this field at all. */
+    public boolean isKnown(ConfigField field) {
+        return fields.containsKey(field);
+    }
+
+    /**
      * One field that is a number, in the unit of {@link ConfigField}; the last but one has 32 bits without a sign.
      *
      * @throws IllegalArgumentException if it is text
      */
     public long number(ConfigField field) {
-        if (fields.get(field) instanceof Long number) {
+        if (value(field) instanceof Long number) {
             return number;
         }
         throw new IllegalArgumentException(field + " is text");
@@ -46,10 +60,14 @@ public final class Config {
      * @throws IllegalArgumentException if it is a number
      */
     public String text(ConfigField field) {
-        if (fields.get(field) instanceof String text) {
+        if (value(field) instanceof String text) {
             return text;
         }
         throw new IllegalArgumentException(field + " is a number");
+    }
+
+    private Object value(ConfigField field) {
+        return fields.getOrDefault(field, field.missing());
     }
 
     /** Whether a field about equipment is not zero. */

@@ -82,6 +82,20 @@ public final class Packet {
         return data.clone();
     }
 
+    /** The number that a command has as its argument; 0 without one. */
+    public int number() {
+        if (data.length < 3) {
+            return 0;
+        }
+        int magnitude = data[1] & 0xFF | (data[2] & 0xFF) << 8;
+        return data[0] == NEGATIVE ? -magnitude : magnitude;
+    }
+
+    /** The bytes that a command has as its argument; none without them. */
+    public byte[] text() {
+        return Arrays.copyOfRange(data, Math.min(2, data.length), data.length);
+    }
+
     /** A fresh cursor at the first data byte. */
     FieldReader fields() {
         return new FieldReader(data);

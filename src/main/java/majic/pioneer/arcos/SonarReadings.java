@@ -1,5 +1,7 @@
 package majic.pioneer.arcos;
 
+import java.util.Map;
+
 /** The sonar readings that came new with one SIP, in its order (ARCOS sheet 8.2). Immutable. */
 public final class SonarReadings {
     static final SonarReadings NONE = new SonarReadings(new int[0]);
@@ -18,6 +20,13 @@ public final class SonarReadings {
             packed[index] = disc << 16 | fields.uint();
         }
         return new SonarReadings(packed);
+    }
+
+    /** Readings from elsewhere than a SIP: ranges by the number of their disc. */
+    public static SonarReadings of(Map<Integer, Integer> ranges) {
+        return new SonarReadings(ranges.entrySet().stream()
+                .mapToInt(reading -> reading.getKey() << 16 | reading.getValue() & 0xFFFF)
+                .toArray());
     }
 
     /** How many there are. */

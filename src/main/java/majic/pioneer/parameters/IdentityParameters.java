@@ -48,9 +48,6 @@ final class IdentityParameters implements ParameterTheme<Equipment> {
     }
 
     private void number(ParameterTable table, String name, Unit unit, ConfigField field, String help) {
-        table.add(
-                Parameter.number(name, unit, help),
-                access.config(config ->
-                        config.has(field) ? Value.of(config.number(field), unit) : PioneerAccess.NOT_REPORTED));
+        table.add(Parameter.number(name, unit, help), access.config(field, unit, 1));
     }
 }

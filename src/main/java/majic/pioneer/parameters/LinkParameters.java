@@ -38,7 +38,7 @@ final class LinkParameters implements ParameterTheme<Equipment> {
     private Supplier<Value> count(ToLongFunction<PacketCounts> part) {
         return access.session(open -> {
             PacketCounts counts = open.packetCounts();
-            return counts == null ? PioneerAccess.NOT_REPORTED : Value.of(part.applyAsLong(counts), Unit.NONE);
+            return counts == null ? PioneerAccess.missing(open) : Value.of(part.applyAsLong(counts), Unit.NONE);
         });
     }
 }

@@ -6,6 +6,7 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.AssumedSetting;
 import majic.pioneer.arcos.Config;
@@ -64,9 +65,9 @@ public final class PioneerAccess {
                 return NOTHING_YET;
             }
             if (hasFresh(open, feed)) {
-                return reader.apply(open.state()).orElse(NOT_REPORTED);
+                return reader.apply(open.state()).orElseGet(() -> missing(open));
             }
-            return open.subscriptions().isMissing(feed) || WaitPolicy.isAllowed() ? NOT_REPORTED : NOTHING_RECENT;
+            return open.subscriptions().isMissing(feed) || WaitPolicy.isAllowed() ? missing(open) : NOTHING_RECENT;
         });
     }
 
@@ -84,17 +85,41 @@ public final class PioneerAccess {
         };
     }
 
-    /** Reads from the robot's CONFIG packet. */
-    Supplier<Value> config(Function<Config, Value> reader) {
+    /** A value that does not come over the connection of a session. */
+    static Value missing(PioneerSession open) {
+        return Value.unknown(open.missing());
+    }
+
+    /** Reads a field of the robot's CONFIG packet; empty if the packet says that there is no such value. */
+    Supplier<Value> config(ConfigField field, Function<Config, Optional<Value>> reader) {
         return session(open -> {
             Config config = open.config();
-            return config == null ? NOT_REPORTED : reader.apply(config);
+            return config == null || !config.isKnown(field)
+                    ? missing(open)
+                    : reader.apply(config).orElse(NOT_REPORTED);
         });
     }
 
     /** Reads a text of the CONFIG packet. */
     Supplier<Value> config(ConfigField text) {
-        return config(config -> config.text(text).isEmpty() ? NOT_REPORTED : Value.text(config.text(text)));
+        return config(
+                text,
+                config -> Optional.of(config.text(text))
+                        .filter(found -> !found.isEmpty())
+                        .map(Value::text));
+    }
+
+    /**
+     * Reads a number of the CONFIG packet, of which zero means that there is no such value.
+     *
+     * @param divisor the number for one unit
+     */
+    Supplier<Value> config(ConfigField number, Unit unit, int divisor) {
+        return config(
+                number,
+                config -> Optional.of((double) config.number(number) / divisor)
+                        .filter(value -> value != 0)
+                        .map(value -> Value.of(value, unit)));
     }
 
     /**

@@ -30,7 +30,7 @@ final class PowerParameters implements ParameterTheme<Equipment> {
                 access.state(state -> charge(state.power().percent())));
         table.add(
                 Parameter.number("lowVoltage", Unit.V, "the robot complains below it"),
-                access.config(config -> volts(config.number(ConfigField.LOWBATTERY))));
+                access.config(ConfigField.LOWBATTERY, Unit.V, 10));
         List<String> words =
                 Arrays.stream(Charging.values()).map(Charging::words).toList();
         table.add(
@@ -45,10 +45,6 @@ final class PowerParameters implements ParameterTheme<Equipment> {
         return percent.isEmpty()
                 ? Value.unknown("this robot tells only its voltage")
                 : Value.of(percent.getAsInt(), Unit.PERCENT);
-    }
-
-    private static Value volts(long tenths) {
-        return tenths == 0 ? PioneerAccess.NOT_REPORTED : Value.of(tenths / 10.0, Unit.V);
     }
 
     private static Value charging(Charging charging) {

@@ -1,6 +1,7 @@
 package majic.pioneer.parameters;
 
 import java.util.List;
+import java.util.Optional;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -75,7 +76,10 @@ final class SonarParameters implements ParameterTheme<Equipment> {
                                 .inWholes(),
                         access.assumed(
                                 cycle,
-                                access.config(config -> Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS))))
+                                access.config(
+                                        ConfigField.SONARCYCLE,
+                                        config ->
+                                                Optional.of(Value.of(config.number(ConfigField.SONARCYCLE), Unit.MS)))))
                 .writes(values -> access.send(
                         cycle,
                         ArcosCommand.SONARCYCLE.packet((int) values.get(0).number()),

@@ -46,6 +46,11 @@ public interface PioneerConnection {
     /** The address as a user would type it. */
     String address();
 
+    /** Why a value is unknown that does not come over this connection, as half a sentence. */
+    default String missing() {
+        return "this robot does not tell";
+    }
+
     /** Counts of packets and damaged bytes; null if they are not known. */
     @Nullable
     PacketCounts counts();

@@ -242,6 +242,11 @@ public final class PioneerSession implements PioneerConnection.Listener {
         return driving;
     }
 
+    /** Why a value is unknown that does not come over the connection, as half a sentence. */
+    public String missing() {
+        return connection.missing();
+    }
+
     /** Counts of packets and damaged bytes; null if the connection does not know them. */
     public @Nullable PacketCounts packetCounts() {
         return connection.counts();

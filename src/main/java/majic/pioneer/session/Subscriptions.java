@@ -51,7 +51,7 @@ public final class Subscriptions {
     /** Requests the feeds that the robot has, on a fast line; to be called once, after CONFIG. */
     void begin(@Nullable Config config) {
         for (Feed feed : Feed.values()) {
-            if (line.isFast() && feed.isRequestedAtStart(config)) {
+            if (line.isFast() && line.delivers(feed) && feed.isRequestedAtStart(config)) {
                 request(feed);
             }
         }
@@ -77,9 +77,9 @@ public final class Subscriptions {
         return received.secondsSince(feed) < STALE_S;
     }
 
-    /** Whether the robot has left so many requests unanswered that it is taken not to have the feed. */
+    /** Whether the line does not deliver the feed, or the robot has left so many requests unanswered that it is taken not to have it. */
     public boolean isMissing(Feed feed) {
-        return unanswered.getOrDefault(feed, 0) >= TRIES;
+        return !line.delivers(feed) || unanswered.getOrDefault(feed, 0) >= TRIES;
     }
 
     /** Sends the requests that are due; to be called every {@link #PERIOD_S} by one thread, while the robot reports. */

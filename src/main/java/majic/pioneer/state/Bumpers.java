@@ -1,6 +1,7 @@
 package majic.pioneer.state;
 
 import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.ConfigField;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,7 +14,7 @@ public record Bumpers(int frontSegments, int rearSegments) {
 
     /** Those that the robot reports, else those that its model has from the factory. */
     public static Bumpers of(Model model, @Nullable Config config) {
-        return config == null
+        return config == null || !config.isKnown(ConfigField.FRONTBUMPS)
                 ? new Bumpers(model.frontBumpers(), model.rearBumpers())
                 : new Bumpers(config.frontBumpers(), config.rearBumpers());
     }

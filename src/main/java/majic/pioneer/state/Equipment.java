@@ -30,12 +30,12 @@ public record Equipment(Model model, Bumpers bumpers, boolean gripper, boolean c
                 Bumpers.of(model, config),
                 mayHave(config, ConfigField.GRIPPER),
                 mayHave(config, ConfigField.CHARGER),
-                config == null || config.number(ConfigField.HASGYRO) == 1,
+                mayHave(config, ConfigField.HASGYRO) && (config == null || config.number(ConfigField.HASGYRO) <= 1),
                 Limits.of(model, config));
     }
 
     private static boolean mayHave(@Nullable Config config, ConfigField field) {
-        return config == null || config.has(field);
+        return config == null || !config.isKnown(field) || config.has(field);
     }
 
     /** The numbers of the sonar discs; of an unknown model all possible ones. */

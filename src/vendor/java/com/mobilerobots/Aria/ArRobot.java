@@ -4,6 +4,19 @@ import signatures.SignatureOnly;
 
 /** Signature: a robot. {@code lock} and {@code unlock} return 0 where they succeeded; all is called between them. */
 public class ArRobot {
+    /** What the charger does; a class, not an enum, as SWIG makes it. */
+    public static final class ChargeState {
+        private final int value;
+
+        private ChargeState(int value) {
+            this.value = value;
+        }
+
+        public int swigValue() {
+            return value;
+        }
+    }
+
     public ArRobot() {
         throw new SignatureOnly();
     }
@@ -296,6 +309,14 @@ public class ArRobot {
         throw new SignatureOnly();
     }
 
+    public ChargeState getChargeState() {
+        throw new SignatureOnly();
+    }
+
+    public ArTime getLastOdometryTime() {
+        throw new SignatureOnly();
+    }
+
     public int getMotorPacCount() {
         throw new SignatureOnly();
     }
@@ -309,6 +330,10 @@ public class ArRobot {
     }
 
     public int getSonarRange(int number) {
+        throw new SignatureOnly();
+    }
+
+    public ArSensorReading getSonarReading(int number) {
         throw new SignatureOnly();
     }
 

@@ -1,0 +1,51 @@
+package majic.pioneer;
+
+import java.util.List;
+import java.util.function.Function;
+import majic.bot.BotAddress;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.link.Link;
+import majic.link.Links;
+import majic.pioneer.line.ArcosConnection;
+import majic.pioneer.line.BaudRates;
+import majic.pioneer.session.ConnectWait;
+import majic.pioneer.session.ConnectionMaker;
+import majic.pioneer.session.PioneerConnection;
+import majic.vendor.VendorLibrary;
+
+/** Chooses by a robot's address what connects to it: the driver's own client, or a library. */
+final class PioneerConnections {
+    static final List<String> LIBRARIES = List.of(VendorLibrary.ARIA.word());
+
+    private static final String ARIA_ADAPTER = "majic.pioneer.aria.AriaConnections";
+
+    private PioneerConnections() {}
+
+    /**
+     * Returns what makes the connection of each session.
+     *
+     * @throws BotException if it is no Pioneer's address, or the library that it names is missing
+     */
+    static Function<ConnectWait, PioneerConnection> of(BotAddress address, BotEnvironment environment) {
+        Link link = link(address);
+        String library = address.library().orElse("");
+        if (library.isEmpty()) {
+            return wait -> new ArcosConnection(link(address), wait);
+        }
+        if (!LIBRARIES.contains(library)) {
+            throw new BotException(address + ": there is no library " + library
+                    + " for a Pioneer; it looks like pioneer:" + address.rest() + " or pioneer+aria:" + address.rest());
+        }
+        ConnectionMaker maker = VendorLibrary.ARIA.create(ConnectionMaker.class, ARIA_ADAPTER, environment.settings());
+        return wait -> maker.make(link.address(), wait);
+    }
+
+    private static Link link(BotAddress address) {
+        try {
+            return Links.of(address.rest(), PioneerType.PORT, BaudRates.POWER_UP);
+        } catch (IllegalArgumentException e) {
+            throw new BotException(address.scheme() + ":" + e.getMessage(), e);
+        }
+    }
+}

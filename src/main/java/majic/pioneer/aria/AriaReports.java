@@ -1,0 +1,165 @@
+package majic.pioneer.aria;
+
+import com.mobilerobots.Aria.ArRobot;
+import com.mobilerobots.Aria.ArSensorReading;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
+import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.ConfigField;
+import majic.pioneer.arcos.Encoders;
+import majic.pioneer.arcos.InputsOutputs;
+import majic.pioneer.arcos.PioneerIdentity;
+import majic.pioneer.arcos.Report;
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipTail;
+import majic.pioneer.arcos.SonarReadings;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.Scaling;
+
+/**
+ * Makes reports from the values that ARIA has of a robot, as if they had come in packets. All methods must be called with
+ * ARIA's lock held. For one thread and one session.
+ */
+final class AriaReports {
+    private static final int BYTE = 0xFF;
+    private static final int COUNTER = 0x10000;
+    private static final int NO_CHARGE_STATE = 255;
+
+    private static final double DEG_PER_COMPASS_STEP = 2;
+
+    private final ArRobot robot;
+    private final SipDetector detector;
+    private final Map<Integer, Long> sonarCycles = new HashMap<>();
+    private boolean withoutSonarCycles;
+    private Scaling scaling = Models.USUAL.scaling();
+
+    AriaReports(ArRobot robot) {
+        this.robot = robot;
+        this.detector = new SipDetector(robot);
+    }
+
+    PioneerIdentity identity() {
+        PioneerIdentity identity =
+                new PioneerIdentity(robot.getRobotName(), robot.getRobotType(), robot.getRobotSubType());
+        scaling = Models.of(identity.subclass()).scaling();
+        return identity;
+    }
+
+    /** The fields of CONFIG that ARIA gives. */
+    Config config() {
+        return Config.of(Map.of(
+                ConfigField.TRANSVELTOP,
+                (long) robot.getAbsoluteMaxTransVel(),
+                ConfigField.ROTVELTOP,
+                (long) robot.getAbsoluteMaxRotVel(),
+                ConfigField.FRONTBUMPS,
+                robot.hasFrontBumpers() ? robot.getNumFrontBumpers() : 0L,
+                ConfigField.REARBUMPS,
+                robot.hasRearBumpers() ? robot.getNumRearBumpers() : 0L));
+    }
+
+    boolean hasNewSip(long nowNanos) {
+        return detector.isNew(nowNanos);
+    }
+
+    Sip sip() {
+        int stall = robot.getStallValue();
+        return new Sip(
+                0x32,
+                counter(robot.getX() / scaling.mmPerCount()),
+                counter(robot.getY() / scaling.mmPerCount()),
+                rounded(robot.getTh() / Scaling.DEG_PER_UNIT),
+                rounded(robot.getLeftVel() / scaling.mmPerSecPerCount()),
+                rounded(robot.getRightVel() / scaling.mmPerSecPerCount()),
+                rounded(robot.getBatteryVoltageNow() * 10),
+                stall & BYTE,
+                stall >> 8 & BYTE,
+                rounded(robot.getControl() / Scaling.DEG_PER_UNIT),
+                robot.getFlags(),
+                rounded(robot.getCompass() / DEG_PER_COMPASS_STEP),
+                sonar(),
+                tail());
+    }
+
+    private static int rounded(double value) {
+        return (int) Math.round(value);
+    }
+
+    private static int counter(double counts) {
+        return Math.floorMod(Math.round(counts), COUNTER);
+    }
+
+    private SipTail tail() {
+        double volts = robot.getRealBatteryVoltageNow();
+        int charging = robot.getChargeState().swigValue();
+        return new SipTail(
+                SipTail.ABSENT,
+                robot.getAnalogPortSelected(),
+                robot.getAnalog() & BYTE,
+                robot.getDigIn() & BYTE,
+                robot.getDigOut() & BYTE,
+                volts > 0 ? rounded(volts * 10) : SipTail.ABSENT,
+                charging < 0 ? NO_CHARGE_STATE : charging,
+                rounded(robot.getRotVel() * 10),
+                robot.hasFaultFlags() ? robot.getFaultFlags() : SipTail.ABSENT,
+                SipTail.ABSENT,
+                robot.getTemperature(),
+                robot.haveStateOfCharge() ? rounded(robot.getStateOfCharge()) : 0,
+                SipTail.ABSENT,
+                SipTail.ABSENT);
+    }
+
+    private SonarReadings sonar() {
+        Map<Integer, Integer> fresh = new LinkedHashMap<>();
+        for (int disc = 0; disc < robot.getNumSonar(); disc++) {
+            int rangeMm = robot.getSonarRange(disc);
+            if (rangeMm >= 0 && hasFired(disc)) {
+                fresh.put(disc, rounded(rangeMm / scaling.mmPerRangeCount()));
+            }
+        }
+        return SonarReadings.of(fresh);
+    }
+
+    /** Whether a disc has a newer reading than before; always, if this ARIA does not tell in which cycle it came. */
+    private boolean hasFired(int disc) {
+        if (withoutSonarCycles) {
+            return true;
+        }
+        try {
+            ArSensorReading reading = robot.getSonarReading(disc);
+            Long cycle = reading == null ? null : reading.getCounterTaken();
+            return cycle != null && !cycle.equals(sonarCycles.put(disc, cycle));
+        } catch (LinkageError e) {
+            withoutSonarCycles = true;
+            return true;
+        }
+    }
+
+    /** Reports of ports and encoders, as far as ARIA has received any. */
+    List<Report> others() {
+        List<Report> reports = new ArrayList<>();
+        int inputs = robot.getIODigInSize();
+        int outputs = robot.getIODigOutSize();
+        int analogs = robot.getIOAnalogSize();
+        if (inputs + outputs + analogs > 0) {
+            reports.add(new InputsOutputs(
+                    values(inputs, number -> robot.getIODigIn(number) & BYTE),
+                    values(outputs, number -> robot.getIODigOut(number) & BYTE),
+                    values(analogs, robot::getIOAnalog)));
+        }
+        Encoders encoders = new Encoders(robot.getLeftEncoder(), robot.getRightEncoder());
+        if (!encoders.equals(new Encoders(0, 0))) {
+            reports.add(encoders);
+        }
+        return reports;
+    }
+
+    private static List<Integer> values(int count, IntUnaryOperator reader) {
+        return IntStream.range(0, count).map(reader).boxed().toList();
+    }
+}
