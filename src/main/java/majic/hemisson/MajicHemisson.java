@@ -54,7 +54,7 @@ public final class MajicHemisson extends MajicBot {
     private final MotionRunner motions;
     private final LedsAndBuzzer leds;
     private final HemissonScenes views;
-    private volatile Modules modules = Modules.NONE;
+    private final HemissonParameters parameters;
 
     /**
      * Creates a driver with the system's clock and without settings.
@@ -86,7 +86,8 @@ public final class MajicHemisson extends MajicBot {
         this.leds = new LedsAndBuzzer(answers);
         this.views = new HemissonScenes(this, sessions, monitor, leds);
         profile(HemissonProfile.of(calibration.table()));
-        new HemissonParameters(access, leds, pins, calibration, new Known()).describe(table());
+        this.parameters = new HemissonParameters(table(), access, leds, pins, calibration, new Known());
+        parameters.describe(Modules.NONE);
         add(CalibrateCommand.of(new SpeedCalibrationRun(calibration, motions, new Cruise())));
         new I2cCommands(access).all().forEach(this::add);
     }
@@ -114,10 +115,9 @@ public final class MajicHemisson extends MajicBot {
         monitor.watch();
     }
 
-    /** Describes the modules that are plugged in. */
+    /** Describes the parameters and adds the commands of a robot with these modules. */
     void equip(Modules found) {
-        modules = found;
-        table().renew(fresh -> found.describe(fresh, access));
+        parameters.describe(found);
         Modules.COMMANDS.forEach(this::removeCommand);
         found.commands(access).forEach(this::add);
     }
@@ -210,11 +210,6 @@ public final class MajicHemisson extends MajicBot {
         @Override
         public Identity identity() {
             return monitor.identity();
-        }
-
-        @Override
-        public Modules modules() {
-            return modules;
         }
 
         @Override

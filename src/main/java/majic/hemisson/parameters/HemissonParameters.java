@@ -1,31 +1,45 @@
 package majic.hemisson.parameters;
 
+import java.util.List;
 import majic.bot.ParameterTable;
+import majic.driver.ParameterTheme;
 import majic.hemisson.modules.Modules;
 import majic.hemisson.motion.SpeedCalibration;
 import majic.hemisson.readings.RobotReadings;
 
-/**
- * The parameters of every Hemisson; {@link Modules} adds those of its modules.
- *
- * @param access reads from the robot and sends to it
- * @param lamps the LEDs and the buzzer
- * @param pins the pins of the extension connector
- * @param calibration what the motor values mean
- * @param robot what the driver has found out about it
- */
-public record HemissonParameters(
-        RobotReadings access,
-        LedsAndBuzzer lamps,
-        Pins pins,
-        SpeedCalibration calibration,
-        RobotParameters.Source robot) {
-    /** Adds all of them. */
-    public void describe(ParameterTable table) {
-        new InfraredParameters(table, access).describe();
-        new LedAndBuzzerParameters(table, lamps).describe();
-        new MotorParameters(table, access, calibration).describe();
-        new RobotParameters(table, access, robot).describe();
-        new PinParameters(table, access, pins).describe();
+/** The parameters of a Hemisson besides those that every robot has, theme by theme; those of its modules come last. */
+public final class HemissonParameters {
+    private final ParameterTable table;
+    private final List<ParameterTheme<Modules>> themes;
+
+    /**
+     * Describes nothing yet.
+     *
+     * @param access reads from the robot and sends to it
+     * @param leds the LEDs and the buzzer
+     * @param pins the pins of the extension connector
+     * @param calibration the speeds of the motor values
+     * @param robot what the driver has found out about the robot
+     */
+    public HemissonParameters(
+            ParameterTable table,
+            RobotReadings access,
+            LedsAndBuzzer leds,
+            Pins pins,
+            SpeedCalibration calibration,
+            RobotParameters.Source robot) {
+        this.table = table;
+        this.themes = List.of(
+                new InfraredParameters(access),
+                new LedAndBuzzerParameters(leds),
+                new MotorParameters(access, calibration),
+                new RobotParameters(access, robot),
+                new PinParameters(access, pins),
+                (fresh, modules) -> modules.describe(fresh, access));
+    }
+
+    /** Describes what a robot with these modules has. */
+    public void describe(Modules modules) {
+        table.renew(fresh -> themes.forEach(theme -> theme.describe(fresh, modules)));
     }
 }

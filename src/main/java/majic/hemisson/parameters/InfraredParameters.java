@@ -7,50 +7,63 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.hemisson.line.Question;
+import majic.hemisson.modules.Modules;
 import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
 import majic.hemisson.readings.RobotReadings;
 
 /** The eight infra-red sensors: distance, proximity and light. */
-final class InfraredParameters {
+final class InfraredParameters implements ParameterTheme<Modules> {
     private static final List<String> NAMES =
             List.of("front", "front right", "front left", "right", "left", "rear", "ground right", "ground left");
 
-    private final ParameterTable table;
     private final RobotReadings access;
 
-    InfraredParameters(ParameterTable table, RobotReadings access) {
-        this.table = table;
+    InfraredParameters(RobotReadings access) {
         this.access = access;
     }
 
-    void describe() {
-        describeDistances();
-        describeProximity();
-        describeGround();
-        describeLight();
+    @Override
+    public void describe(ParameterTable table, Modules modules) {
+        describeDistances(table);
+        describeProximity(table);
+        describeGround(table);
+        describeLight(table);
     }
 
-    private void describeDistances() {
+    private void describeDistances(ParameterTable table) {
         distance(
+                table,
                 "distanceFront",
                 "free way ahead by five infra-red sensors; dark things seem farther",
                 Clearance::front);
-        distance("distanceLeft", "from the hull to the left, up to 50 mm; dark things seem farther", Clearance::left);
         distance(
-                "distanceRight", "from the hull to the right, up to 50 mm; dark things seem farther", Clearance::right);
-        distance("distanceBack", "from the hull backward, up to 60 mm; dark things seem farther", Clearance::back);
+                table,
+                "distanceLeft",
+                "from the hull to the left, up to 50 mm; dark things seem farther",
+                Clearance::left);
+        distance(
+                table,
+                "distanceRight",
+                "from the hull to the right, up to 50 mm; dark things seem farther",
+                Clearance::right);
+        distance(
+                table,
+                "distanceBack",
+                "from the hull backward, up to 60 mm; dark things seem farther",
+                Clearance::back);
     }
 
-    private void distance(String name, String help, Function<Proximity, OptionalDouble> from) {
+    private void distance(ParameterTable table, String name, String help, Function<Proximity, OptionalDouble> from) {
         table.add(Parameter.number(name, Unit.MM, help), access.proximity(seen -> {
             OptionalDouble mm = from.apply(seen);
             return mm.isPresent() ? Value.about(mm.getAsDouble(), Unit.MM) : Value.CLEAR;
         }));
     }
 
-    private void describeProximity() {
+    private void describeProximity(ParameterTable table) {
         table.add(
                 Parameter.list("prox", Unit.NONE, "0 nothing to 255 near: " + String.join(", ", NAMES)),
                 access.proximity(seen ->
@@ -63,7 +76,7 @@ final class InfraredParameters {
         }
     }
 
-    private void describeGround() {
+    private void describeGround(ParameterTable table) {
         table.add(
                 Parameter.number("groundRight", Unit.NONE, "what the ground reflects on the right, large when white"),
                 access.proximity(seen -> RobotReadings.count(seen.value(Proximity.GROUND_RIGHT))));
@@ -83,7 +96,7 @@ final class InfraredParameters {
                 .get();
     }
 
-    private void describeLight() {
+    private void describeLight(ParameterTable table) {
         table.add(
                 Parameter.list(
                         "lightSensors", Unit.NONE, "0 bright to 255 dark (infra-red): " + String.join(", ", NAMES)),

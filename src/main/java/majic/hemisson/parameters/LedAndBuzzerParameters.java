@@ -5,34 +5,45 @@ import java.util.function.Function;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.hemisson.line.Leds;
+import majic.hemisson.modules.Modules;
 
 /** The four LEDs and the buzzer. */
-final class LedAndBuzzerParameters {
-    private final ParameterTable table;
+final class LedAndBuzzerParameters implements ParameterTheme<Modules> {
     private final LedsAndBuzzer lamps;
 
-    LedAndBuzzerParameters(ParameterTable table, LedsAndBuzzer lamps) {
-        this.table = table;
+    LedAndBuzzerParameters(LedsAndBuzzer lamps) {
         this.lamps = lamps;
     }
 
-    void describe() {
+    @Override
+    public void describe(ParameterTable table, Modules modules) {
         lamp(
+                table,
                 "light",
                 "both front lamps",
                 leds -> leds.left() && leds.right(),
                 (leds, on) -> leds.withLeft(on).withRight(on));
-        lamp("ledLeft", "front left lamp", Leds::left, Leds::withLeft);
-        lamp("ledRight", "front right lamp", Leds::right, Leds::withRight);
-        lamp("ledPgm", "the Pgm/Exec lamp", Leds::pgm, Leds::withPgm);
-        lamp("ledOnOff", "the On/Off lamp; the robot takes it back within half a second", Leds::onOff, Leds::withOnOff);
-        buzzer("beep", "the buzzer, until it is switched off");
-        buzzer("buzzer", "the same as beep");
+        lamp(table, "ledLeft", "front left lamp", Leds::left, Leds::withLeft);
+        lamp(table, "ledRight", "front right lamp", Leds::right, Leds::withRight);
+        lamp(table, "ledPgm", "the Pgm/Exec lamp", Leds::pgm, Leds::withPgm);
+        lamp(
+                table,
+                "ledOnOff",
+                "the On/Off lamp; the robot takes it back within half a second",
+                Leds::onOff,
+                Leds::withOnOff);
+        buzzer(table, "beep", "the buzzer, until it is switched off");
+        buzzer(table, "buzzer", "the same as beep");
     }
 
     private void lamp(
-            String name, String help, Function<Leds, Boolean> reader, BiFunction<Leds, Boolean, Leds> writer) {
+            ParameterTable table,
+            String name,
+            String help,
+            Function<Leds, Boolean> reader,
+            BiFunction<Leds, Boolean, Leds> writer) {
         table.add(Parameter.onOff(name, help), () -> Value.onOff(reader.apply(lamps.leds())))
                 .writes(values -> {
                     boolean on = values.get(0).isYes();
@@ -40,7 +51,7 @@ final class LedAndBuzzerParameters {
                 });
     }
 
-    private void buzzer(String name, String help) {
+    private void buzzer(ParameterTable table, String name, String help) {
         table.add(Parameter.onOff(name, help), () -> Value.onOff(lamps.isBuzzing()))
                 .writes(values -> lamps.buzz(values.get(0).isYes()));
     }

@@ -7,30 +7,31 @@ import majic.bot.ParameterException;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.hemisson.line.MotorValues;
 import majic.hemisson.line.Question;
+import majic.hemisson.modules.Modules;
 import majic.hemisson.motion.SpeedCalibration;
 import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.readings.RobotReadings;
 
 /** The values of the motors, and the calibration that gives their speeds. */
-final class MotorParameters {
+final class MotorParameters implements ParameterTheme<Modules> {
     private static final String TABLE = "speedTable";
 
-    private final ParameterTable table;
     private final RobotReadings access;
     private final SpeedCalibration calibration;
 
-    MotorParameters(ParameterTable table, RobotReadings access, SpeedCalibration calibration) {
-        this.table = table;
+    MotorParameters(RobotReadings access, SpeedCalibration calibration) {
         this.access = access;
         this.calibration = calibration;
     }
 
-    void describe() {
-        wheel("speedLeft", "what the left motor is set to, -9 to 9; nothing measures its speed", 0);
-        wheel("speedRight", "what the right motor is set to, -9 to 9; nothing measures its speed", 1);
-        describeSpeedTable();
+    @Override
+    public void describe(ParameterTable table, Modules modules) {
+        wheel(table, "speedLeft", "what the left motor is set to, -9 to 9; nothing measures its speed", 0);
+        wheel(table, "speedRight", "what the right motor is set to, -9 to 9; nothing measures its speed", 1);
+        describeSpeedTable(table);
         table.add(
                         Parameter.number(
                                         "wheelDistance",
@@ -53,7 +54,7 @@ final class MotorParameters {
                         calibration.learn(speeds().withTrim(values.get(0).number())));
     }
 
-    private void wheel(String name, String help, int index) {
+    private void wheel(ParameterTable table, String name, String help, int index) {
         table.add(
                 Parameter.number(name, Unit.NONE, help),
                 access.polledWhileRead(
@@ -61,7 +62,7 @@ final class MotorParameters {
                         speeds -> RobotReadings.count(speeds.numbers().get(index))));
     }
 
-    private void describeSpeedTable() {
+    private void describeSpeedTable(ParameterTable table) {
         Parameter list = speed(
                 Parameter.list(
                         TABLE,

@@ -4,31 +4,32 @@ import majic.bot.BotException;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.hemisson.line.Question;
+import majic.hemisson.modules.Modules;
 import majic.hemisson.readings.PolledQuestion;
 import majic.hemisson.readings.RobotReadings;
 
 /** Three pins of the extension connector; HemiOS 1.43 and later have commands for them (Hemisson sheet 4.3). */
-final class PinParameters {
+final class PinParameters implements ParameterTheme<Modules> {
     private static final String[] NAMES = {"pinRB0", "pinRB6", "pinRB7"};
 
-    private final ParameterTable table;
     private final RobotReadings access;
     private final Pins pins;
 
-    PinParameters(ParameterTable table, RobotReadings access, Pins pins) {
-        this.table = table;
+    PinParameters(RobotReadings access, Pins pins) {
         this.access = access;
         this.pins = pins;
     }
 
-    void describe() {
+    @Override
+    public void describe(ParameterTable table, Modules modules) {
         for (int pin = 0; pin < NAMES.length; pin++) {
-            describe(pin);
+            describe(table, pin);
         }
     }
 
-    private void describe(int pin) {
+    private void describe(ParameterTable table, int pin) {
         Question level = Question.ask("1," + pin, "1,[01]", 0.5);
         PolledQuestion look = now -> pins.output(pin) == null ? level : null;
         table.add(

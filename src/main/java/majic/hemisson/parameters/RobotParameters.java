@@ -5,6 +5,7 @@ import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTheme;
 import majic.hemisson.line.Identity;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Question;
@@ -12,8 +13,7 @@ import majic.hemisson.modules.Modules;
 import majic.hemisson.readings.RobotReadings;
 
 /** Firmware, switches and line quality, and the parameters that a Hemisson cannot have. */
-public final class RobotParameters {
-    private final ParameterTable table;
+public final class RobotParameters implements ParameterTheme<Modules> {
     private final RobotReadings access;
     private final Source source;
 
@@ -22,26 +22,23 @@ public final class RobotParameters {
         /** The robot that answered at connecting. */
         Identity identity();
 
-        /** What is plugged into it. */
-        Modules modules();
-
         /** How well the line works. */
         LinkQuality quality();
     }
 
-    RobotParameters(ParameterTable table, RobotReadings access, Source source) {
-        this.table = table;
+    RobotParameters(RobotReadings access, Source source) {
         this.access = access;
         this.source = source;
     }
 
-    void describe() {
-        describeRobot();
-        describeLink();
-        describeWhatItLacks();
+    @Override
+    public void describe(ParameterTable table, Modules modules) {
+        describeRobot(table, modules);
+        describeLink(table);
+        describeWhatItLacks(table);
     }
 
-    private void describeRobot() {
+    private void describeRobot(ParameterTable table, Modules modules) {
         table.add(
                 Parameter.list("switches", Unit.NONE, "the four switches on top; 1, 1, 1, 1 is remote control"),
                 access.asked(
@@ -57,7 +54,7 @@ public final class RobotParameters {
         table.add(Parameter.text("version", "the firmware"), () -> identified(Identity::version));
         table.add(
                 Parameter.text("modules", "what was found on its I2C bus at connecting"),
-                () -> identified(identity -> source.modules().names()));
+                () -> identified(identity -> modules.names()));
     }
 
     private Value identified(Function<Identity, String> text) {
@@ -65,7 +62,7 @@ public final class RobotParameters {
         return identity == Identity.NONE ? Value.unknown("not connected yet") : Value.text(text.apply(identity));
     }
 
-    private void describeLink() {
+    private void describeLink(ParameterTable table) {
         table.add(
                 Parameter.number("roundTrip", Unit.MS, "from a question to its answer, a mean of the last ones"),
                 () -> Value.of(source.quality().roundTripMs(), Unit.MS));
@@ -74,16 +71,17 @@ public final class RobotParameters {
                 () -> Value.of(source.quality().misses(), Unit.NONE));
     }
 
-    private void describeWhatItLacks() {
+    private void describeWhatItLacks(ParameterTable table) {
         String noBattery = "no command of the Hemisson tells it";
-        lacking(Parameter.number("battery", Unit.PERCENT, "cannot be told by a Hemisson"), noBattery);
-        lacking(Parameter.number("voltage", Unit.V, "cannot be told by a Hemisson"), noBattery);
+        lacking(table, Parameter.number("battery", Unit.PERCENT, "cannot be told by a Hemisson"), noBattery);
+        lacking(table, Parameter.number("voltage", Unit.V, "cannot be told by a Hemisson"), noBattery);
         lacking(
+                table,
                 Parameter.number("odometer", Unit.MM, "cannot be told by a Hemisson"),
                 "the Hemisson has no wheel encoders; x, y and heading are estimates");
     }
 
-    private void lacking(Parameter parameter, String reason) {
+    private void lacking(ParameterTable table, Parameter parameter, String reason) {
         table.add(parameter, () -> Value.unknown(reason));
     }
 }
