@@ -107,13 +107,16 @@ final class ConversationState {
         return question.isLong() && motion.mayMove() ? SendOrder.TOO_LONG : null;
     }
 
-    /** Adds a stop before all other questions, unless one is being sent already. */
+    /**
+     * Adds a stop before all other questions, unless one is being sent or verified already: nothing that moves the robot is sent
+     * before the verification is answered, and if it is not answered with zeros, another stop follows.
+     */
     void stop() {
         if (ended != null) {
             return;
         }
         Exchange newest = open.newest();
-        if (newest != null && newest.purpose() == Purpose.STOP) {
+        if (newest != null && newest.isOfStop()) {
             queue.discard(Purpose.MOTION, "stopped");
         } else {
             queue.stop(stops.stop());

@@ -85,13 +85,14 @@ public final class StopConfirmation {
     }
 
     /**
-     * Ends the connection with a stop (Hemisson sheet 11). Blocks for {@value #CLOSING_S} s at most.
+     * Ends the connection with a stop (Hemisson sheet 11), unless the last one is certainly in effect. Blocks for {@value
+     * #CLOSING_S} s at most. Nothing may be sent any more that moves the robot.
      *
      * @return a message for the user if the stop was not confirmed, else null
      */
     public @Nullable String end() {
         HemissonSession open = sessions.current();
-        boolean stopped = open == null || stop(open);
+        boolean stopped = open == null || open.conversation().isCertainlyStopped() || stop(open);
         sessions.end();
         return stopped ? null : "it has not confirmed that it stands; " + HELP;
     }

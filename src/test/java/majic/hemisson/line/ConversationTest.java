@@ -257,6 +257,46 @@ class ConversationTest {
     }
 
     @Test
+    void aStopDuringTheVerificationOfAnotherDiscardsMotionsAndSendsNothing() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.stop();
+        hear("d");
+        Exchange motion = conversation.ask(Question.wheels(AHEAD));
+        conversation.stop();
+        hear("e,00,00");
+
+        assertThat(conversation.isStopped()).isTrue();
+        assertThat(motion.failure()).isNotNull();
+        assertThat(link.commands()).containsExactly("D,3,3", "D,0,0", "E");
+    }
+
+    @Test
+    void aStopDuringAVerificationThatFindsTheRobotMovingIsSent() {
+        conversation.ask(Question.wheels(AHEAD));
+        hear("d");
+        conversation.stop();
+        hear("d");
+        conversation.stop();
+        hear("e,03,03");
+
+        assertThat(link.commands()).containsExactly("D,3,3", "D,0,0", "E", "D,0,0");
+    }
+
+    @Test
+    void aStopIsCertainUntilTheRobotIsMovedOrMissesAnAnswer() {
+        assertThat(conversation.isCertainlyStopped()).isFalse();
+        conversation.stop();
+        hear("d");
+        hear("e,00,00");
+        assertThat(conversation.isCertainlyStopped()).isTrue();
+
+        conversation.ask(Question.PROXIMITY);
+        pass(1);
+        assertThat(conversation.isCertainlyStopped()).isFalse();
+    }
+
+    @Test
     void aNewerMotionReplacesOneThatWaits() {
         conversation.ask(Question.PROXIMITY);
         conversation.ask(Question.wheels(AHEAD));

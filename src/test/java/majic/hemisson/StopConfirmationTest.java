@@ -1,0 +1,74 @@
+package majic.hemisson;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import majic.bot.BotEnvironment;
+import majic.driver.RobotWait;
+import majic.hemisson.line.Conversation;
+import majic.hemisson.line.ConversationListener;
+import majic.hemisson.line.CurrentSession;
+import majic.hemisson.line.Exchange;
+import majic.hemisson.line.HemissonSession;
+import majic.hemisson.line.MotorValues;
+import majic.hemisson.line.Question;
+import majic.hemisson.line.StopConfirmation;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The stop at the end of a session. */
+@Timeout(20)
+class StopConfirmationTest {
+    @AutoClose
+    private final ScriptedHemisson robot = new ScriptedHemisson();
+
+    private final BotEnvironment environment = robot.environment();
+    private final CurrentSession sessions = new CurrentSession(robot.address(), environment.time());
+    private final StopConfirmation stopConfirmation = new StopConfirmation(
+            sessions, new RobotWait(environment.time(), environment.time().signal()), () -> false, () -> null);
+    private Conversation conversation;
+
+    /** Ignores all events. */
+    private static final class Ignored implements ConversationListener {
+        @Override
+        public void answered(Exchange exchange) {}
+
+        @Override
+        public void missed(Exchange exchange, boolean inMotion) {}
+
+        @Override
+        public void wasReset() {}
+
+        @Override
+        public void broken(IOException cause) {}
+    }
+
+    @BeforeEach
+    void stopOnce() {
+        HemissonSession session = sessions.open(new Ignored());
+        session.start();
+        conversation = session.conversation();
+        conversation.mayBeDeafened(false);
+        conversation.stop();
+        robot.clock().until(conversation::isStopped);
+    }
+
+    @Test
+    void aStopThatIsInEffectIsNotRepeatedAtTheEnd() {
+        assertThat(stopConfirmation.end()).isNull();
+
+        assertThat(robot.commands()).containsExactly("D,0,0", "E");
+    }
+
+    @Test
+    void aRobotThatMovesIsStoppedAtTheEnd() {
+        Exchange motion = conversation.ask(Question.wheels(new MotorValues(3, 3)));
+        robot.clock().until(motion::isDone);
+
+        assertThat(stopConfirmation.end()).isNull();
+
+        assertThat(robot.commands()).containsExactly("D,0,0", "E", "D,3,3", "D,0,0", "E");
+    }
+}
