@@ -13,7 +13,6 @@ import majic.log.SessionOutput;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.PreparedLine;
 import majic.script.lines.Source;
-import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
 import majic.script.run.Trait;
 import majic.script.syntax.LineParser;
@@ -140,7 +139,7 @@ public final class MajicParser {
             Consumer<String> failed = why -> refuse(accepted.text(), place, why);
             give(accepted, line, why -> refusedLater.accept(refuse(accepted.text(), place, why)), failed);
             return Optional.empty();
-        } catch (ScriptException | BotException | ExecutionEnded e) {
+        } catch (ScriptException | BotException e) {
             return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
         } catch (RuntimeException | Error e) {
             return Optional.of(refuse(line, place, InternalError.report(line, e)));

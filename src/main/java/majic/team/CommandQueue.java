@@ -156,10 +156,13 @@ final class CommandQueue {
     }
 
     private Ending attempt(QueuedCommand command) {
+        boolean begun = false;
         try {
+            command.check();
+            begun = true;
             return new Ending(Answer.Outcome.DONE, command.run());
         } catch (MotionStopped e) {
-            return Ending.of(Answer.Outcome.STOPPED, command, "stopped");
+            return Ending.of(Answer.Outcome.STOPPED, command, begun ? "stopped" : "not run: stopped");
         } catch (BotException e) {
             return Ending.of(Answer.Outcome.FAILED, command, "failed: " + e.getMessage());
         } catch (RuntimeException | Error e) {

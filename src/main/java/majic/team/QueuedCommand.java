@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 public final class QueuedCommand {
     private final String text;
     private final boolean moves;
+    private final Runnable check;
     private final Work work;
     private final @Nullable Object asker;
     private volatile @Nullable BotControl control;
@@ -41,12 +42,13 @@ public final class QueuedCommand {
      * @param work what it does
      */
     public QueuedCommand(String text, boolean moves, Work work) {
-        this(text, moves, work, null);
+        this(text, moves, () -> {}, work, null);
     }
 
-    private QueuedCommand(String text, boolean moves, Work work, @Nullable Object asker) {
+    private QueuedCommand(String text, boolean moves, Runnable check, Work work, @Nullable Object asker) {
         this.text = text;
         this.moves = moves;
+        this.check = check;
         this.work = work;
         this.asker = asker;
     }
@@ -59,21 +61,21 @@ public final class QueuedCommand {
      * @return a new command
      */
     public QueuedCommand askedBy(@Nullable Object by) {
-        return new QueuedCommand(text, moves, work, by);
+        return new QueuedCommand(text, moves, check, work, by);
     }
 
     /**
-     * Returns the same command, not submitted, with a check that is made when its turn comes.
+     * Returns the same command, not submitted, with a further check that is made when its turn comes.
      *
-     * @param check throws a {@link BotException} if the command must not begin; the command ends with that
+     * @param further throws a {@link BotException} if the command must not begin; the command ends with that
      * @return a new command
      */
-    public QueuedCommand checkedBy(Runnable check) {
-        Work checked = robot -> {
+    public QueuedCommand checkedBy(Runnable further) {
+        Runnable all = () -> {
+            further.run();
             check.run();
-            return work.run(robot);
         };
-        return new QueuedCommand(text, moves, checked, asker);
+        return new QueuedCommand(text, moves, all, work, asker);
     }
 
     /**
@@ -129,6 +131,11 @@ public final class QueuedCommand {
             throw new IllegalStateException(text + " was submitted before");
         }
         control = robot;
+    }
+
+    /** Checks whether it may begin; throws a {@link BotException} if not. */
+    void check() {
+        check.run();
     }
 
     /** Runs the accepted command and returns its answers; blocks until it is done. */

@@ -19,6 +19,7 @@ import majic.script.run.SubmittedCommands;
 import majic.script.run.Trait;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
+import majic.team.Answer;
 import majic.team.Member;
 import majic.team.StopCount;
 import majic.team.Team;
@@ -28,6 +29,8 @@ import majic.time.Signal;
 public final class Dispatcher {
     /** How many typed lines may wait behind a {@code wait}. */
     static final int MOST_WAITING = 100;
+
+    private static final String NOT_RUN = "not run: stopped";
 
     private final Actions actions;
     private final Team team;
@@ -127,8 +130,7 @@ public final class Dispatcher {
     public void submit(PreparedLine line, Consumer<String> refused, Consumer<String> failed) {
         line.reportTo(refused, failed);
         if (runsNow(line)) {
-            Execution execution = execution(line, Execution.Manner.AT_ONCE, line.permits());
-            perform(line, () -> line.runChecked(execution, actions));
+            runAtOnce(line);
         } else if (runsBeside(line) && !line.has(Trait.READS_FILES) && queue.isEmpty()) {
             line.waits();
             begin(line);
@@ -194,7 +196,7 @@ public final class Dispatcher {
     /** Runs a line whose turn has come. */
     private void inTurn(PreparedLine line) {
         if (wasStopped(line)) {
-            answerStopped(line);
+            fail(line, NOT_RUN);
         } else if (line.isStopSent()) {
             awaitFreed(line);
         } else if (filesAllow(line)) {
@@ -205,7 +207,7 @@ public final class Dispatcher {
     /** Reading the files may have taken long, so a stop may have come meanwhile. */
     private void inTurnWithFiles(PreparedLine line) {
         if (wasStopped(line)) {
-            answerStopped(line);
+            fail(line, NOT_RUN);
         } else if (runsBeside(line)) {
             begin(line);
         } else {
@@ -236,9 +238,25 @@ public final class Dispatcher {
         return team.stops().ofOthers(line.commanded(), ownStops);
     }
 
-    private void answerStopped(PreparedLine line) {
+    /** Runs a line on the caller's thread. */
+    private void runAtOnce(PreparedLine line) {
+        try {
+            Execution execution = execution(line, Execution.Manner.AT_ONCE, line.permits());
+            perform(line, () -> line.runChecked(execution, actions));
+        } catch (ExecutionEnded e) {
+            answerEnded(line, e);
+        }
+    }
+
+    /** What ends early has submitted nothing if it commands robots; a wait has begun. */
+    private void answerEnded(PreparedLine line, ExecutionEnded end) {
+        boolean notRun = end.outcome() == Answer.Outcome.STOPPED && line.has(Trait.COMMANDS_ROBOTS);
+        fail(line, notRun ? NOT_RUN : end.ending());
+    }
+
+    private void fail(PreparedLine line, String how) {
         commands.fail(line.title());
-        output.send(Line.Kind.ANSWER, line.title() + ": not run: stopped", asker);
+        output.send(Line.Kind.ANSWER, line.title() + ": " + how, asker);
     }
 
     /** Runs a line asynchronously; errors can only be reported. Permissions to move are taken as they are now. */
@@ -247,8 +265,7 @@ public final class Dispatcher {
             Execution execution = execution(line, Execution.Manner.IN_TURN, Map.of());
             perform(line, () -> line.runChecked(execution, actions));
         } catch (ExecutionEnded e) {
-            commands.fail(line.title());
-            output.send(Line.Kind.ANSWER, line.title() + ": " + e.ending(), asker);
+            answerEnded(line, e);
         } catch (ScriptException | BotException e) {
             line.fail(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
