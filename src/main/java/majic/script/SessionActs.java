@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import majic.act.ActRun;
 import majic.act.MajicAct;
@@ -94,10 +95,14 @@ final class SessionActs implements ActRunner {
         }
 
         @Override
-        public QueuedCommand command(Member me, Execution execution) {
+        public Function<Member, QueuedCommand> commands(Execution execution) {
             List<Member> others = execution.selection().members(act.others());
-            Permit permit = permit(me, others);
-            return new QueuedCommand(act.text(), true, robot -> {
+            List<Permit> permits = others.stream().map(SessionActs.this::permit).toList();
+            return me -> command(me, others, permits.stream().reduce(permit(me), Permit::and), execution);
+        }
+
+        private QueuedCommand command(Member me, List<Member> others, Permit permit, Execution execution) {
+            QueuedCommand command = new QueuedCommand(act.text(), true, robot -> {
                 Map<String, List<Member>> robots = assign(me, others);
                 sayIfOwn(act.name().unquoted(), me);
                 long began = me.time().nanos();
@@ -107,6 +112,7 @@ final class SessionActs implements ActRunner {
                         + String.format(
                                 Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
             });
+            return command.checkedBy(permit::check);
         }
 
         private Map<String, List<Member>> assign(Member me, List<Member> others) {
@@ -122,14 +128,6 @@ final class SessionActs implements ActRunner {
                             me.number() + ": " + name + " from " + acts.folder()
                                     + ", in place of the one that comes with MAJIC");
         }
-    }
-
-    private Permit permit(Member me, List<Member> others) {
-        Permit all = permit(me);
-        for (Member other : others) {
-            all = all.and(permit(other));
-        }
-        return all;
     }
 
     private Permit permit(Member member) {

@@ -78,7 +78,7 @@ class ActEndTest {
     void calledOffBeforeItsTurnItNeverBegins() throws Exception {
         String drive = file("me move 5000");
         assertThat(desk.runPipe("1 move 300", "1 act " + drive, "1 act off", "1 turn 90"))
-                .contains("1 act off: no behaviour runs on it", "1 act " + drive + ": stopped");
+                .contains("1 act off: no behaviour runs on it", "1 act " + drive + ": not run: stopped");
         assertThat(driver.sent()).containsSubsequence("move 300", "turn 90").doesNotContain("move 5000");
     }
 

@@ -2,10 +2,13 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -164,7 +167,7 @@ class StopTest {
         desk.prompt.parseText("1 move 1m until aibo bumped == yes");
         desk.prompt.awaitAll();
         assertThat(desk.bot(1).sent()).doesNotContain("move 1000");
-        assertThat(desk.said().toString()).contains("stopped").doesNotContain("done (");
+        assertThat(desk.said()).contains("1 move 1m until aibo bumped == yes: not run: stopped");
     }
 
     /** As above; a line that waited is checked again (2) before its submission (3). */
@@ -176,7 +179,7 @@ class StopTest {
         desk.prompt.parseText("1 move 1m until aibo bumped == yes");
         desk.prompt.awaitAll();
         assertThat(desk.bot(1).sent()).doesNotContain("move 1000");
-        assertThat(desk.said().toString()).contains("stopped").doesNotContain("done (");
+        assertThat(desk.said()).contains("1 move 1m until aibo bumped == yes: not run: stopped");
     }
 
     /** The type is looked up as the block is checked (3) and as it takes its robots (4). */
@@ -190,5 +193,46 @@ class StopTest {
         desk.prompt.awaitAll();
         assertThat(desk.bot(1).sent()).doesNotContain("move 1000");
         assertThat(desk.said().toString()).contains("stopped").doesNotContain("done (");
+    }
+
+    /**
+     * The further robot is looked up by the check of the line (2), by the check of the behaviour (3, 4), by its
+     * submission (5) and when the robots are claimed for a script (6).
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4, 5, 6})
+    void ofAFurtherRobotPreventsTheBehaviour(int lookup, @TempDir Path folder) throws Exception {
+        Path both = Files.write(folder.resolve("both.majic"), List.of("2 move 1m", "1 move 1m"));
+        desk.aibo.duringName(lookup, () -> desk.team.stop(List.of(desk.team.member(1)), null));
+        desk.prompt.parseText("2 act \"" + both + "\" with aibo");
+        desk.prompt.awaitAll();
+        assertThat(desk.bot(1).sent()).doesNotContain("move 1000");
+        assertThat(desk.bot(2).sent()).doesNotContain("move 1000");
+        assertThat(desk.said()).contains("2 act \"" + both + "\" with aibo: not run: stopped");
+    }
+
+    @Test
+    void ofAFurtherRobotDropsABehaviourThatWaits(@TempDir Path folder) throws Exception {
+        Path both = Files.write(folder.resolve("both.majic"), List.of("2 move 1m", "1 move 1m"));
+        String line = "2 act \"" + both + "\" with 1";
+        desk.prompt.parseText("wait 1s");
+        desk.prompt.parseText(line);
+        desk.prompt.parseText("1 stop");
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).contains(line + ": not run: stopped");
+        assertThat(desk.bot(2).sent()).doesNotContain("move 1000");
+    }
+
+    @Test
+    void ofAFurtherRobotEndsABlockThatCommandsIt(@TempDir Path folder) throws Exception {
+        Path both = Files.write(folder.resolve("both.majic"), List.of("2 move 1m", "1 move 1m"));
+        for (String line : new String[] {"repeat 1", "wait 1s", "2 act \"" + both + "\" with 1", "end"}) {
+            desk.prompt.parseText(line);
+        }
+        desk.pause(0.5);
+        desk.prompt.parseText("1 stop");
+        desk.prompt.awaitAll();
+        assertThat(desk.said()).contains("repeat 1: stopped");
+        assertThat(desk.bot(2).sent()).doesNotContain("move 1000");
     }
 }

@@ -1,7 +1,9 @@
 package majic.script.actions;
 
 import java.util.List;
+import java.util.function.Function;
 import majic.bot.BotException;
+import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
 import majic.script.run.ActRunner;
@@ -18,6 +20,7 @@ import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.SessionCommand;
 import majic.team.Member;
+import majic.team.QueuedCommand;
 import org.jspecify.annotations.Nullable;
 
 /** The commands for behaviours and for the consent to their code. */
@@ -47,9 +50,15 @@ final class ActActions {
         }
 
         @Override
+        public List<Member> others(Selection selection) {
+            return act.others() == null ? List.of() : selection.present(act.others());
+        }
+
+        @Override
         public void run(Execution execution, List<Member> robots) {
+            Function<Member, QueuedCommand> commands = checkedAct().commands(execution);
             execution.claim(execution.selection().members(act.others()));
-            execution.submit(robots, member -> checkedAct().command(member, execution));
+            execution.submit(robots, commands);
         }
 
         /** Reads the file of the behaviour, once for the check, all robots and the run. */

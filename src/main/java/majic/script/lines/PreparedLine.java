@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.Permit;
 import majic.script.conditions.Selection;
@@ -42,13 +43,14 @@ public abstract class PreparedLine {
     private Consumer<String> refused = why -> {};
     private Consumer<String> failed = why -> {};
 
-    private PreparedLine(String text, Scheduling scheduling, Set<Trait> traits, List<Member> robots) {
+    private PreparedLine(
+            String text, Scheduling scheduling, Set<Trait> traits, List<Member> robots, List<Member> others) {
         this.text = text;
         this.scheduling = scheduling;
         this.traits = traits;
         this.robots = robots;
         if (has(Trait.COMMANDS_ROBOTS)) {
-            robots.forEach(robot -> permits.put(robot, robot.currentPermit()));
+            Stream.concat(robots.stream(), others.stream()).forEach(robot -> permits.put(robot, robot.currentPermit()));
         }
     }
 
@@ -62,7 +64,7 @@ public abstract class PreparedLine {
     static PreparedLine of(Statement statement, String text, Actions actions, Selection selection, boolean complete) {
         if (statement instanceof Statement.ForRobots line) {
             List<Member> robots = complete ? selection.members(line.robots()) : selection.present(line.robots());
-            return new RobotLine(line, text, actions.of(line.command()), robots);
+            return new RobotLine(line, text, actions.of(line.command()), robots, selection);
         }
         return statement instanceof Statement.ForSession line
                 ? new SessionLine(line, text, actions.of(line.command()))
@@ -194,8 +196,8 @@ public abstract class PreparedLine {
         private final Statement.ForRobots line;
         private final RobotAction action;
 
-        RobotLine(Statement.ForRobots line, String text, RobotAction action, List<Member> robots) {
-            super(text, action.scheduling(), action.traits(), robots);
+        RobotLine(Statement.ForRobots line, String text, RobotAction action, List<Member> robots, Selection selection) {
+            super(text, action.scheduling(), action.traits(), robots, action.others(selection));
             this.line = line;
             this.action = action;
         }
@@ -232,7 +234,7 @@ public abstract class PreparedLine {
         private final SessionAction action;
 
         SessionLine(Statement.ForSession line, String text, SessionAction action) {
-            super(text, action.scheduling(), action.traits(), List.of());
+            super(text, action.scheduling(), action.traits(), List.of(), List.of());
             this.line = line;
             this.action = action;
         }
@@ -266,7 +268,7 @@ public abstract class PreparedLine {
         private final Statement block;
 
         Block(Statement block, String text, RobotsIn robots) {
-            super(text, Scheduling.BESIDE, traits(robots), List.copyOf(robots.commanded()));
+            super(text, Scheduling.BESIDE, traits(robots), List.copyOf(robots.commanded()), List.of());
             this.block = block;
             markChecked();
         }

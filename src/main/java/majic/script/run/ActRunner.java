@@ -1,6 +1,7 @@
 package majic.script.run;
 
 import java.util.List;
+import java.util.function.Function;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.team.Member;
@@ -25,8 +26,12 @@ public interface ActRunner {
          */
         void check(RobotCheck check);
 
-        /** A command that runs it in the robot's turn and lasts as long as it does. */
-        QueuedCommand command(Member me, Execution execution);
+        /**
+         * Takes the permissions to move its further robots: a stop of one of them from now on prevents or ends it.
+         *
+         * @return for a robot, the command that runs it in the robot's turn and lasts as long as it does
+         */
+        Function<Member, QueuedCommand> commands(Execution execution);
     }
 
     /**

@@ -2,6 +2,7 @@ package majic.script.run;
 
 import java.util.List;
 import java.util.Set;
+import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.RecordedEvent;
 import majic.script.record.SessionRecord;
@@ -44,6 +45,11 @@ public abstract class RobotAction {
      * @throws majic.script.syntax.ScriptException if not
      */
     public abstract void check(RobotCheck check);
+
+    /** Further robots that it makes do something, as far as they are there; none for most commands. */
+    public List<Member> others(Selection selection) {
+        return List.of();
+    }
 
     /** Runs it on robots for which it was checked. */
     public abstract void run(Execution execution, List<Member> robots);

@@ -43,6 +43,7 @@ public final class RobotsIn extends Walk {
         readsFiles |= action.has(Trait.READS_FILES);
         if (action.has(Trait.COMMANDS_ROBOTS)) {
             commanded.addAll(selection.present(line.robots()));
+            commanded.addAll(action.others(selection));
         }
         return null;
     }
