@@ -29,13 +29,8 @@ final class PioneerConnections {
      */
     static Function<ConnectWait, PioneerConnection> of(BotAddress address, BotEnvironment environment) {
         Link link = link(address);
-        String library = address.library().orElse("");
-        if (library.isEmpty()) {
+        if (address.libraryAmong(LIBRARIES).isEmpty()) {
             return wait -> new ArcosConnection(link(address), wait);
-        }
-        if (!LIBRARIES.contains(library)) {
-            throw new BotException(address + ": there is no library " + library
-                    + " for a Pioneer; it looks like pioneer:" + address.rest() + " or pioneer+aria:" + address.rest());
         }
         ConnectionMaker maker = VendorLibrary.ARIA.create(ConnectionMaker.class, ARIA_ADAPTER, environment.settings());
         return wait -> maker.make(link.address(), wait);

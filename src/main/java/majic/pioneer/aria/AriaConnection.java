@@ -3,6 +3,7 @@ package majic.pioneer.aria;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -101,6 +102,7 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         }
     }
 
+    /** Reports the end, whichever thread has caused it. */
     private void pollUntilTheEnd(Listener listener) {
         try {
             while (!hasEnded()) {
@@ -109,12 +111,13 @@ final class AriaConnection implements PioneerConnection, RobotLine {
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            lose(new LinkLost("connection lost: interrupted"), listener);
+            abort(new LinkLost("connection lost: interrupted"));
         } catch (LinkLost e) {
-            lose(e, listener);
+            abort(e);
         } catch (RuntimeException | LinkageError e) {
-            lose(new LinkLost("connection lost: ARIA failed: " + e, e), listener);
+            abort(failed(e));
         }
+        listener.ended(Objects.requireNonNull(end));
     }
 
     private void poll(Listener listener) {
@@ -147,23 +150,28 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         return fresh ? new News(true, reports.sip(), reports.others()) : new News(connected, null, List.of());
     }
 
-    private void lose(LinkLost cause, Listener listener) {
-        if (!hasEnded()) {
-            abort(cause);
-            listener.ended(cause);
-        }
-    }
-
     @Override
     public void send(Packet... commands) {
         LinkLost ended = end;
         if (ended != null) {
             throw new LinkLost(ended.getMessage(), ended);
         }
-        if (suspend.wasSuspended()) {
-            LinkLost cause = asleep();
+        try {
+            execute(commands);
+        } catch (LinkLost e) {
+            abort(e);
+            throw e;
+        } catch (LinkageError e) {
+            LinkLost cause = failed(e);
             abort(cause);
             throw cause;
+        }
+        sentNanos = time.nanos();
+    }
+
+    private void execute(Packet... commands) {
+        if (suspend.wasSuspended()) {
+            throw asleep();
         }
         robot.locked(aria -> {
             for (Packet command : commands) {
@@ -172,7 +180,10 @@ final class AriaConnection implements PioneerConnection, RobotLine {
             }
             return true;
         });
-        sentNanos = time.nanos();
+    }
+
+    private static LinkLost failed(Throwable cause) {
+        return new LinkLost("connection lost: ARIA failed: " + cause, cause);
     }
 
     private static LinkLost asleep() {

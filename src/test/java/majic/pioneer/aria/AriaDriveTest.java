@@ -198,6 +198,31 @@ class AriaDriveTest {
         assertThat(bot.lostReason()).contains("connection lost: ARIA failed: java.lang.NoSuchMethodError: getFlags");
     }
 
+    @Test
+    void aCommandThatTheInstalledAriaLacksEndsTheConnection() {
+        connect(50);
+        aria.others.put("setVel", () -> {
+            throw new NoSuchMethodError("setVel");
+        });
+
+        assertThatThrownBy(() -> bot.drive(100, 0))
+                .isInstanceOf(LinkLost.class)
+                .hasMessage("connection lost: ARIA failed: java.lang.NoSuchMethodError: setVel");
+
+        aria.clock().until(() -> bot.connection() == MajicBot.Connection.LOST);
+    }
+
+    @Test
+    void anAriaThatHangsIsALostConnection() {
+        connect(50);
+        aria.others.put("tryLock", () -> 3);
+
+        assertThatThrownBy(() -> bot.drive(100, 0)).isInstanceOf(LinkLost.class).hasMessageContaining("not reacted");
+
+        aria.clock().until(() -> bot.connection() == MajicBot.Connection.LOST);
+        aria.others.clear();
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"getLastOdometryTime", "getSonarReading"})
     void anOlderAriaWithoutTimesOfReadingsIsUsedAllTheSame(String method) {
