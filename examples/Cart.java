@@ -1,0 +1,180 @@
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.BotProfile;
+import majic.bot.BotState;
+import majic.bot.BotType;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.Motion;
+import majic.bot.Pose;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.driver.LinkHandler;
+import majic.driver.LinkReader;
+import majic.link.Link;
+import majic.link.Links;
+
+/**
+ * A robot behind a network link: a cart that takes lines such as {@code drive 100 0} (mm/s and deg/s) and reports its
+ * position in lines such as {@code at 250 0 0} (mm, mm and degrees).
+ */
+public final class Cart extends MajicBot {
+    private static final int CONNECT_TIMEOUT_MS = 3000;
+
+    private final String address;
+    private volatile Link link;
+    private volatile Pose pose = Pose.START;
+
+    /** Registers the robot type with MAJIC. */
+    public static final class Type implements BotType {
+        @Override
+        public String name() {
+            return "cart";
+        }
+
+        @Override
+        public String label() {
+            return "Cart";
+        }
+
+        @Override
+        public String make() {
+            return "Example Cart";
+        }
+
+        @Override
+        public List<Reach> reaches() {
+            return List.of(Reach.TCP);
+        }
+
+        @Override
+        public int defaultPort() {
+            return 4000;
+        }
+
+        @Override
+        public MajicBot create(String address, BotEnvironment environment) {
+            return new Cart(this, address, environment);
+        }
+
+        @Override
+        public String advice() {
+            return "Switch the cart on and check its address.";
+        }
+    }
+
+    Cart(BotType type, String address, BotEnvironment environment) {
+        super(type, new BotProfile(200, new Range(-1000, 1000), new Range(-180, 180), 100, 45, 100, true), environment);
+        this.address = address;
+        this.link = newLink();
+    }
+
+    private Link newLink() {
+        try {
+            return Links.of(address, type().defaultPort(), 0);
+        } catch (IllegalArgumentException e) {
+            throw new BotException(e.getMessage(), e);
+        }
+    }
+
+    @Override
+    protected void open() {
+        Link opening = newLink();
+        link = opening;
+        try {
+            opening.open(CONNECT_TIMEOUT_MS);
+        } catch (IOException e) {
+            throw new BotException(e.getMessage(), e);
+        }
+        new LinkReader<>(opening, "the cart closed it", new Reports(opening)).start("cart reader");
+    }
+
+    @Override
+    protected void shut() {
+        link.close();
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        Pose start = pose;
+        motion.send(() -> driveAt(Math.signum(mm) * cruiseMmPerSec(), 0));
+        motion.await(() -> pose.distanceMm(start) >= Math.abs(mm), 2 * Math.abs(mm) / cruiseMmPerSec() + 1);
+        motion.send(this::halt);
+        return Value.of(Math.signum(mm) * pose.distanceMm(start), Unit.MM);
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        double degPerSec = Math.signum(degrees) * cruiseTurnDegPerSec();
+        motion.send(() -> driveAt(0, degPerSec));
+        motion.pause(degrees / degPerSec);
+        motion.send(this::halt);
+        return Value.about(degPerSec * Math.min(degrees / degPerSec, motion.seconds()), Unit.DEG);
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        write(String.format(Locale.ROOT, "drive %.0f %.0f\n", mmPerSec, degPerSec));
+        publish(new BotState(pose, mmPerSec, degPerSec, mmPerSec != 0 || degPerSec != 0, time().nanos()));
+    }
+
+    @Override
+    protected void halt() {
+        driveAt(0, 0);
+    }
+
+    private void write(String line) {
+        try {
+            link.write(line.getBytes(StandardCharsets.US_ASCII));
+        } catch (IOException e) {
+            throw new LinkLost(e.getMessage(), e);
+        }
+    }
+
+    /** Handles the lines of one link, on its reader thread. */
+    private final class Reports implements LinkHandler<String> {
+        private final Link from;
+        private final StringBuilder line = new StringBuilder();
+
+        Reports(Link from) {
+            this.from = from;
+        }
+
+        @Override
+        public void decode(byte[] bytes, int count, Consumer<String> messages) {
+            for (char next : new String(bytes, 0, count, StandardCharsets.US_ASCII).toCharArray()) {
+                if (next != '\n') {
+                    line.append(next);
+                } else {
+                    messages.accept(line.toString());
+                    line.setLength(0);
+                }
+            }
+        }
+
+        /** An unreadable line throws an exception here; the reader logs it and continues. */
+        @Override
+        public void received(String message) {
+            String[] words = message.split(" ");
+            pose = new Pose(Double.parseDouble(words[1]), Double.parseDouble(words[2]), Double.parseDouble(words[3]));
+            BotState before = state();
+            publish(new BotState(
+                    pose, before.speedMmPerSec(), before.turnRateDegPerSec(), before.moving(), time().nanos()));
+        }
+
+        /** An old link may end after the robot was connected again by a new one. */
+        @Override
+        public void ended(IOException cause) {
+            from.close();
+            if (from == link) {
+                lost(new LinkLost(cause.getMessage(), cause));
+            }
+        }
+    }
+}
