@@ -23,12 +23,14 @@ import org.jspecify.annotations.Nullable;
  * Carries the messages of one connection by liburbi-java. The library's thread only puts them into a queue, from which a
  * thread of this transport delivers them, so no receiver can delay or end the library's reading.
  *
- * <p>The library does not notice that a server has closed. On a connection without messages for {@value #QUIET_MS} ms an empty
- * command is written, to which no server replies; writing to a closed connection fails at the second time at the latest.
+ * <p>The library does not notice that a server has closed. On a connection without messages an empty command is written, to which
+ * no server replies: each second, and every {@value #LOOK_MS} ms while there is something that the library does not read.
+ * Writing to a closed connection fails at the second time at the latest.
  */
 final class LiburbiTransport implements UrbiTransport {
     private static final Logger LOG = System.getLogger(LiburbiTransport.class.getName());
-    static final int QUIET_MS = 1000;
+    private static final int LOOK_MS = 100;
+    private static final int LOOKS_PER_PROBE = 10;
 
     /** More than a dog sends in a minute. */
     private static final int MOST_WAITING = 10_000;
@@ -43,6 +45,7 @@ final class LiburbiTransport implements UrbiTransport {
     private final BlockingQueue<UrbiMessage> incoming = new LinkedBlockingQueue<>(MOST_WAITING);
     private final AtomicReference<@Nullable IOException> end = new AtomicReference<>();
     private volatile @Nullable SocketChannel socket;
+    private volatile @Nullable UnreadData unread;
     private volatile @Nullable LiburbiWriter writer;
 
     /** Creates the library's clients. */
@@ -65,6 +68,7 @@ final class LiburbiTransport implements UrbiTransport {
             failIfEnded();
             server.connect(opening.socket(), timeoutMs);
             opening.configureBlocking(false);
+            unread = UnreadData.of(opening);
             writer = LiburbiWriter.start(name, () -> clients.on(opening, this::take), this::end);
             failIfEnded();
         } catch (IOException e) {
@@ -121,7 +125,7 @@ final class LiburbiTransport implements UrbiTransport {
 
     /** Waits for a message, and writes where none comes; returns {@link #END} at the end. */
     private UrbiMessage next() {
-        while (true) {
+        for (int looks = 1; ; looks++) {
             UrbiMessage message = poll();
             if (message != null) {
                 return message;
@@ -129,16 +133,27 @@ final class LiburbiTransport implements UrbiTransport {
             if (end.get() != null) {
                 return END;
             }
-            probe();
+            if (looks % LOOKS_PER_PROBE == 0 || isUnread()) {
+                probe();
+            }
         }
     }
 
     private @Nullable UrbiMessage poll() {
         try {
-            return incoming.poll(QUIET_MS, TimeUnit.MILLISECONDS);
+            return incoming.poll(LOOK_MS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             end(new IOException("its reader was interrupted", e));
             return null;
+        }
+    }
+
+    private boolean isUnread() {
+        UnreadData open = unread;
+        try {
+            return open != null && open.isThere();
+        } catch (IOException e) {
+            return true;
         }
     }
 
@@ -188,6 +203,10 @@ final class LiburbiTransport implements UrbiTransport {
                 open.setOption(StandardSocketOptions.SO_LINGER, 0);
             }
             closeWriter();
+            UnreadData watched = unread;
+            if (watched != null) {
+                watched.close();
+            }
             if (open != null) {
                 open.close();
             }

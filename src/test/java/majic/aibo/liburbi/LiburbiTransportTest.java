@@ -25,6 +25,7 @@ import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import liburbi.UClient;
 import liburbi.call.URBIEvent;
@@ -291,6 +292,20 @@ class LiburbiTransportTest {
 
         verify(receiver, timeout(PATIENCE_MS)).ended(argThat(cause -> "the dog closed it".equals(cause.getMessage())));
         verify(client, times(2)).effectiveSend(bytes(";"), 1);
+    }
+
+    @Test
+    void aStreamWhoseEndTheLibraryDoesNotReadIsProbedMoreOften() throws Exception {
+        CountDownLatch probes = new CountDownLatch(30);
+        when(client.effectiveSend(any(), anyInt())).thenAnswer(call -> {
+            probes.countDown();
+            return 1;
+        });
+        open();
+
+        server.accept().close();
+
+        assertThat(probes.await(PATIENCE_MS, TimeUnit.MILLISECONDS)).isTrue();
     }
 
     @Test
