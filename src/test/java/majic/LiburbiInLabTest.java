@@ -30,6 +30,7 @@ import majicsim.LabOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,6 +39,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Tests the Aibo's driver by liburbi-java with the simulated dog, at the pace of the wall clock. The library is the one in the
  * folder that {@code -Dliburbi.home} names; without it a small double of it is compiled, with the same weaknesses.
  */
+@Tag("vendor")
 @Timeout(120)
 class LiburbiInLabTest {
     private static final double LONGEST_S = 30;
