@@ -30,7 +30,6 @@ import majic.pioneer.parameters.RampParameters;
 import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.LinkWatch;
 import majic.pioneer.session.Maneuver;
-import majic.pioneer.session.MotionFaults;
 import majic.pioneer.session.MotionTarget;
 import majic.pioneer.session.PioneerConnection;
 import majic.pioneer.session.PioneerSession;
@@ -197,26 +196,14 @@ public final class MajicPioneer extends MajicBot {
     @Override
     protected Value moveBy(double mm, Motion motion) {
         PioneerSession open = current();
-        return cover(open, new MotionTarget.Straight(open.state(), mm, cruiseMmPerSec(), open.ramps()), motion);
+        return Maneuver.run(open, new MotionTarget.Straight(open.state(), mm, cruiseMmPerSec(), open.ramps()), motion);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
         PioneerSession open = current();
-        return cover(
+        return Maneuver.run(
                 open, new MotionTarget.Turning(open.state(), degrees, cruiseTurnDegPerSec(), open.ramps()), motion);
-    }
-
-    private Value cover(PioneerSession open, MotionTarget target, Motion motion) {
-        if (!motion.pause(0)) {
-            return target.value(open.state());
-        }
-        open.motors().switchOn(motion);
-        if (motion.guardReached()) {
-            return target.value(open.state());
-        }
-        MotionFaults faults = new MotionFaults(open.equipment(), target.direction(), open.state());
-        return new Maneuver(open.motors(), open.reported(), target, faults).run(motion);
     }
 
     @Override

@@ -29,22 +29,30 @@ public final class Maneuver {
     private final SpeedController speeds;
     private double movedS;
 
-    public Maneuver(WheelMotors motors, ReportedState state, MotionTarget target, MotionFaults faults) {
-        this.motors = motors;
-        this.state = state;
+    private Maneuver(PioneerSession session, MotionTarget target) {
+        this.motors = session.motors();
+        this.state = session.reported();
         this.target = target;
-        this.faults = faults;
+        this.faults = new MotionFaults(session.equipment(), target.direction(), session.state());
         this.speeds = target.controller();
         this.holdsBefore = motors.holds();
     }
 
     /**
-     * Runs the motion.
+     * Switches the motors on if necessary, and runs a motion.
      *
      * @return the distance or angle covered; less than the target where the guard condition ended the motion
      * @throws MotionFailed if a fault ended it, the robot did not move, or its reports stopped
      */
-    public Value run(Motion motion) {
+    public static Value run(PioneerSession session, MotionTarget target, Motion motion) {
+        if (!motion.pause(0)) {
+            return target.value(session.state());
+        }
+        session.motors().switchOn(motion);
+        return motion.guardReached() ? target.value(session.state()) : new Maneuver(session, target).run(motion);
+    }
+
+    private Value run(Motion motion) {
         double startedS = motion.seconds();
         while (!speeds.hasArrived(motion.seconds() - startedS)) {
             PioneerState now = state.get();

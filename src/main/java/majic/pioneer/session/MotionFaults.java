@@ -34,7 +34,7 @@ public final class MotionFaults {
         }
     }
 
-    public MotionFaults(Equipment equipment, Direction direction, PioneerState start) {
+    MotionFaults(Equipment equipment, Direction direction, PioneerState start) {
         this.equipment = equipment;
         this.direction = direction;
         this.start = start;
