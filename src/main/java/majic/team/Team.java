@@ -35,6 +35,8 @@ public final class Team implements AutoCloseable {
     private final OrderedEvents latchEvents = new OrderedEvents();
     private final StopCount stops = new StopCount();
     private final StopAnswers stopAnswers;
+    private final StopReceipts stopReceipts;
+    private final StopSender stopSender;
     private volatile boolean latched;
 
     /**
@@ -58,6 +60,8 @@ public final class Team implements AutoCloseable {
         this.events = new TeamEvents(time, changes);
         this.stopAnswers = new StopAnswers(events);
         this.roster = new Roster(maxBots);
+        this.stopReceipts = new StopReceipts(events, roster);
+        this.stopSender = new StopSender(stopReceipts, stopAnswers);
     }
 
     /**
@@ -112,6 +116,8 @@ public final class Team implements AutoCloseable {
             if (wasMember) {
                 events.publish(listener -> listener.removed(member));
             }
+            stopReceipts.removed();
+            stopReceipts.publish();
             member.endStop();
         });
     }
@@ -168,10 +174,10 @@ public final class Team implements AutoCloseable {
     public void stop(Collection<Member> chosen, @Nullable Owner by) {
         List<Member> stopped = List.copyOf(chosen);
         if (by != null) {
-            stop(stopped, by, () -> {});
+            stop(stopped, by, false, () -> {});
         } else {
             stops.stopped(stopped);
-            stop(stopped, null, () -> events.publish(listener -> listener.stopped(stopped)));
+            stop(stopped, null, false, () -> events.publish(listener -> listener.stopped(stopped)));
         }
     }
 
@@ -179,18 +185,19 @@ public final class Team implements AutoCloseable {
     public void stopAll() {
         latch(true);
         stops.stoppedAll();
-        stop(members(), null, latchEvents::deliver);
+        stop(members(), null, true, latchEvents::deliver);
     }
 
     /** Revokes, writes to every connection, then notifies. */
-    private void stop(List<Member> members, @Nullable Owner by, Runnable announcement) {
+    private void stop(List<Member> members, @Nullable Owner by, boolean latches, Runnable announcement) {
         List<Ownership.Stopped> stopped =
                 members.stream().map(member -> member.beginStop(by)).toList();
-        sendStops(members);
+        stopSender.send(members, latches);
         changes.raise();
         notifyAfterStop(stopped, () -> {
             announcement.run();
             members.forEach(Member::endStop);
+            stopReceipts.publish();
         });
     }
 
@@ -225,7 +232,9 @@ public final class Team implements AutoCloseable {
     public void release() {
         latch(false);
         members().forEach(Member::release);
+        stopReceipts.released();
         latchEvents.deliver();
+        stopReceipts.publish();
     }
 
     /** Queues the event together with each change, so that listeners receive events in the order of the changes. */
@@ -252,6 +261,15 @@ public final class Team implements AutoCloseable {
      */
     public boolean areStopsAnswered() {
         return stopAnswers.areGiven();
+    }
+
+    /**
+     * Returns which robots have confirmed their stops.
+     *
+     * @return a snapshot; listeners receive each change of it
+     */
+    public StopStatus stopStatus() {
+        return stopReceipts.status();
     }
 
     /**
@@ -323,47 +341,6 @@ public final class Team implements AutoCloseable {
             changes.await(() -> open.get() == 0, CLOSE_BOUND_S);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        }
-    }
-
-    /**
-     * Writes on a thread of its own for each connection, so that a blocked one does not delay the others. If no thread
-     * can be created, the calling thread writes to all those connections before it waits for a confirmation.
-     */
-    private void sendStops(List<Member> members) {
-        List<Member> left = members.stream()
-                .filter(member -> !member.time()
-                        .tryRunAsync(
-                                "stopping robot " + member.number(),
-                                () -> writeStop(member).run()))
-                .toList();
-        left.stream().map(this::writeStop).toList().forEach(Runnable::run);
-    }
-
-    /** Writes a stop; the returned task waits for its confirmation and reports it. */
-    private Runnable writeStop(Member member) {
-        try {
-            boolean written = member.bot().writeStop();
-            return () -> confirm(member, () -> {
-                if (written) {
-                    member.bot().confirmHalt();
-                }
-            });
-        } catch (RuntimeException | Error e) {
-            return () -> confirm(member, () -> {
-                throw e;
-            });
-        }
-    }
-
-    private void confirm(Member member, Runnable confirmation) {
-        try {
-            confirmation.run();
-            stopAnswers.confirmed(member);
-        } catch (RuntimeException | Error e) {
-            stopAnswers.failed(member, e.getMessage());
-        } finally {
-            member.endStop();
         }
     }
 }

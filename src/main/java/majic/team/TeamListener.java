@@ -81,4 +81,12 @@ public interface TeamListener {
      * @param latched whether motion was refused from then on
      */
     default void latchChanged(boolean latched) {}
+
+    /**
+     * A robot has confirmed its stop or failed to, or such a state has ended; called in the order of the changes, after
+     * the stops were passed to the threads that write them.
+     *
+     * @param status the state after the change
+     */
+    default void stopStatusChanged(StopStatus status) {}
 }

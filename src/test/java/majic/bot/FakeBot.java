@@ -134,6 +134,11 @@ public final class FakeBot extends MajicBot {
         lineIsSlow = line;
     }
 
+    /** Makes the robot's line take data again. */
+    public void comeLoose() {
+        stuck = false;
+    }
+
     /** Sets the action that runs at each stop sent ahead of the ordinary one. */
     public void whenStoppedAhead(Runnable told) {
         toldAhead = told;

@@ -1,0 +1,62 @@
+package majic.team;
+
+import java.util.Collection;
+import java.util.List;
+
+/** Writes stops to robots, and passes on whether each robot has confirmed its stop. Thread-safe. */
+final class StopSender {
+    private final StopReceipts receipts;
+    private final StopAnswers answers;
+
+    StopSender(StopReceipts receipts, StopAnswers answers) {
+        this.receipts = receipts;
+        this.answers = answers;
+    }
+
+    /**
+     * Writes on a thread of its own for each connection, so that a blocked one does not delay the others. If no thread
+     * can be created, the calling thread writes to all those connections before it waits for a confirmation.
+     *
+     * @param latches whether it is a STOP
+     */
+    void send(Collection<Member> members, boolean latches) {
+        long stop = receipts.begin(members, latches);
+        List<Member> left = members.stream()
+                .filter(member -> !member.time()
+                        .tryRunAsync(
+                                "stopping robot " + member.number(),
+                                () -> write(member, stop).run()))
+                .toList();
+        left.stream().map(member -> write(member, stop)).toList().forEach(Runnable::run);
+    }
+
+    /** Writes a stop; the returned task waits for its confirmation and reports it. */
+    private Runnable write(Member member, long stop) {
+        try {
+            boolean written = member.bot().writeStop();
+            return () -> confirm(member, stop, () -> {
+                if (written) {
+                    member.bot().confirmHalt();
+                }
+            });
+        } catch (RuntimeException | Error e) {
+            return () -> confirm(member, stop, () -> {
+                throw e;
+            });
+        }
+    }
+
+    private void confirm(Member member, long stop, Runnable confirmation) {
+        try {
+            confirmation.run();
+            receipts.confirmed(member, stop);
+            answers.confirmed(member);
+        } catch (RuntimeException | Error e) {
+            receipts.failed(member, stop, String.valueOf(e.getMessage()));
+            answers.failed(member, e.getMessage());
+        } finally {
+            member.endStop();
+        }
+        receipts.publish();
+    }
+}
