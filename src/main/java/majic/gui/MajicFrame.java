@@ -84,6 +84,8 @@ public final class MajicFrame extends JFrame {
     private void place() {
         StopPanel stop = new StopPanel(session.team());
         session.team().addListener(new EdtTeamListener(stop));
+        StopAlarm alarm = new StopAlarm(session.team());
+        session.team().addListener(new EdtTeamListener(alarm));
         FrameActions actions = new FrameActions(this, dialogs);
         JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, map, tabs);
         middle.setResizeWeight(0.58);
@@ -91,8 +93,9 @@ public final class MajicFrame extends JFrame {
         tabs.setMinimumSize(new Dimension(360, 200));
         JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, commands);
         all.setResizeWeight(0.75);
-        JPanel content = new JPanel(new MigLayout("insets 0, gap 0", "[grow, fill]", "[][grow, fill]"));
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3", "[grow, fill]", "[][][grow, fill]"));
         content.add(new ButtonPane(actions.buttons(), stop), "wmin 0, wrap");
+        content.add(alarm, "wmin 0, gap 8 8 0 6, wrap");
         content.add(all, "wmin 0, hmin 0, gap 8 8 0 8");
         setContentPane(content);
         setJMenuBar(new FrameMenu(this, actions));

@@ -4,6 +4,7 @@ import java.awt.Color;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
 import net.miginfocom.swing.MigLayout;
@@ -30,6 +31,7 @@ final class StopPanel extends JPanel implements TeamListener {
         word.setName("stopWord");
         word.setForeground(Color.WHITE);
         word.putClientProperty("FlatLaf.style", "font: bold +6");
+        below.setName("stopCount");
         below.setForeground(Color.WHITE);
         stop.putClientProperty("JButton.buttonType", "roundRect");
         stop.setToolTipText("Stops every robot at once; works in every window of MAJIC by Esc and F12");
@@ -49,12 +51,22 @@ final class StopPanel extends JPanel implements TeamListener {
         showLatch();
     }
 
+    @Override
+    public void stopStatusChanged(StopStatus then) {
+        showLatch();
+    }
+
     private void showLatch() {
         boolean latched = team.isLatched();
+        StopStatus status = team.stopStatus();
         word.setText(latched ? "STOPPED" : "STOP");
-        below.setText(latched ? "until released" : "Esc or F12");
+        below.setText(latched ? confirmed(status) : "Esc or F12");
         stop.setBackground(latched ? DARK_RED : RED);
         stop.getAccessibleContext().setAccessibleName(latched ? "Stopped; stop again" : "Stop all robots");
         release.setVisible(latched);
+    }
+
+    private static String confirmed(StopStatus status) {
+        return status.asked() == 0 ? "until released" : status.confirmed() + " of " + status.asked() + " confirmed";
     }
 }

@@ -16,6 +16,7 @@ import majic.lab.LabAccess.Furnishing;
 import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
 import majic.lab.LabAccess.Wall;
+import majic.panel.DrawingColors;
 import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
@@ -47,6 +48,27 @@ class MapPaintTest {
         MapScene believed = scene(robot(new Pose(1000, 1000, 0), null));
         MapScene both = scene(robot(new Pose(1000, 1000, 0), new Pose(3000, 2000, 90)));
         assertThat(differences(paint(believed), paint(both))).isBetween(20, 3000);
+    }
+
+    @Test
+    void aRobotThatHasNotConfirmedItsStopIsMarkedInTheAlarmColour() {
+        MapScene.Robot quiet = robot(new Pose(2000, 1500, 0), null);
+        MapScene.Robot unconfirmed = new MapScene.Robot(
+                quiet.number(), quiet.label(), quiet.bodyMm(), quiet.reported(), null, new Trail(), true, true);
+
+        assertThat(alarms(paint(scene(quiet)))).isZero();
+        assertThat(alarms(paint(scene(unconfirmed)))).isGreaterThan(100);
+    }
+
+    private static int alarms(BufferedImage image) {
+        int alarm = DrawingColors.current().alarm().getRGB();
+        int count = 0;
+        for (int x = 0; x < WIDTH; x++) {
+            for (int y = 0; y < HEIGHT; y++) {
+                count += image.getRGB(x, y) == alarm ? 1 : 0;
+            }
+        }
+        return count;
     }
 
     @Test
@@ -107,7 +129,7 @@ class MapPaintTest {
     }
 
     private static MapScene.Robot robot(Pose believed, @Nullable Pose truth) {
-        return new MapScene.Robot(1, "Toy", 200, believed, truth, new Trail(), true);
+        return new MapScene.Robot(1, "Toy", 200, believed, truth, new Trail(), true, false);
     }
 
     private BufferedImage paint(MapScene scene) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dialog;
 import java.awt.event.KeyEvent;
+import java.util.Map;
+import java.util.TreeMap;
 import javax.swing.JButton;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
@@ -24,6 +26,49 @@ class StopWindowTest {
         window.await("both robots to halt", () -> one.told.contains("halt") && two.told.contains("halt"));
         assertThat(window.team.isLatched()).isTrue();
         window.await("the button to say so", () -> window.text("stopWord").equals("STOPPED"));
+    }
+
+    @Test
+    void theButtonCountsTheRobotsThatHaveConfirmed() {
+        window.add("one");
+        window.add("two").confirmStops(false);
+        window.click("stop");
+        window.await("the count", () -> window.text("stopCount").equals("1 of 2 confirmed"));
+    }
+
+    @Test
+    void aRobotThatDoesNotConfirmIsNamedBelowTheButtonUntilItConfirms() {
+        window.add("one");
+        ToyBot two = window.add("two");
+        two.confirmStops(false);
+        window.click("stop");
+        window.await("the alarm", () -> window.isShowing("stopAlarm"));
+        assertThat(window.text("stopAlarm")).isEqualTo("Stop not confirmed by robot 2");
+        assertThat(window.text("stopReasons")).isEqualTo("2: takes no more data");
+        window.click("release");
+        assertThat(window.isShowing("stopAlarm")).isTrue();
+        two.confirmStops(true);
+        window.click("stopAgain");
+        window.await("the alarm to go", () -> !window.isShowing("stopAlarm"));
+    }
+
+    @Test
+    void aRobotThatDoesNotConfirmItsOwnStopIsNamedOnItsTabUntilItIsRemoved() {
+        window.add("one").confirmStops(false);
+        window.run(() -> window.team.stop(window.team.members(), null));
+        window.await("the alarm", () -> window.isShowing("stopAlarm") && window.isShowing("stopProblem1"));
+        assertThat(window.text("stopProblem1")).isEqualTo("Stop not confirmed, may still move: takes no more data");
+        window.team.remove(1);
+        window.await("the alarm to go", () -> !window.isShowing("stopAlarm"));
+    }
+
+    @Test
+    void robotsWithTheSameReasonAreNamedTogether() {
+        Map<Integer, String> unconfirmed =
+                new TreeMap<>(Map.of(2, "silent", 3, "stuck", 7, "silent", 9, "lost", 11, "x"));
+        assertThat(StopAlarm.reasons(unconfirmed)).isEqualTo("2, 7: silent   3: stuck   9: lost   11: x");
+        unconfirmed.put(12, "y");
+        assertThat(StopAlarm.reasons(unconfirmed)).endsWith("9: lost   and 2 other reasons, on the tabs");
     }
 
     @Test

@@ -30,6 +30,7 @@ public final class ToyBot extends MajicBot {
     public final List<String> told = new CopyOnWriteArrayList<>();
     public final CountDownLatch closed = new CountDownLatch(1);
     private final String address;
+    private volatile boolean deaf;
 
     ToyBot(ToyType type, String address, BotEnvironment environment) {
         super(type, PROFILE, environment);
@@ -98,6 +99,18 @@ public final class ToyBot extends MajicBot {
     @Override
     protected void halt() {
         told.add("halt");
+    }
+
+    /** Chooses whether the robot confirms its stops. */
+    public void confirmStops(boolean confirms) {
+        deaf = !confirms;
+    }
+
+    @Override
+    public void confirmHalt() {
+        if (deaf) {
+            throw new BotException("takes no more data");
+        }
     }
 
     @Override

@@ -3,7 +3,6 @@ package majic.gui.bots;
 import java.awt.BorderLayout;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -40,7 +39,7 @@ final class BotPanel extends JPanel {
         super(new BorderLayout());
         this.member = member;
         setName("bot" + member.number());
-        strip = new StatusStrip(member, () -> team.stop(List.of(member), null), channel);
+        strip = new StatusStrip(team, member, channel);
         throttle = new UpdateThrottle(() -> {
             strip.update();
             changed.run();

@@ -9,6 +9,7 @@ import javax.swing.JTabbedPane;
 import majic.gui.kit.BotStatus;
 import majic.gui.kit.CommandChannel;
 import majic.team.Member;
+import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
 import net.miginfocom.swing.MigLayout;
@@ -71,7 +72,7 @@ public final class BotTabs extends JPanel implements TeamListener {
                 .filter(index -> panel(index).member().number() < member.number())
                 .count();
         BotPanel panel = new BotPanel(team, member, () -> showCondition(member), channel);
-        tabs.insertTab("" + member.number(), TabIcon.of(member), panel, tip(member), place);
+        tabs.insertTab("" + member.number(), TabIcon.of(member, team.stopStatus()), panel, tip(member), place);
         cards.show(this, TABS);
     }
 
@@ -95,18 +96,24 @@ public final class BotTabs extends JPanel implements TeamListener {
         }
     }
 
+    @Override
+    public void stopStatusChanged(StopStatus then) {
+        IntStream.range(0, tabs.getTabCount()).forEach(index -> panel(index).changed());
+    }
+
     private void showCondition(Member member) {
         int index = panelAt(member);
         if (index >= 0) {
-            tabs.setIconAt(index, TabIcon.of(member));
+            tabs.setIconAt(index, TabIcon.of(member, team.stopStatus()));
             tabs.setToolTipTextAt(index, tip(member));
         }
     }
 
-    private static String tip(Member member) {
+    private String tip(Member member) {
         String make = member.bot().type().label() + " (" + member.bot().type().make() + ")";
         String owner = BotStatus.owner(member);
-        return owner.isEmpty() ? make : make + ", " + owner;
+        String stop = team.stopStatus().problem(member.number()).isPresent() ? ", stop not confirmed" : "";
+        return (owner.isEmpty() ? make : make + ", " + owner) + stop;
     }
 
     private BotPanel panel(int index) {

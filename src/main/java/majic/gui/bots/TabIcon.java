@@ -12,6 +12,7 @@ import majic.gui.kit.BotStatus;
 import majic.gui.kit.Palette;
 import majic.gui.kit.StateIcon;
 import majic.team.Member;
+import majic.team.StopStatus;
 
 /**
  * The icon of a robot's tab: the robot's state, followed by the Load Act icon while an act runs on it.
@@ -23,8 +24,8 @@ record TabIcon(StateIcon condition, boolean act) implements Icon {
     private static final int GAP = 5;
     private static final int SIGN = 11;
 
-    static TabIcon of(Member member) {
-        return new TabIcon(StateIcon.of(member.bot()), BotStatus.isInAct(member));
+    static TabIcon of(Member member, StopStatus stops) {
+        return new TabIcon(StateIcon.of(member, stops), BotStatus.isInAct(member));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package majic.gui.kit;
 
 import majic.team.Member;
+import majic.team.StopStatus;
 import majic.team.TeamListener;
 
 /** Passes events of a team on to a part of the window, on the event dispatch thread. */
@@ -23,5 +24,10 @@ public record EdtTeamListener(TeamListener target) implements TeamListener {
     @Override
     public void latchChanged(boolean latched) {
         Edt.later(() -> target.latchChanged(latched));
+    }
+
+    @Override
+    public void stopStatusChanged(StopStatus status) {
+        Edt.later(() -> target.stopStatusChanged(status));
     }
 }

@@ -12,6 +12,8 @@ import java.awt.geom.Path2D;
 import javax.swing.Icon;
 import javax.swing.UIManager;
 import majic.bot.MajicBot;
+import majic.team.Member;
+import majic.team.StopStatus;
 
 /** Shows a robot's state as a small symbol that differs in shape as well as in colour. */
 public enum StateIcon implements Icon {
@@ -22,7 +24,9 @@ public enum StateIcon implements Icon {
     /** A ring: not connected yet. */
     WAITING,
     /** A cross: the connection is lost. */
-    LOST;
+    LOST,
+    /** A filled triangle with an exclamation mark: the stop was not confirmed. */
+    UNCONFIRMED;
 
     private static final int SIZE = 12;
 
@@ -32,6 +36,11 @@ public enum StateIcon implements Icon {
             case NEW, CONNECTING -> WAITING;
             case LOST, CLOSED -> LOST;
         };
+    }
+
+    /** Returns the symbol of a robot of a team, with the state of its stop. */
+    public static StateIcon of(Member member, StopStatus stops) {
+        return stops.problem(member.number()).isPresent() ? UNCONFIRMED : of(member.bot());
     }
 
     @Override
@@ -62,6 +71,14 @@ public enum StateIcon implements Icon {
                 g.draw(new Line2D.Double(2, 2, 10, 10));
                 g.draw(new Line2D.Double(2, 10, 10, 2));
             }
+            case UNCONFIRMED -> {
+                g.setColor(Palette.error());
+                g.fill(warning());
+                g.setStroke(new BasicStroke(1.4f));
+                g.setColor(UIManager.getColor("Panel.background"));
+                g.draw(new Line2D.Double(6, 4.5, 6, 7));
+                g.draw(new Line2D.Double(6, 9.2, 6, 9.4));
+            }
         }
     }
 
@@ -70,6 +87,15 @@ public enum StateIcon implements Icon {
         path.moveTo(2, 1);
         path.lineTo(11, 6);
         path.lineTo(2, 11);
+        path.closePath();
+        return path;
+    }
+
+    private static Path2D warning() {
+        Path2D path = new Path2D.Double();
+        path.moveTo(6, 0);
+        path.lineTo(12, 11);
+        path.lineTo(0, 11);
         path.closePath();
         return path;
     }

@@ -131,7 +131,8 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 reported,
                 start.inLab ? truths.get(nameInLab(member)) : null,
                 start.trail,
-                member.bot().isConnected());
+                member.bot().isConnected(),
+                team.stopStatus().problem(member.number()).isPresent());
     }
 
     private String nameInLab(Member member) {

@@ -41,6 +41,7 @@ public record MapScene(
      * @param truth its true pose in the lab; null without a lab
      * @param trail its earlier estimated poses; grows
      * @param connected whether the pose is kept up to date
+     * @param stopUnconfirmed whether its last stop was not confirmed, so that it may still move
      */
     public record Robot(
             int number,
@@ -49,7 +50,8 @@ public record MapScene(
             Pose reported,
             @Nullable Pose truth,
             Trail trail,
-            boolean connected) {}
+            boolean connected,
+            boolean stopUnconfirmed) {}
 
     /**
      * A robot of the lab that was not added or was removed: others can still run into it.

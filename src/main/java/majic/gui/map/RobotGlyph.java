@@ -22,6 +22,8 @@ final class RobotGlyph {
     private static final double TRAIL_OPACITY = 0.5;
 
     private static final Stroke TRAIL = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    private static final Stroke ALARM = new BasicStroke(2.5f);
+    private static final double ALARM_GAP_PX = 6;
     private static final Stroke TRUTH =
             new BasicStroke(1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 3}, 0);
 
@@ -66,6 +68,21 @@ final class RobotGlyph {
         g.draw(circle(robot.reported()));
         g.fill(nose(robot.reported()));
         paintNumber(g);
+        if (robot.stopUnconfirmed()) {
+            paintAlarm(g);
+        }
+    }
+
+    /** Draws two rings around the robot and an exclamation mark beside it. */
+    private void paintAlarm(Graphics2D g) {
+        g.setColor(Palette.error());
+        g.setStroke(ALARM);
+        Point2D middle = pixel(robot.reported());
+        for (double radius = radiusPx + ALARM_GAP_PX; radius <= radiusPx + 2 * ALARM_GAP_PX; radius += ALARM_GAP_PX) {
+            g.draw(new Ellipse2D.Double(middle.getX() - radius, middle.getY() - radius, 2 * radius, 2 * radius));
+        }
+        double aside = radiusPx + 2 * ALARM_GAP_PX + 4;
+        g.drawString("! stop not confirmed", (float) (middle.getX() + aside), (float) (middle.getY() - aside / 2));
     }
 
     void paintTruth(Graphics2D g) {

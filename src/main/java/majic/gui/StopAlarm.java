@@ -1,0 +1,103 @@
+package majic.gui;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import majic.gui.kit.PlainLabel;
+import majic.team.StopStatus;
+import majic.team.Team;
+import majic.team.TeamListener;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * The strip below the buttons that names the robots whose stop was not confirmed, with the reasons and with what to do.
+ * Hidden while there is none.
+ */
+final class StopAlarm extends JPanel implements TeamListener {
+    private static final long serialVersionUID = 1L;
+    private static final Color RED = new Color(0xB3261E);
+
+    /** How many reasons are shown; the reasons of further robots are on their tabs. */
+    private static final int MOST_REASONS = 4;
+
+    private static final String REMEDY =
+            "Switch off by hand what moves. If lost, Reconnect; then Stop again or Kill Bot.";
+
+    private final transient Team team;
+    private final JLabel title = label("stopAlarm");
+    private final JLabel reasons = label("stopReasons");
+    private final JButton again = new JButton("Stop again");
+
+    StopAlarm(Team team) {
+        super(new MigLayout("insets 6 12 6 12, gap 8 2, hidemode 3", "[grow, fill][]", "[][][]"));
+        this.team = team;
+        setBackground(RED);
+        title.putClientProperty("FlatLaf.style", "font: bold +2");
+        again.setName("stopAgain");
+        again.setFocusable(false);
+        again.setToolTipText("Stops the robots named here once more");
+        again.addActionListener(event -> stopAgain());
+        JLabel remedy = label("stopRemedy");
+        remedy.setText(REMEDY);
+        remedy.setToolTipText(REMEDY);
+        add(title, "wmin 0");
+        add(again, "spany 3, aligny center, wrap");
+        add(reasons, "wmin 0, wrap");
+        add(remedy, "wmin 0");
+        showRobots();
+    }
+
+    private static JLabel label(String name) {
+        JLabel label = new PlainLabel(name, "");
+        label.setForeground(Color.WHITE);
+        return label;
+    }
+
+    @Override
+    public void stopStatusChanged(StopStatus then) {
+        showRobots();
+    }
+
+    private void showRobots() {
+        Map<Integer, String> unconfirmed = team.stopStatus().unconfirmed();
+        setVisible(!unconfirmed.isEmpty());
+        title.setText((unconfirmed.size() == 1 ? "Stop not confirmed by robot " : "Stop not confirmed by robots ")
+                + names(List.copyOf(unconfirmed.keySet())));
+        String why = reasons(unconfirmed);
+        reasons.setText(why);
+        reasons.setToolTipText(why);
+    }
+
+    private void stopAgain() {
+        Map<Integer, String> unconfirmed = team.stopStatus().unconfirmed();
+        team.stop(
+                team.members().stream()
+                        .filter(member -> unconfirmed.containsKey(member.number()))
+                        .toList(),
+                null);
+    }
+
+    /** Names each reason once, with the robots that it holds for. */
+    static String reasons(Map<Integer, String> unconfirmed) {
+        Map<String, List<Integer>> robots = new LinkedHashMap<>();
+        unconfirmed.forEach((robot, reason) ->
+                robots.computeIfAbsent(reason, key -> new ArrayList<>()).add(robot));
+        List<String> texts = new ArrayList<>();
+        robots.forEach((reason, which) -> texts.add(names(which) + ": " + reason));
+        if (texts.size() <= MOST_REASONS) {
+            return String.join("   ", texts);
+        }
+        int others = texts.size() - MOST_REASONS + 1;
+        return String.join("   ", texts.subList(0, MOST_REASONS - 1)) + "   and " + others
+                + " other reasons, on the tabs";
+    }
+
+    private static String names(List<Integer> robots) {
+        return String.join(", ", robots.stream().map(String::valueOf).toList());
+    }
+}
