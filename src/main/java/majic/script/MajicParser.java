@@ -12,9 +12,9 @@ import majic.log.Line;
 import majic.log.SessionOutput;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.PreparedLine;
-import majic.script.lines.Source;
+import majic.script.lines.LineSource;
 import majic.script.run.InternalError;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.script.syntax.LineParser;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
@@ -36,7 +36,7 @@ public final class MajicParser {
     private final Session session;
     private final SessionOutput output;
     private final List<String> robotTypes;
-    private final Source source;
+    private final LineSource source;
     private final Dispatcher dispatcher;
     private final Deque<String> commands = new ArrayDeque<>();
     private int total;
@@ -50,10 +50,10 @@ public final class MajicParser {
      *     holds a {@code stop}; false for a pipe, where every line takes its turn
      */
     public MajicParser(Session session, boolean interactive) {
-        this(session, interactive ? Source.PROMPT : Source.PIPE);
+        this(session, interactive ? LineSource.PROMPT : LineSource.PIPE);
     }
 
-    private MajicParser(Session session, Source source) {
+    private MajicParser(Session session, LineSource source) {
         this.session = session;
         this.output = session.output();
         this.robotTypes = session.robotTypes();
@@ -69,7 +69,7 @@ public final class MajicParser {
      * @return a new parser
      */
     public static MajicParser remote(Session session) {
-        return new MajicParser(session, Source.SOCKET);
+        return new MajicParser(session, LineSource.SOCKET);
     }
 
     /**
@@ -200,7 +200,7 @@ public final class MajicParser {
 
     private Accepted acceptCommand(Statement statement, String line) {
         PreparedLine prepared = dispatcher.prepare(statement, line);
-        if (source == Source.SOCKET && prepared.has(Trait.LOCAL_ONLY)) {
+        if (source == LineSource.SOCKET && prepared.has(CommandTrait.LOCAL_ONLY)) {
             throw new BotException("trust: not over a socket; type it in the window or at the terminal of MAJIC");
         }
         if (block != null && !isUrgent(line)) {
@@ -214,7 +214,7 @@ public final class MajicParser {
     /** Alone on a line, but for a pipe's, these two cannot wait for the end of a block; "all stop" is for use in one. */
     private boolean isUrgent(String line) {
         String word = line.strip();
-        return source != Source.PIPE && (word.equalsIgnoreCase("stop") || word.equalsIgnoreCase("quit"));
+        return source != LineSource.PIPE && (word.equalsIgnoreCase("stop") || word.equalsIgnoreCase("quit"));
     }
 
     private Accepted acceptBlockLine(String line) {

@@ -13,8 +13,8 @@ import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.log.Line;
-import majic.script.acts.BehaviourScript;
-import majic.script.run.Actions;
+import majic.script.acts.ScriptActProgram;
+import majic.script.run.ActionLookup;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.Interpreter;
@@ -42,7 +42,7 @@ public final class ScriptAct extends MajicAct {
     private transient volatile @Nullable Stage stage;
 
     /** Where it runs. */
-    private record Stage(Execution line, Actions actions, Owner act, Map<String, Member> robots) {}
+    private record Stage(Execution line, ActionLookup actions, Owner act, Map<String, Member> robots) {}
 
     /**
      * A behaviour from a script or a saved session.
@@ -54,7 +54,7 @@ public final class ScriptAct extends MajicAct {
     public ScriptAct(String title, String text) {
         this.title = title;
         this.text = text;
-        BehaviourScript.of(title, text);
+        ScriptActProgram.of(title, text);
     }
 
     /**
@@ -92,7 +92,7 @@ public final class ScriptAct extends MajicAct {
             throw new InvalidObjectException("its script is missing");
         }
         try {
-            BehaviourScript.of(title, text);
+            ScriptActProgram.of(title, text);
         } catch (BotException e) {
             String first = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
             throw (IOException) new InvalidObjectException(first).initCause(e);
@@ -101,11 +101,11 @@ public final class ScriptAct extends MajicAct {
 
     @Override
     public List<Role> roles() {
-        return BehaviourScript.of(title, text).roles();
+        return ScriptActProgram.of(title, text).roles();
     }
 
     /** Sets where it runs, before it is started; a robot for each role. */
-    void enter(Execution line, Actions actions, Owner act, Map<String, List<Member>> robots) {
+    void enter(Execution line, ActionLookup actions, Owner act, Map<String, List<Member>> robots) {
         stage = new Stage(line, actions, act, first(robots));
     }
 
@@ -120,9 +120,9 @@ public final class ScriptAct extends MajicAct {
      *
      * @throws BotException if not, one line for each mistake, with its place
      */
-    void check(Actions actions, Map<String, List<Member>> cast) {
-        BehaviourScript behaviour = BehaviourScript.of(title, text);
-        BehaviourScript.refuse(title, behaviour.check(actions, first(cast)));
+    void check(ActionLookup actions, Map<String, List<Member>> cast) {
+        ScriptActProgram behaviour = ScriptActProgram.of(title, text);
+        ScriptActProgram.refuse(title, behaviour.check(actions, first(cast)));
     }
 
     @Override
@@ -131,7 +131,7 @@ public final class ScriptAct extends MajicAct {
         if (here == null) {
             throw new BotException("a behaviour in MAJIC Script runs in a session: 1 act FILE");
         }
-        BehaviourScript behaviour = BehaviourScript.of(title, text);
+        ScriptActProgram behaviour = ScriptActProgram.of(title, text);
         refuse(behaviour.check(here.actions, here.robots), here);
         try {
             run(behaviour, here.actions, here.line.asAct(here.act, behaviour.among(here.robots)));
@@ -152,7 +152,7 @@ public final class ScriptAct extends MajicAct {
         }
     }
 
-    private static void run(BehaviourScript behaviour, Actions actions, ScriptExecution execution) {
+    private static void run(ScriptActProgram behaviour, ActionLookup actions, ScriptExecution execution) {
         new Interpreter(execution, actions).run(behaviour.statements());
         execution.finish();
     }

@@ -16,7 +16,7 @@ import majic.script.actions.RobotConnector;
 import majic.script.conditions.Selection;
 import majic.script.help.Completion;
 import majic.script.record.SessionRecord;
-import majic.script.run.Actions;
+import majic.script.run.ActionLookup;
 import majic.script.run.SessionState;
 import majic.team.Answer;
 import majic.team.BotFactory;
@@ -38,7 +38,7 @@ public final class Session {
     private final SessionState state;
     private final ActOffers offers;
     private final RobotConnector connector;
-    private final Actions actions;
+    private final ActionLookup actions;
 
     /**
      * A session without listeners.
@@ -174,7 +174,7 @@ public final class Session {
         return state;
     }
 
-    Actions actions() {
+    ActionLookup actions() {
         return actions;
     }
 

@@ -22,7 +22,7 @@ import majic.log.Line;
 import majic.script.acts.RoleAssignment;
 import majic.script.record.SessionRecord;
 import majic.script.run.ActRunner;
-import majic.script.run.Actions;
+import majic.script.run.ActionLookup;
 import majic.script.run.Execution;
 import majic.script.run.RobotCheck;
 import majic.script.run.SessionState;
@@ -69,7 +69,7 @@ final class SessionActs implements ActRunner {
     }
 
     @Override
-    public CheckedAct read(Command.Act act, Actions actions) {
+    public CheckedAct read(Command.Act act, ActionLookup actions) {
         return act.name().at().resolve(() -> new FoundAct(act, find(act.name()), actions));
     }
 
@@ -77,9 +77,9 @@ final class SessionActs implements ActRunner {
     private final class FoundAct implements CheckedAct {
         private final Command.Act act;
         private final Found found;
-        private final Actions actions;
+        private final ActionLookup actions;
 
-        FoundAct(Command.Act act, Found found, Actions actions) {
+        FoundAct(Command.Act act, Found found, ActionLookup actions) {
             this.act = act;
             this.found = found;
             this.actions = actions;
@@ -135,7 +135,7 @@ final class SessionActs implements ActRunner {
     }
 
     private ActRun run(
-            Found found, Map<String, List<Member>> robots, Permit permit, Execution execution, Actions actions) {
+            Found found, Map<String, List<Member>> robots, Permit permit, Execution execution, ActionLookup actions) {
         MajicAct act = found.fresh().get();
         ActRun run = new ActRun(act, found.name(), robots, permit);
         if (act instanceof ScriptAct script) {

@@ -8,14 +8,14 @@ import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
 import majic.script.run.ActRunner;
 import majic.script.run.ActRunner.CheckedAct;
-import majic.script.run.Actions;
+import majic.script.run.ActionLookup;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
 import majic.script.run.RobotCheck;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
 import majic.script.run.SessionCheck;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.SessionCommand;
@@ -30,11 +30,11 @@ final class ActActions {
     static final class ActAction extends RobotAction {
         private final Command.Act act;
         private final ActRunner acts;
-        private final Actions actions;
+        private final ActionLookup actions;
         private @Nullable CheckedAct checked;
 
-        ActAction(Command.Act act, ActRunner acts, Actions actions) {
-            super(act, Scheduling.AT_ONCE, Trait.COMMANDS_ROBOTS, Trait.READS_FILES);
+        ActAction(Command.Act act, ActRunner acts, ActionLookup actions) {
+            super(act, Scheduling.AT_ONCE, CommandTrait.COMMANDS_ROBOTS, CommandTrait.READS_FILES);
             this.act = act;
             this.acts = acts;
             this.actions = actions;
@@ -127,7 +127,7 @@ final class ActActions {
         private final ActRunner acts;
 
         TrustAction(SessionCommand.Trust trust, ActRunner acts) {
-            super(Scheduling.BESIDE, Trait.READS_FILES, Trait.CHANGES_TEAM, Trait.LOCAL_ONLY);
+            super(Scheduling.BESIDE, CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM, CommandTrait.LOCAL_ONLY);
             this.trust = trust;
             this.acts = acts;
         }
@@ -153,7 +153,7 @@ final class ActActions {
         private final ActRunner acts;
 
         TrustOffAction(SessionCommand.TrustOff trustOff, ActRunner acts) {
-            super(Scheduling.BESIDE, Trait.READS_FILES, Trait.CHANGES_TEAM, Trait.LOCAL_ONLY);
+            super(Scheduling.BESIDE, CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM, CommandTrait.LOCAL_ONLY);
             this.fileOrHash = trustOff.fileOrHash();
             this.acts = acts;
         }

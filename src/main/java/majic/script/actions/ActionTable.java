@@ -3,7 +3,7 @@ package majic.script.actions;
 import majic.log.ParameterLog;
 import majic.log.Sampling;
 import majic.script.run.ActRunner;
-import majic.script.run.Actions;
+import majic.script.run.ActionLookup;
 import majic.script.run.RobotAction;
 import majic.script.run.ScriptFiles;
 import majic.script.run.SessionAction;
@@ -31,7 +31,7 @@ public record ActionTable(
         ParameterLog parameterLog,
         Sampling sampling,
         Runnable quit)
-        implements Actions, Command.Visitor<RobotAction>, SessionCommand.Visitor<SessionAction> {
+        implements ActionLookup, Command.Visitor<RobotAction>, SessionCommand.Visitor<SessionAction> {
     @Override
     public RobotAction of(Command command) {
         return command.accept(this);

@@ -11,7 +11,7 @@ import majic.script.run.Scheduling;
 import majic.script.run.ScriptFiles;
 import majic.script.run.SessionAction;
 import majic.script.run.SessionCheck;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
@@ -26,7 +26,7 @@ final class FileActions {
         private final ScriptFiles files;
 
         RunAction(SessionCommand.Run run, ScriptFiles files) {
-            super(Scheduling.BESIDE, Trait.COMMANDS_ROBOTS, Trait.READS_FILES, Trait.CHANGES_TEAM);
+            super(Scheduling.BESIDE, CommandTrait.COMMANDS_ROBOTS, CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM);
             this.file = run.file();
             this.files = files;
         }
@@ -56,7 +56,7 @@ final class FileActions {
         private final SessionRecord record;
 
         SaveSessionAction(SessionCommand.SaveSession save, SessionRecord record) {
-            super(Scheduling.BESIDE, Trait.WRITES_FILE);
+            super(Scheduling.BESIDE, CommandTrait.WRITES_FILE);
             this.file = save.file();
             this.record = record;
         }

@@ -10,7 +10,7 @@ import majic.script.run.Execution;
 import majic.script.run.RobotAction;
 import majic.script.run.RobotCheck;
 import majic.script.run.Scheduling;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Literal;
@@ -27,7 +27,7 @@ final class MotionActions {
         private final @Nullable Condition until;
 
         MotionAction(Command command) {
-            super(command, Scheduling.AT_ONCE, Trait.COMMANDS_ROBOTS);
+            super(command, Scheduling.AT_ONCE, CommandTrait.COMMANDS_ROBOTS);
             this.until = command.until();
         }
 

@@ -13,7 +13,7 @@ import majic.script.run.Execution;
 import majic.script.run.RobotAction;
 import majic.script.run.RobotCheck;
 import majic.script.run.Scheduling;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
@@ -76,10 +76,10 @@ final class ParameterActions {
             this.literals = set.values();
         }
 
-        private static Trait[] traits(Command.Set set) {
+        private static CommandTrait[] traits(Command.Set set) {
             return set.parameter().text().equalsIgnoreCase(LIMIT)
-                    ? new Trait[] {Trait.COMMANDS_ROBOTS, Trait.CHANGES_LIMIT}
-                    : new Trait[] {Trait.COMMANDS_ROBOTS};
+                    ? new CommandTrait[] {CommandTrait.COMMANDS_ROBOTS, CommandTrait.CHANGES_LIMIT}
+                    : new CommandTrait[] {CommandTrait.COMMANDS_ROBOTS};
         }
 
         @Override
@@ -176,7 +176,7 @@ final class ParameterActions {
         private final List<Literal> arguments;
 
         OwnAction(Command.Own own) {
-            super(own, Scheduling.AT_ONCE, Trait.COMMANDS_ROBOTS);
+            super(own, Scheduling.AT_ONCE, CommandTrait.COMMANDS_ROBOTS);
             this.word = own.at();
             this.arguments = own.arguments();
         }

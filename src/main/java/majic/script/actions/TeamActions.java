@@ -10,7 +10,7 @@ import majic.script.run.Execution;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
 import majic.script.run.SessionCheck;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
 import majic.script.syntax.SessionCommand;
@@ -28,7 +28,7 @@ final class TeamActions {
         private final BotFactory factory;
 
         AddAction(SessionCommand.Add add, RobotConnector connector, BotFactory factory) {
-            super(Scheduling.BESIDE_IN_ORDER, Trait.CHANGES_TEAM);
+            super(Scheduling.BESIDE_IN_ORDER, CommandTrait.CHANGES_TEAM);
             this.add = add;
             this.connector = connector;
             this.factory = factory;
@@ -54,7 +54,7 @@ final class TeamActions {
         private final RobotConnector connector;
 
         RemoveAction(SessionCommand.Remove remove, RobotConnector connector) {
-            super(Scheduling.BESIDE, Trait.CHANGES_TEAM);
+            super(Scheduling.BESIDE, CommandTrait.CHANGES_TEAM);
             this.robots = remove.robots();
             this.connector = connector;
         }

@@ -9,14 +9,14 @@ import majic.bot.Permit;
 import majic.log.Line;
 import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
-import majic.script.run.Actions;
+import majic.script.run.ActionLookup;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionState;
 import majic.script.run.SubmittedCommands;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
 import majic.team.Answer;
@@ -32,10 +32,10 @@ public final class Dispatcher {
 
     private static final String NOT_RUN = "not run: stopped";
 
-    private final Actions actions;
+    private final ActionLookup actions;
     private final Team team;
     private final SessionOutput output;
-    private final Source source;
+    private final LineSource source;
     private final Object asker;
     private final Selection selection;
     private final SubmittedCommands commands = new SubmittedCommands();
@@ -50,7 +50,7 @@ public final class Dispatcher {
      *
      * @param asker what the answers to its lines carry
      */
-    public Dispatcher(SessionState state, Actions actions, Source source, Object asker) {
+    public Dispatcher(SessionState state, ActionLookup actions, LineSource source, Object asker) {
         this.asker = asker;
         this.actions = actions;
         this.team = state.team();
@@ -131,10 +131,10 @@ public final class Dispatcher {
         line.reportTo(refused, failed);
         if (runsNow(line)) {
             runAtOnce(line);
-        } else if (runsBeside(line) && !line.has(Trait.READS_FILES) && queue.isEmpty()) {
+        } else if (runsBeside(line) && !line.has(CommandTrait.READS_FILES) && queue.isEmpty()) {
             line.waits();
             begin(line);
-        } else if (source == Source.PROMPT && !hasRoom()) {
+        } else if (source == LineSource.PROMPT && !hasRoom()) {
             throw new BotException("too many lines wait already (" + MOST_WAITING + "); \"stop\" ends the wait");
         } else {
             line.waits();
@@ -144,10 +144,10 @@ public final class Dispatcher {
 
     /** Whether the caller's thread runs the line, which it can if no line waits and no robot has to be waited for. */
     private boolean runsNow(PreparedLine line) {
-        boolean typed = source == Source.PROMPT;
-        boolean free = queue.isEmpty() && !line.has(Trait.READS_FILES);
+        boolean typed = source == LineSource.PROMPT;
+        boolean free = queue.isEmpty() && !line.has(CommandTrait.READS_FILES);
         return switch (line.scheduling()) {
-            case STOP -> source != Source.PIPE || (free && robotsHaveRoom(line));
+            case STOP -> source != LineSource.PIPE || (free && robotsHaveRoom(line));
             case OVERTAKES -> typed || (free && robotsHaveRoom(line));
             case AT_ONCE -> free && (typed || robotsHaveRoom(line));
             case AT_ONCE_IF_TYPED -> free && typed;
@@ -161,7 +161,7 @@ public final class Dispatcher {
 
     /** Whether the lines behind it do not wait for it: if it was typed, unless it is a {@code wait}. */
     private boolean runsBeside(PreparedLine line) {
-        return source == Source.PROMPT
+        return source == LineSource.PROMPT
                 && switch (line.scheduling()) {
                     case BESIDE, BESIDE_IN_ORDER -> true;
                     case STOP, OVERTAKES, AT_ONCE, AT_ONCE_IF_TYPED, HOLDS -> false;
@@ -218,7 +218,7 @@ public final class Dispatcher {
     /** Whether the files that a line names let it be done; if not, reports that. Reads them, so it may block. */
     private boolean filesAllow(PreparedLine line) {
         try {
-            if (line.has(Trait.READS_FILES)) {
+            if (line.has(CommandTrait.READS_FILES)) {
                 line.checkWithFiles(actions, selection);
             }
             return true;
@@ -231,7 +231,7 @@ public final class Dispatcher {
     }
 
     private boolean wasStopped(PreparedLine line) {
-        return line.has(Trait.COMMANDS_ROBOTS) && line.stopsBefore() != stops(line);
+        return line.has(CommandTrait.COMMANDS_ROBOTS) && line.stopsBefore() != stops(line);
     }
 
     private long stops(PreparedLine line) {
@@ -250,7 +250,7 @@ public final class Dispatcher {
 
     /** What ends early has submitted nothing if it commands robots; a wait has begun. */
     private void answerEnded(PreparedLine line, ExecutionEnded end) {
-        boolean notRun = end.outcome() == Answer.Outcome.STOPPED && line.has(Trait.COMMANDS_ROBOTS);
+        boolean notRun = end.outcome() == Answer.Outcome.STOPPED && line.has(CommandTrait.COMMANDS_ROBOTS);
         fail(line, notRun ? NOT_RUN : end.ending());
     }
 
@@ -274,7 +274,7 @@ public final class Dispatcher {
     }
 
     private Execution execution(PreparedLine line, Execution.Manner unlessTyped, Map<Member, Permit> permits) {
-        Execution.Manner manner = source == Source.PROMPT ? Execution.Manner.TYPED : unlessTyped;
+        Execution.Manner manner = source == LineSource.PROMPT ? Execution.Manner.TYPED : unlessTyped;
         return new Execution(origin, selection, manner, permits, () -> wasStopped(line));
     }
 
@@ -296,7 +296,7 @@ public final class Dispatcher {
         }
         if (queue.isCurrent(line)) {
             awaitFreed(line);
-        } else if (source != Source.PROMPT) {
+        } else if (source != LineSource.PROMPT) {
             line.markStopSent();
             queue.add(line);
         }

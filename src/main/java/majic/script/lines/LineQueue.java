@@ -3,7 +3,7 @@ package majic.script.lines;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Consumer;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
@@ -47,7 +47,7 @@ final class LineQueue {
     }
 
     private static boolean changesTeam(PreparedLine line) {
-        return line.has(Trait.CHANGES_TEAM);
+        return line.has(CommandTrait.CHANGES_TEAM);
     }
 
     void add(PreparedLine line) {

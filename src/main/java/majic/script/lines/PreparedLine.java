@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.Permit;
 import majic.script.conditions.Selection;
-import majic.script.run.Actions;
+import majic.script.run.ActionLookup;
 import majic.script.run.Checker;
 import majic.script.run.Execution;
 import majic.script.run.Interpreter;
@@ -22,7 +22,7 @@ import majic.script.run.Scheduling;
 import majic.script.run.ScriptRun;
 import majic.script.run.SessionAction;
 import majic.script.run.SessionCheck;
-import majic.script.run.Trait;
+import majic.script.run.CommandTrait;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
 import majic.team.Member;
@@ -34,7 +34,7 @@ import majic.team.Member;
 public abstract class PreparedLine {
     private final String text;
     private final Scheduling scheduling;
-    private final Set<Trait> traits;
+    private final Set<CommandTrait> traits;
     private List<Member> robots;
     private final Map<Member, Permit> permits = new HashMap<>();
     private boolean isChecked;
@@ -44,12 +44,12 @@ public abstract class PreparedLine {
     private Consumer<String> failed = why -> {};
 
     private PreparedLine(
-            String text, Scheduling scheduling, Set<Trait> traits, List<Member> robots, List<Member> others) {
+            String text, Scheduling scheduling, Set<CommandTrait> traits, List<Member> robots, List<Member> others) {
         this.text = text;
         this.scheduling = scheduling;
         this.traits = traits;
         this.robots = robots;
-        if (has(Trait.COMMANDS_ROBOTS)) {
+        if (has(CommandTrait.COMMANDS_ROBOTS)) {
             Stream.concat(robots.stream(), others.stream()).forEach(robot -> permits.put(robot, robot.currentPermit()));
         }
     }
@@ -61,7 +61,7 @@ public abstract class PreparedLine {
      *     not there
      * @throws majic.script.syntax.ScriptException if robots have to be there and are not
      */
-    static PreparedLine of(Statement statement, String text, Actions actions, Selection selection, boolean complete) {
+    static PreparedLine of(Statement statement, String text, ActionLookup actions, Selection selection, boolean complete) {
         if (statement instanceof Statement.ForRobots line) {
             List<Member> robots = complete ? selection.members(line.robots()) : selection.present(line.robots());
             return new RobotLine(line, text, actions.of(line.command()), robots, selection);
@@ -77,10 +77,10 @@ public abstract class PreparedLine {
      * @throws BotException if it cannot be done
      * @throws majic.script.syntax.ScriptException if it cannot be done with the robots that are there
      */
-    abstract void check(Actions actions, Selection selection);
+    abstract void check(ActionLookup actions, Selection selection);
 
     /** Checks the line in its turn, with its files, so it may block; throws as {@link #check}. */
-    abstract void checkWithFiles(Actions actions, Selection selection);
+    abstract void checkWithFiles(ActionLookup actions, Selection selection);
 
     /** Sets that {@link #run} needs no other check. */
     final void markChecked() {
@@ -88,7 +88,7 @@ public abstract class PreparedLine {
     }
 
     /** Runs the line; checks it first if it was not checked just now. */
-    final void runChecked(Execution execution, Actions actions) {
+    final void runChecked(Execution execution, ActionLookup actions) {
         if (isChecked) {
             execution.checkAlive();
             run(execution, actions);
@@ -98,7 +98,7 @@ public abstract class PreparedLine {
     }
 
     /** Runs the line as it was resolved and checked. */
-    abstract void run(Execution execution, Actions actions);
+    abstract void run(Execution execution, ActionLookup actions);
 
     /** Sets that the line waits: other robots may be there when its turn comes, so it has to be checked again. */
     void waits() {
@@ -151,7 +151,7 @@ public abstract class PreparedLine {
     }
 
     /** Whether one of its commands has a trait. */
-    public final boolean has(Trait trait) {
+    public final boolean has(CommandTrait trait) {
         return traits.contains(trait);
     }
 
@@ -208,22 +208,22 @@ public abstract class PreparedLine {
         }
 
         @Override
-        void check(Actions actions, Selection selection) {
+        void check(ActionLookup actions, Selection selection) {
             robots().forEach(robot -> action.check(new RobotCheck(selection, robot, false, false)));
-            if (!has(Trait.READS_FILES)) {
+            if (!has(CommandTrait.READS_FILES)) {
                 markChecked();
             }
         }
 
         @Override
-        void checkWithFiles(Actions actions, Selection selection) {
+        void checkWithFiles(ActionLookup actions, Selection selection) {
             useRobots(selection.members(line.robots()));
             robots().forEach(robot -> action.check(new RobotCheck(selection, robot, false, true)));
             markChecked();
         }
 
         @Override
-        void run(Execution execution, Actions actions) {
+        void run(Execution execution, ActionLookup actions) {
             execution.run(action, robots());
         }
     }
@@ -245,20 +245,20 @@ public abstract class PreparedLine {
         }
 
         @Override
-        void check(Actions actions, Selection selection) {
-            if (!has(Trait.READS_FILES)) {
+        void check(ActionLookup actions, Selection selection) {
+            if (!has(CommandTrait.READS_FILES)) {
                 checkWithFiles(actions, selection);
             }
         }
 
         @Override
-        void checkWithFiles(Actions actions, Selection selection) {
+        void checkWithFiles(ActionLookup actions, Selection selection) {
             action.check(new SessionCheck(selection, false));
             markChecked();
         }
 
         @Override
-        void run(Execution execution, Actions actions) {
+        void run(Execution execution, ActionLookup actions) {
             action.run(execution);
         }
     }
@@ -273,10 +273,10 @@ public abstract class PreparedLine {
             markChecked();
         }
 
-        private static Set<Trait> traits(RobotsIn robots) {
-            Set<Trait> traits = EnumSet.of(Trait.COMMANDS_ROBOTS, Trait.CHANGES_TEAM);
+        private static Set<CommandTrait> traits(RobotsIn robots) {
+            Set<CommandTrait> traits = EnumSet.of(CommandTrait.COMMANDS_ROBOTS, CommandTrait.CHANGES_TEAM);
             if (robots.readsFiles()) {
-                traits.add(Trait.READS_FILES);
+                traits.add(CommandTrait.READS_FILES);
             }
             return traits;
         }
@@ -287,17 +287,17 @@ public abstract class PreparedLine {
         }
 
         @Override
-        void check(Actions actions, Selection selection) {
+        void check(ActionLookup actions, Selection selection) {
             requireNone(Checker.checkWithoutFiles(List.of(block), actions, selection));
         }
 
         @Override
-        void checkWithFiles(Actions actions, Selection selection) {
+        void checkWithFiles(ActionLookup actions, Selection selection) {
             requireNone(Checker.check(List.of(block), actions, selection));
         }
 
         @Override
-        void run(Execution execution, Actions actions) {
+        void run(Execution execution, ActionLookup actions) {
             boolean waits = execution.isTyped();
             ScriptRun script =
                     new ScriptRun(execution.asScript(title(), text().strip(), waits), actions, title(), "", waits);

@@ -15,7 +15,7 @@ public interface ActRunner {
      * @param actions for the commands of a behaviour that is a script
      * @throws majic.script.syntax.ScriptException if there is none, or it cannot be loaded
      */
-    CheckedAct read(Command.Act act, Actions actions);
+    CheckedAct read(Command.Act act, ActionLookup actions);
 
     /** A behaviour whose file was read once and checked; each run of it is a new act. */
     interface CheckedAct {

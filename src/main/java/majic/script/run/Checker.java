@@ -16,26 +16,26 @@ import org.jspecify.annotations.Nullable;
  * nothing is checked, since other robots may be there by then.
  */
 public final class Checker extends Inspection {
-    private final Actions actions;
+    private final ActionLookup actions;
     private final Selection selection;
     private final Set<Member> limitsSet = new HashSet<>();
     private final boolean readsFiles;
     private boolean teamMayChange;
     private boolean filesMayAppear;
 
-    private Checker(Actions actions, Selection selection, boolean readsFiles) {
+    private Checker(ActionLookup actions, Selection selection, boolean readsFiles) {
         this.actions = actions;
         this.selection = selection;
         this.readsFiles = readsFiles;
     }
 
     /** Everything wrong in a script, in its order. Reads the files it names, so it may block. */
-    public static List<Mistake> check(List<Statement> script, Actions actions, Selection selection) {
+    public static List<Mistake> check(List<Statement> script, ActionLookup actions, Selection selection) {
         return check(script, new Checker(actions, selection, true));
     }
 
     /** Everything wrong in a script except for what only its files can tell. Reads no file. */
-    public static List<Mistake> checkWithoutFiles(List<Statement> script, Actions actions, Selection selection) {
+    public static List<Mistake> checkWithoutFiles(List<Statement> script, ActionLookup actions, Selection selection) {
         return check(script, new Checker(actions, selection, false));
     }
 
@@ -57,7 +57,7 @@ public final class Checker extends Inspection {
             RobotAction action = actions.of(line.command());
             for (Member robot : selection.members(line.robots())) {
                 action.check(new RobotCheck(selection, robot, limitsSet.contains(robot), readsFiles));
-                if (action.has(Trait.CHANGES_LIMIT)) {
+                if (action.has(CommandTrait.CHANGES_LIMIT)) {
                     limitsSet.add(robot);
                 }
             }
@@ -68,11 +68,11 @@ public final class Checker extends Inspection {
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
         SessionAction action = actions.of(line.command());
-        if (!teamMayChange && (readsFiles || !action.has(Trait.READS_FILES))) {
+        if (!teamMayChange && (readsFiles || !action.has(CommandTrait.READS_FILES))) {
             action.check(new SessionCheck(selection, filesMayAppear));
         }
-        filesMayAppear |= action.has(Trait.WRITES_FILE);
-        teamMayChange |= action.has(Trait.CHANGES_TEAM);
+        filesMayAppear |= action.has(CommandTrait.WRITES_FILE);
+        teamMayChange |= action.has(CommandTrait.CHANGES_TEAM);
         return null;
     }
 }

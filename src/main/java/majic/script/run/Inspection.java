@@ -7,10 +7,10 @@ import majic.script.syntax.Condition;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
-import majic.script.syntax.Walk;
+import majic.script.syntax.StatementWalk;
 
 /** Goes through a script and collects all that is wrong in it, instead of ending with the first mistake. */
-public abstract class Inspection extends Walk {
+public abstract class Inspection extends StatementWalk {
     private final List<Mistake> mistakes = new ArrayList<>();
 
     /** What is wrong so far, in its order. */

@@ -20,10 +20,10 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
     private static final double SHORTEST_ROUND_S = 0.01;
 
     private final Execution execution;
-    private final Actions actions;
+    private final ActionLookup actions;
     private final TimeSource time;
 
-    public Interpreter(Execution execution, Actions actions) {
+    public Interpreter(Execution execution, ActionLookup actions) {
         this.execution = execution;
         this.actions = actions;
         this.time = execution.time();

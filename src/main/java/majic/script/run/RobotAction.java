@@ -14,9 +14,9 @@ import org.jspecify.annotations.Nullable;
 public abstract class RobotAction {
     private final Command command;
     private final Scheduling scheduling;
-    private final Set<Trait> traits;
+    private final Set<CommandTrait> traits;
 
-    public RobotAction(Command command, Scheduling scheduling, Trait... traits) {
+    public RobotAction(Command command, Scheduling scheduling, CommandTrait... traits) {
         this.command = command;
         this.scheduling = scheduling;
         this.traits = Set.of(traits);
@@ -26,11 +26,11 @@ public abstract class RobotAction {
         return scheduling;
     }
 
-    public final Set<Trait> traits() {
+    public final Set<CommandTrait> traits() {
         return traits;
     }
 
-    final boolean has(Trait trait) {
+    final boolean has(CommandTrait trait) {
         return traits.contains(trait);
     }
 
@@ -65,7 +65,7 @@ public abstract class RobotAction {
         String text = replayText(execution.isTyped());
         RecordedEvent event = record.command(
                 text.isEmpty() ? "" : RecordedEvent.names(numbers) + " " + text,
-                has(Trait.COMMANDS_ROBOTS) ? numbers : Set.of(),
+                has(CommandTrait.COMMANDS_ROBOTS) ? numbers : Set.of(),
                 execution.owner(),
                 block);
         run(execution, robots);

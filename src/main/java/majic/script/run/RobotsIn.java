@@ -5,23 +5,23 @@ import java.util.List;
 import java.util.Set;
 import majic.script.conditions.Selection;
 import majic.script.syntax.Statement;
-import majic.script.syntax.Walk;
+import majic.script.syntax.StatementWalk;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** Finds the robots that a script commands, as far as they are there, and whether it names files. */
-public final class RobotsIn extends Walk {
-    private final Actions actions;
+public final class RobotsIn extends StatementWalk {
+    private final ActionLookup actions;
     private final Selection selection;
     private final Set<Member> commanded = new LinkedHashSet<>();
     private boolean readsFiles;
 
-    private RobotsIn(Actions actions, Selection selection) {
+    private RobotsIn(ActionLookup actions, Selection selection) {
         this.actions = actions;
         this.selection = selection;
     }
 
-    public static RobotsIn of(List<Statement> script, Actions actions, Selection selection) {
+    public static RobotsIn of(List<Statement> script, ActionLookup actions, Selection selection) {
         RobotsIn robots = new RobotsIn(actions, selection);
         robots.walk(script);
         return robots;
@@ -40,8 +40,8 @@ public final class RobotsIn extends Walk {
     @Override
     public @Nullable Void forRobots(Statement.ForRobots line) {
         RobotAction action = actions.of(line.command());
-        readsFiles |= action.has(Trait.READS_FILES);
-        if (action.has(Trait.COMMANDS_ROBOTS)) {
+        readsFiles |= action.has(CommandTrait.READS_FILES);
+        if (action.has(CommandTrait.COMMANDS_ROBOTS)) {
             commanded.addAll(selection.present(line.robots()));
             commanded.addAll(action.others(selection));
         }
@@ -50,7 +50,7 @@ public final class RobotsIn extends Walk {
 
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
-        readsFiles |= actions.of(line.command()).has(Trait.READS_FILES);
+        readsFiles |= actions.of(line.command()).has(CommandTrait.READS_FILES);
         return null;
     }
 }

@@ -25,7 +25,7 @@ import majic.text.IoReason;
  * @param factory its types of robots are words of the language
  * @param actions for the commands of a script
  */
-public record ScriptFiles(BotFactory factory, Actions actions) {
+public record ScriptFiles(BotFactory factory, ActionLookup actions) {
     private static final int LARGEST_BYTES = 1_000_000;
 
     /**

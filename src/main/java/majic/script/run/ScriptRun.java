@@ -14,7 +14,7 @@ import majic.time.TimeSource;
  */
 public final class ScriptRun {
     private final ScriptExecution execution;
-    private final Actions actions;
+    private final ActionLookup actions;
     private final String title;
     private final String file;
     private final boolean waits;
@@ -28,7 +28,7 @@ public final class ScriptRun {
      * @param file where it stands; empty if it was typed
      * @param waits whether it ends, with an answer, only when its robots have finished
      */
-    public ScriptRun(ScriptExecution execution, Actions actions, String title, String file, boolean waits) {
+    public ScriptRun(ScriptExecution execution, ActionLookup actions, String title, String file, boolean waits) {
         this.execution = execution;
         this.actions = actions;
         this.title = title;

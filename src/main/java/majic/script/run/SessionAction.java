@@ -8,9 +8,9 @@ import java.util.Set;
  */
 public abstract class SessionAction {
     private final Scheduling scheduling;
-    private final Set<Trait> traits;
+    private final Set<CommandTrait> traits;
 
-    public SessionAction(Scheduling scheduling, Trait... traits) {
+    public SessionAction(Scheduling scheduling, CommandTrait... traits) {
         this.scheduling = scheduling;
         this.traits = Set.of(traits);
     }
@@ -19,11 +19,11 @@ public abstract class SessionAction {
         return scheduling;
     }
 
-    public final Set<Trait> traits() {
+    public final Set<CommandTrait> traits() {
         return traits;
     }
 
-    public final boolean has(Trait trait) {
+    public final boolean has(CommandTrait trait) {
         return traits.contains(trait);
     }
 

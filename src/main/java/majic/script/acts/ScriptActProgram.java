@@ -7,7 +7,7 @@ import java.util.Map;
 import majic.act.Role;
 import majic.bot.BotException;
 import majic.script.conditions.Selection;
-import majic.script.run.Actions;
+import majic.script.run.ActionLookup;
 import majic.script.run.Checker;
 import majic.script.syntax.Command;
 import majic.script.syntax.Mistake;
@@ -21,11 +21,11 @@ import majic.team.Member;
  * MAJIC Script as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a
  * saved session the lines that add robots count as saying of which type they are. Everything else of a session is refused.
  */
-public final class BehaviourScript {
+public final class ScriptActProgram {
     private final List<Statement> statements;
-    private final BehaviourInspection found;
+    private final ScriptActInspection found;
 
-    private BehaviourScript(List<Statement> statements, BehaviourInspection found) {
+    private ScriptActProgram(List<Statement> statements, ScriptActInspection found) {
         this.statements = statements;
         this.found = found;
     }
@@ -38,17 +38,17 @@ public final class BehaviourScript {
      * @return the behaviour
      * @throws BotException if it has mistakes, all of them in one message, each with its place
      */
-    public static BehaviourScript of(String title, String text) {
+    public static ScriptActProgram of(String title, String text) {
         List<Mistake> mistakes = new ArrayList<>();
         List<Statement> script = ScriptParser.parse(text, List.of(), mistakes);
-        BehaviourInspection found = new BehaviourInspection();
+        ScriptActInspection found = new ScriptActInspection();
         found.walk(script);
         mistakes.addAll(found.mistakes());
         if (mistakes.isEmpty() && found.numbers().isEmpty() && !found.hasMe()) {
             mistakes.add(new Mistake(1, 1, "no robot is told anything; write \"me\" or a number in front"));
         }
         refuse(title, mistakes);
-        return new BehaviourScript(
+        return new ScriptActProgram(
                 script.stream().filter(statement -> !isAdd(statement)).toList(), found);
     }
 
@@ -59,7 +59,7 @@ public final class BehaviourScript {
      * @param byRole the robots by role
      * @return what is wrong, in any order
      */
-    public List<Mistake> check(Actions actions, Map<String, Member> byRole) {
+    public List<Mistake> check(ActionLookup actions, Map<String, Member> byRole) {
         Selection robots = among(byRole);
         List<Mistake> mistakes = new ArrayList<>(Checker.check(statements, actions, robots));
         mistakes.addAll(rawCommands(robots));
@@ -95,7 +95,7 @@ public final class BehaviourScript {
     public Selection among(Map<String, Member> byRole) {
         Map<Integer, Member> byNumber = new LinkedHashMap<>();
         roleByNumber().forEach((number, role) -> byNumber.put(number, byRole.get(role.name())));
-        byNumber.remove(BehaviourInspection.ME);
+        byNumber.remove(ScriptActInspection.ME);
         return new Selection(byRole.get(Role.ME), byNumber);
     }
 
@@ -103,7 +103,7 @@ public final class BehaviourScript {
     private Map<Integer, Role> roleByNumber() {
         Map<Integer, Role> roles = new LinkedHashMap<>();
         if (found.hasMe()) {
-            roles.put(BehaviourInspection.ME, role(Role.ME, BehaviourInspection.ME));
+            roles.put(ScriptActInspection.ME, role(Role.ME, ScriptActInspection.ME));
         }
         for (int number : found.numbers()) {
             Role role = role(roles.isEmpty() ? Role.ME : "robot" + number, number);

@@ -26,8 +26,8 @@ import org.jspecify.annotations.Nullable;
  * Finds out which robots a behaviour means, what each of them must have, and whether it has commands that only a session
  * may have.
  */
-final class BehaviourInspection extends Inspection {
-    private static final BehaviourRules RULES = new BehaviourRules();
+final class ScriptActInspection extends Inspection {
+    private static final ScriptActRules RULES = new ScriptActRules();
     private static final Pattern NAME = Pattern.compile("\\w+");
 
     /** In place of a number, for {@code me}. */

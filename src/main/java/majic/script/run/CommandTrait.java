@@ -1,7 +1,7 @@
 package majic.script.run;
 
 /** What has to be known of a command before it runs. */
-public enum Trait {
+public enum CommandTrait {
     /** Makes its robots do something: a script claims them, and a stop before its turn drops the line. */
     COMMANDS_ROBOTS,
     /** Its check reads files, so it may block and needs the worker of its source. */

@@ -1,7 +1,7 @@
 package majic.script.lines;
 
 /** Where lines come from, which decides what waits for what. */
-public enum Source {
+public enum LineSource {
     /** A person at a prompt or window: readings at once, blocks beside the next lines, a full queue refuses. */
     PROMPT,
     /** A pipe or file: every line takes its turn. */

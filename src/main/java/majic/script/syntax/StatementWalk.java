@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** Goes through all commands of a script, one behind the other, into every block. Runs none of them. */
-public abstract class Walk implements Statement.Visitor<@Nullable Void> {
+public abstract class StatementWalk implements Statement.Visitor<@Nullable Void> {
     /** Goes through some statements. */
     public final void walk(List<Statement> statements) {
         statements.forEach(this::visit);

@@ -8,7 +8,7 @@ import majic.script.syntax.SessionCommand;
  * Which commands a behaviour may contain; of {@code add} only the form with a number. Each method returns the reason why
  * a command is refused, empty if it is allowed. A command without a rule does not compile.
  */
-final class BehaviourRules implements Command.Visitor<Optional<String>>, SessionCommand.Visitor<Optional<String>> {
+final class ScriptActRules implements Command.Visitor<Optional<String>>, SessionCommand.Visitor<Optional<String>> {
     private static final Optional<String> ALLOWED = Optional.empty();
     private static final Optional<String> OTHER_ACT = Optional.of("a behaviour does not run others");
     private static final Optional<String> HELP = Optional.of("a behaviour needs none; leave the line out");
