@@ -7,8 +7,8 @@ import majic.LabRig;
 import majic.pioneer.arcos.Batteries;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.state.EncoderTicks;
-import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.RequestedReport;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,7 +48,7 @@ class PacketsInLabTest {
     }
 
     private EncoderTicks encoders() {
-        session().subscriptions().read(Feed.ENCODERS);
+        session().subscriptions().read(RequestedReport.ENCODERS);
         assertThat(session().reported().await(state -> state.encoders().isPresent(), 2))
                 .isTrue();
         return state().encoders().orElseThrow();

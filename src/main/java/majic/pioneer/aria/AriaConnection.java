@@ -16,7 +16,7 @@ import majic.pioneer.arcos.Sip;
 import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.PioneerConnection;
 import majic.pioneer.session.RobotLine;
-import majic.pioneer.state.Feed;
+import majic.pioneer.state.RequestedReport;
 import majic.time.SuspendDetector;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
@@ -201,8 +201,8 @@ final class AriaConnection implements PioneerConnection, RobotLine {
     }
 
     @Override
-    public boolean delivers(Feed feed) {
-        return feed == Feed.PORTS || feed == Feed.ENCODERS;
+    public boolean delivers(RequestedReport kind) {
+        return kind == RequestedReport.PORTS || kind == RequestedReport.ENCODERS;
     }
 
     @Override

@@ -12,7 +12,7 @@ import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.state.Equipment;
-import majic.pioneer.state.Feed;
+import majic.pioneer.state.RequestedReport;
 
 /** The controller's digital and analog ports, for equipment of a lab. Setting them moves no part of the robot itself. */
 final class InputOutputParameters implements ParameterTheme<Equipment> {
@@ -44,7 +44,7 @@ final class InputOutputParameters implements ParameterTheme<Equipment> {
         table.add(
                 Parameter.list("analogs", Unit.V, "all analog inputs, 0 to 5 V, the battery last; asked for when read"),
                 access.report(
-                        Feed.PORTS,
+                        RequestedReport.PORTS,
                         state -> all(state.ports().allAnalogVolts().stream()
                                 .map(volts -> Value.of(volts, Unit.V))
                                 .toList())));
@@ -52,7 +52,7 @@ final class InputOutputParameters implements ParameterTheme<Equipment> {
                 Parameter.list(
                         "digitalIns", Unit.NONE, "all bytes of digital inputs, the user's first; asked for when read"),
                 access.report(
-                        Feed.PORTS,
+                        RequestedReport.PORTS,
                         state -> all(state.ports().allDigitalIn().stream()
                                 .map(bits -> Value.of(bits, Unit.NONE))
                                 .toList())));

@@ -10,7 +10,7 @@ import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Joystick;
 import majic.pioneer.state.Equipment;
-import majic.pioneer.state.Feed;
+import majic.pioneer.state.RequestedReport;
 
 /** The joystick that can be plugged into the robot itself. */
 final class JoystickParameters implements ParameterTheme<Equipment> {
@@ -69,6 +69,7 @@ final class JoystickParameters implements ParameterTheme<Equipment> {
     private void add(ParameterTable table, Parameter parameter, Function<Joystick, Value> reader) {
         table.add(
                 parameter,
-                access.report(Feed.JOYSTICK, state -> state.joystick().map(reader)));
+                access.report(
+                        RequestedReport.JOYSTICK, state -> state.joystick().map(reader)));
     }
 }

@@ -14,8 +14,8 @@ import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.session.Subscriptions;
-import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.RequestedReport;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
@@ -59,22 +59,22 @@ public final class PioneerAccess {
      * Reads from a report that comes beside the SIPs. Without a recent report one is requested and, if the thread may wait,
      * awaited.
      */
-    Supplier<Value> report(Feed feed, Function<PioneerState, Optional<Value>> reader) {
+    Supplier<Value> report(RequestedReport kind, Function<PioneerState, Optional<Value>> reader) {
         return session(open -> {
             if (!open.hasReported()) {
                 return NOTHING_YET;
             }
-            if (hasFresh(open, feed)) {
+            if (hasFresh(open, kind)) {
                 return reader.apply(open.state()).orElseGet(() -> missing(open));
             }
-            return open.subscriptions().isMissing(feed) || WaitPolicy.isAllowed() ? missing(open) : NOTHING_RECENT;
+            return open.subscriptions().isMissing(kind) || WaitPolicy.isAllowed() ? missing(open) : NOTHING_RECENT;
         });
     }
 
-    private static boolean hasFresh(PioneerSession open, Feed feed) {
+    private static boolean hasFresh(PioneerSession open, RequestedReport kind) {
         Subscriptions subscriptions = open.subscriptions();
-        subscriptions.read(feed);
-        return !subscriptions.isMissing(feed) && open.reported().await(state -> subscriptions.isFresh(feed), REPORT_S);
+        subscriptions.read(kind);
+        return !subscriptions.isMissing(kind) && open.reported().await(state -> subscriptions.isFresh(kind), REPORT_S);
     }
 
     /** Reads from the session. */

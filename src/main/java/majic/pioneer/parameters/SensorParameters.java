@@ -9,8 +9,8 @@ import majic.bot.Value;
 import majic.driver.ParameterTheme;
 import majic.pioneer.state.EncoderTicks;
 import majic.pioneer.state.Equipment;
-import majic.pioneer.state.Feed;
 import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.RequestedReport;
 import majic.pioneer.state.Scaling;
 
 /** The motion sensors: wheels, encoders, compass, gyro. */
@@ -38,7 +38,7 @@ final class SensorParameters implements ParameterTheme<Equipment> {
             table.add(
                     Parameter.number("gyro", Unit.DEG_PER_S, "turn rate, left positive; asked for when read"),
                     access.report(
-                            Feed.GYRO,
+                            RequestedReport.GYRO,
                             state -> state.gyroDegPerSec().isEmpty()
                                     ? Optional.empty()
                                     : Optional.of(Value.of(state.gyroDegPerSec().getAsDouble(), Unit.DEG_PER_S))));
@@ -55,7 +55,7 @@ final class SensorParameters implements ParameterTheme<Equipment> {
         table.add(
                 Parameter.number(name, Unit.NONE, help),
                 access.report(
-                        Feed.ENCODERS,
+                        RequestedReport.ENCODERS,
                         state -> state.encoders().map(counts -> Value.of(ticks.applyAsDouble(counts), Unit.NONE))));
     }
 }

@@ -13,11 +13,11 @@ import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Equipment;
+import majic.pioneer.state.LatestReports;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
-import majic.pioneer.state.Reports;
 import majic.pioneer.state.Side;
 import majic.pioneer.state.StateTracker;
 import majic.time.TimeSource;
@@ -136,7 +136,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     public void reported(Report report) {
         StateTracker tracking = tracker;
         if (tracking != null) {
-            Reports reports = tracking.add(report);
+            LatestReports reports = tracking.add(report);
             PioneerState now = reported.last();
             if (now != null) {
                 reported.set(now.with(reports));

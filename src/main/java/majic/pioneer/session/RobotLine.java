@@ -4,7 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import majic.bot.LinkLost;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.state.Feed;
+import majic.pioneer.state.RequestedReport;
 import org.jspecify.annotations.Nullable;
 
 /** Carries commands to one robot, by packets or by a library. Any thread may send. */
@@ -32,8 +32,8 @@ public interface RobotLine {
     /** Whether the line can carry more than SIPs; a serial port at the power-up speed cannot (ARCOS sheet 1). */
     boolean isFast();
 
-    /** Whether the reports of a feed come over this line. */
-    default boolean delivers(Feed feed) {
+    /** Whether the reports of a kind come over this line. */
+    default boolean delivers(RequestedReport kind) {
         return true;
     }
 

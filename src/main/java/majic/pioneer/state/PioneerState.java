@@ -28,7 +28,7 @@ import majic.pioneer.arcos.SipTail;
  */
 public record PioneerState(
         Sip sip,
-        Reports reports,
+        LatestReports reports,
         Pose pose,
         double turnedDeg,
         double speedMmPerSec,
@@ -58,7 +58,7 @@ public record PioneerState(
     }
 
     /** This state with newer reports. */
-    public PioneerState with(Reports newReports) {
+    public PioneerState with(LatestReports newReports) {
         return new PioneerState(
                 sip,
                 newReports,
@@ -145,8 +145,8 @@ public record PioneerState(
     }
 
     /** Digital and analog inputs and outputs. */
-    public Ports ports() {
-        return Ports.of(this);
+    public IoPorts ports() {
+        return IoPorts.of(this);
     }
 
     /** Gripper and lift; valid only if CONFIG reports a gripper. */

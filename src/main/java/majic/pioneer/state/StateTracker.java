@@ -13,7 +13,7 @@ public final class StateTracker {
     private final Odometry odometry;
     private final ObstacleMemory obstacles;
     private SonarScan scan = SonarScan.EMPTY;
-    private Reports reports = Reports.NONE;
+    private LatestReports reports = LatestReports.NONE;
     private int lastFlags;
     private double periodS;
     private double longestSilenceS;
@@ -58,7 +58,7 @@ public final class StateTracker {
     }
 
     /** Adds a report, for this state and all later ones. */
-    public Reports add(Report report) {
+    public LatestReports add(Report report) {
         reports = reports.with(report);
         return reports;
     }

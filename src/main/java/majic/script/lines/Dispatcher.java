@@ -120,7 +120,7 @@ public final class Dispatcher {
 
     /**
      * Runs a line at once, or queues it. Never waits. A line that names files is checked, and run, on a thread of this
-     * source.
+     * origin.
      *
      * @param refused receives the reason if a file the line names does not let it be done
      * @param failed receives the reason if the line is refused when its turn comes

@@ -11,7 +11,7 @@ import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.state.Feed;
+import majic.pioneer.state.RequestedReport;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -108,8 +108,8 @@ class SubscriptionsTest {
         read(subscriptions, 60, false);
 
         assertThat(requests()).hasSize(5);
-        assertThat(subscriptions.isMissing(Feed.ENCODERS)).isTrue();
-        assertThat(subscriptions.isMissing(Feed.JOYSTICK)).isFalse();
+        assertThat(subscriptions.isMissing(RequestedReport.ENCODERS)).isTrue();
+        assertThat(subscriptions.isMissing(RequestedReport.JOYSTICK)).isFalse();
     }
 
     private List<String> requests() {
@@ -146,7 +146,7 @@ class SubscriptionsTest {
     /** Reads the encoders for a while; the robot answers or does not. */
     private void read(Subscriptions subscriptions, double seconds, boolean answers) throws InterruptedException {
         for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
-            subscriptions.read(Feed.ENCODERS);
+            subscriptions.read(RequestedReport.ENCODERS);
             pass(subscriptions, Subscriptions.PERIOD_S);
             if (answers) {
                 subscriptions.received(TICKS);

@@ -14,7 +14,7 @@ import majic.pioneer.arcos.Report;
 import org.jspecify.annotations.Nullable;
 
 /** The reports that a robot sends only on request, and their requests (ARCOS sheet 6.1, 11). */
-public enum Feed {
+public enum RequestedReport {
     /** Batteries with electronics of their own. */
     BATTERIES(ArcosCommand.BATTERYINFO, Batteries.class),
     /** All inputs and outputs. */
@@ -31,7 +31,7 @@ public enum Feed {
     private final ArcosCommand request;
     private final Class<? extends Report> report;
 
-    Feed(ArcosCommand request, Class<? extends Report> report) {
+    RequestedReport(ArcosCommand request, Class<? extends Report> report) {
         this.request = request;
         this.report = report;
     }

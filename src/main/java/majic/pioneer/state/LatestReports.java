@@ -7,23 +7,23 @@ import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Report;
 
 /** The latest report of each kind that came beside the SIPs. Immutable. */
-public final class Reports {
-    static final Reports NONE = new Reports(List.of(), new EncoderTicks(0, 0));
+public final class LatestReports {
+    static final LatestReports NONE = new LatestReports(List.of(), new EncoderTicks(0, 0));
 
     private final List<Report> latest;
     private final EncoderTicks ticks;
 
-    private Reports(List<Report> latest, EncoderTicks ticks) {
+    private LatestReports(List<Report> latest, EncoderTicks ticks) {
         this.latest = latest;
         this.ticks = ticks;
     }
 
     /** These with a newer report in place of the last of its kind. */
-    Reports with(Report report) {
+    LatestReports with(Report report) {
         List<Report> now = new ArrayList<>(latest);
         now.removeIf(older -> older.getClass() == report.getClass());
         now.add(report);
-        return new Reports(List.copyOf(now), report instanceof Encoders encoders ? counted(encoders) : ticks);
+        return new LatestReports(List.copyOf(now), report instanceof Encoders encoders ? counted(encoders) : ticks);
     }
 
     private EncoderTicks counted(Encoders now) {

@@ -17,7 +17,7 @@ import majic.pioneer.arcos.SipTail;
  * @param allDigitalIn all bytes of inputs: the user's, front bumpers, rear bumpers, infra-reds; empty before the first report
  * @param allAnalogVolts all analog inputs, 0 to 5, the battery last; empty before the first report
  */
-public record Ports(
+public record IoPorts(
         OptionalInt digitalIn,
         OptionalInt digitalOut,
         OptionalInt analogPort,
@@ -28,11 +28,11 @@ public record Ports(
     private static final double SIP_STEPS = 255;
     private static final double IO_STEPS = 1023;
 
-    static Ports of(PioneerState state) {
+    static IoPorts of(PioneerState state) {
         SipTail tail = state.sip().tail();
         InputsOutputs all =
                 state.reports().latest(InputsOutputs.class).orElse(new InputsOutputs(List.of(), List.of(), List.of()));
-        return new Ports(
+        return new IoPorts(
                 optional(tail.digIn()),
                 optional(tail.digOut()),
                 optional(tail.analogPort()),
