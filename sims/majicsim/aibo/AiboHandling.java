@@ -5,14 +5,15 @@ import java.util.List;
 /** Physical access to the dog: its touch sensors, its posture in the room, its battery and sounds. Every call must hold the lab's lock. */
 public final class AiboHandling {
     private final Sensors sensors;
-    private final Attitude attitude;
+    private final BodyOrientation orientation;
     private final Speaker speaker;
     private final Microphone microphone;
     private final AiboBattery battery;
 
-    AiboHandling(Sensors sensors, Attitude attitude, Speaker speaker, Microphone microphone, AiboBattery battery) {
+    AiboHandling(
+            Sensors sensors, BodyOrientation orientation, Speaker speaker, Microphone microphone, AiboBattery battery) {
         this.sensors = sensors;
-        this.attitude = attitude;
+        this.orientation = orientation;
         this.speaker = speaker;
         this.microphone = microphone;
         this.battery = battery;
@@ -35,7 +36,7 @@ public final class AiboHandling {
      * @param degrees 0 on its feet, 90 on its right side, 180 on its back, any finite angle
      */
     public void roll(double degrees) {
-        attitude.roll(degrees);
+        orientation.roll(degrees);
     }
 
     /**

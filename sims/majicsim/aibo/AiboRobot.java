@@ -1,7 +1,7 @@
 package majicsim.aibo;
 
 import majicsim.aibo.urbi.Kernel;
-import majicsim.aibo.urbi.Stick;
+import majicsim.aibo.urbi.MemoryStick;
 import majicsim.aibo.urbi.run.Functions;
 import majicsim.aibo.urbi.run.Server;
 import majicsim.aibo.urbi.value.Value;
@@ -29,7 +29,7 @@ public final class AiboRobot implements Firmware {
     private final AiboDevices devices;
     private final Sensors sensors;
     private final Gait gait;
-    private final Attitude attitude;
+    private final BodyOrientation orientation;
     private final AiboHandling handling;
     private final Camera camera;
     private final Speaker speaker;
@@ -50,13 +50,13 @@ public final class AiboRobot implements Firmware {
         world.add(body);
         kernel = new Kernel(own.fork("random"));
         devices = new AiboDevices(kernel.memory().variables(), kernel.memory().groups());
-        attitude = new Attitude(devices.legs());
-        gait = new Gait(body, devices.legs(), attitude, own.fork("gait"));
-        Head head = new Head(world, body, devices.joints(), attitude);
-        sensors = new Sensors(world, body, head, attitude, gait, own.fork("sensors"));
+        orientation = new BodyOrientation(devices.legs());
+        gait = new Gait(body, devices.legs(), orientation, own.fork("gait"));
+        Head head = new Head(world, body, devices.joints(), orientation);
+        sensors = new Sensors(world, body, head, orientation, gait, own.fork("sensors"));
         speaker = new Speaker(kernel);
         microphone = new Microphone(kernel, speaker, gait, own.fork("microphone"));
-        handling = new AiboHandling(sensors, attitude, speaker, microphone, battery);
+        handling = new AiboHandling(sensors, orientation, speaker, microphone, battery);
         camera = new Camera(new CameraLens(world, body, head, own.fork("camera")), kernel);
         install();
     }
@@ -130,12 +130,14 @@ public final class AiboRobot implements Firmware {
         functions.lasting("robot.turn", 1, GaitTask.function(gait, true));
         functions.lasting("robot.stepwalk", 1, GaitTask.steps(gait, false));
         functions.lasting("robot.stepturn", 1, GaitTask.steps(gait, true));
-        functions.builtIn("robot.posture", arguments -> Value.of(attitude.guess()));
+        functions.builtIn("robot.posture", arguments -> Value.of(orientation.guess()));
         functions.builtIn("power", arguments -> Value.of(battery.percent() / 100.0));
         speaker.install();
         microphone.install();
         camera.install();
-        new Stick(StickScript.program(kernel.memory().groups().leaves("hardware")), StickScript.CLIENT)
+        new MemoryStick(
+                        MemoryStickScript.program(kernel.memory().groups().leaves("hardware")),
+                        MemoryStickScript.CLIENT)
                 .insertInto(kernel);
     }
 }

@@ -22,16 +22,16 @@ final class Gait {
     private final Body body;
     private final Noise noise;
     private final Legs legs;
-    private final Attitude attitude;
+    private final BodyOrientation orientation;
     private final double driftDegPerMm;
     private final List<GaitTask> active = new ArrayList<>();
     private double stepFactor = 1;
     private double cycles;
 
-    Gait(Body body, Legs legs, Attitude attitude, Noise noise) {
+    Gait(Body body, Legs legs, BodyOrientation orientation, Noise noise) {
         this.body = body;
         this.legs = legs;
-        this.attitude = attitude;
+        this.orientation = orientation;
         this.noise = noise;
         double side = noise.isExact() ? 0 : noise.chance(0.5) ? 1 : -1;
         driftDegPerMm = side * noise.uniform(3, 5) / 1000;
@@ -73,7 +73,7 @@ final class Gait {
                 count++;
             }
         }
-        boolean moves = count > 0 && legs.carry() && attitude.isUpright();
+        boolean moves = count > 0 && legs.carry() && orientation.isUpright();
         double perSec = moves ? 1000 / stepMs / count : 0;
         double mmPerSec = ahead * perSec * stepFactor * (ahead < 0 && !noise.isExact() ? BACKWARD_SHARE : 1);
         body.velocity(mmPerSec, turn * perSec * stepFactor + Math.abs(mmPerSec) * driftDegPerMm);

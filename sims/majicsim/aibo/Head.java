@@ -18,26 +18,26 @@ final class Head {
     private final World world;
     private final Body body;
     private final Map<String, Joint> joints;
-    private final Attitude attitude;
+    private final BodyOrientation orientation;
 
-    Head(World world, Body body, Map<String, Joint> joints, Attitude attitude) {
+    Head(World world, Body body, Map<String, Joint> joints, BodyOrientation orientation) {
         this.world = world;
         this.body = body;
         this.joints = joints;
-        this.attitude = attitude;
+        this.orientation = orientation;
     }
 
     /** From the nose, in the room. */
     CameraPose view() {
         Pose pose = body.pose();
-        Stance stance = attitude.stance();
+        ShoulderPose shoulders = orientation.shoulders();
         CameraPose view = CameraPose.from(new Vector(NOSE_MM, 0, 0))
                 .pitched(degrees("headTilt"))
                 .turned(degrees("headPan"))
                 .moved(0, 0, NECK_MM)
-                .pitched(degrees("neck") + stance.pitchDeg())
-                .rolled(attitude.rollDeg())
-                .moved(NECK_AHEAD_MM, 0, stance.shoulderMm())
+                .pitched(degrees("neck") + shoulders.pitchDeg())
+                .rolled(orientation.rollDeg())
+                .moved(NECK_AHEAD_MM, 0, shoulders.shoulderMm())
                 .turned(pose.headingDeg())
                 .moved(pose.xMm(), pose.yMm(), 0);
         return view.at(inFreeAir(view.at()));

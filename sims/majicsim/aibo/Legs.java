@@ -66,18 +66,18 @@ final class Legs {
         return "unknown";
     }
 
-    /** The stance of the dog's front: a mean of those of the postures, weighted by how near their angles are. */
-    Stance stance() {
+    /** The height and pitch of the front of the body: a mean of those of the postures, weighted by how near their angles are. */
+    ShoulderPose shoulders() {
         double weights = 0;
         double shoulderMm = 0;
         double pitchDeg = 0;
         for (Posture posture : Posture.values()) {
             double weight = 1 / (distance(posture) + CLOSE_SQUARE_DEG);
             weights += weight * weight;
-            shoulderMm += weight * weight * posture.stance().shoulderMm();
-            pitchDeg += weight * weight * posture.stance().pitchDeg();
+            shoulderMm += weight * weight * posture.shoulders().shoulderMm();
+            pitchDeg += weight * weight * posture.shoulders().pitchDeg();
         }
-        return new Stance(shoulderMm / weights, pitchDeg / weights);
+        return new ShoulderPose(shoulderMm / weights, pitchDeg / weights);
     }
 
     /** Mean square of the angles to a posture. */

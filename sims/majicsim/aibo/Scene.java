@@ -12,7 +12,7 @@ final class Scene {
     private final World world;
     private final Body viewer;
     private final Vector eye;
-    private final @Nullable Slice[] slices = new Slice[SLICES];
+    private final @Nullable RoomSlice[] slices = new RoomSlice[SLICES];
 
     Scene(World world, Body viewer, Vector eye) {
         this.world = world;
@@ -23,9 +23,9 @@ final class Scene {
     /** The surface in a direction. */
     VisibleSurface look(Vector ray) {
         int number = Math.floorMod((int) Math.rint(ray.azimuthDeg() / SLICE_DEG), SLICES);
-        Slice slice = slices[number];
+        RoomSlice slice = slices[number];
         if (slice == null) {
-            slice = new Slice(world, viewer, eye, number * SLICE_DEG);
+            slice = new RoomSlice(world, viewer, eye, number * SLICE_DEG);
             slices[number] = slice;
         }
         return slice.look(slope(ray));
@@ -35,7 +35,7 @@ final class Scene {
     static double distanceMm(World world, Body viewer, CameraPose view) {
         double slope = slope(view.ahead());
         VisibleSurface surface =
-                new Slice(world, viewer, view.at(), view.ahead().azimuthDeg()).look(slope);
+                new RoomSlice(world, viewer, view.at(), view.ahead().azimuthDeg()).look(slope);
         return surface.levelMm() * Math.sqrt(1 + slope * slope);
     }
 

@@ -27,16 +27,16 @@ final class Sensors {
     private final World world;
     private final Body body;
     private final Head head;
-    private final Attitude attitude;
+    private final BodyOrientation orientation;
     private final Gait gait;
     private final Noise noise;
     private final Map<String, Double> pressed = new LinkedHashMap<>();
 
-    Sensors(World world, Body body, Head head, Attitude attitude, Gait gait, Noise noise) {
+    Sensors(World world, Body body, Head head, BodyOrientation orientation, Gait gait, Noise noise) {
         this.world = world;
         this.body = body;
         this.head = head;
-        this.attitude = attitude;
+        this.orientation = orientation;
         this.gait = gait;
         this.noise = noise;
     }
@@ -52,7 +52,7 @@ final class Sensors {
         acceleration(variables, "accelZ", () -> gravity().z());
         for (String paw : List.of("pawLF", "pawLH", "pawRF", "pawRH")) {
             pressed.put(paw, 0.0);
-            sensor(variables, paw, 0, 1, () -> attitude.isOnGround(paw.substring(3)) ? 1 : pressed(paw));
+            sensor(variables, paw, 0, 1, () -> orientation.isOnGround(paw.substring(3)) ? 1 : pressed(paw));
         }
         touch(variables, "chinSensor", 1);
         touch(variables, "headSensor", 35);
@@ -80,7 +80,9 @@ final class Sensors {
 
     /** The acceleration by gravity in the body's own frame: g downwards when it stands. */
     private Vector gravity() {
-        return new Vector(0, 0, -GRAVITY).pitched(-attitude.stance().pitchDeg()).rolled(-attitude.rollDeg());
+        return new Vector(0, 0, -GRAVITY)
+                .pitched(-orientation.shoulders().pitchDeg())
+                .rolled(-orientation.rollDeg());
     }
 
     private double jolt() {

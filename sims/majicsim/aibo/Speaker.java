@@ -43,7 +43,7 @@ final class Speaker {
 
     /** Plays a file of the stick; returns false if there is none of that name. */
     boolean play(String file) {
-        return play(file, StickSounds.named(file));
+        return play(file, MemoryStickSounds.named(file));
     }
 
     /** The last sounds, oldest first. */
@@ -82,7 +82,7 @@ final class Speaker {
     }
 
     private static Value load(String file) throws Failure {
-        Sound sound = StickSounds.named(file);
+        Sound sound = MemoryStickSounds.named(file);
         if (sound == null) {
             throw Failure.inExpression("Cannot load the file " + file);
         }

@@ -61,7 +61,8 @@ class SoundTest {
         client.say("x = loadwav(\"test.wav\"); speaker.val = x;");
 
         assertThat(last().sound().lengthMs()).isEqualTo(1000);
-        assertThat(last().sound().sample(9)).isEqualTo(StickSounds.named("test").sample(9));
+        assertThat(last().sound().sample(9))
+                .isEqualTo(MemoryStickSounds.named("test").sample(9));
     }
 
     @Test

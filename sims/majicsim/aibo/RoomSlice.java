@@ -12,39 +12,39 @@ import majicsim.world.World;
  * A vertical slice of the room in one direction from the camera: robots as blocks, a wall from floor to ceiling, floor and ceiling.
  * A map has no heights; all of its lines count as walls as high as the room.
  */
-final class Slice {
+final class RoomSlice {
     static final double CEILING_MM = 2500;
     private static final double FAR_MM = 20_000;
 
     private final double eyeMm;
     private final Hit wall;
-    private final List<Slab> slabs;
+    private final List<BodyInSlice> parts;
 
-    Slice(World world, Body viewer, Vector eye, double azimuthDeg) {
+    RoomSlice(World world, Body viewer, Vector eye, double azimuthDeg) {
         eyeMm = eye.z();
         wall = world.wallRay(new Point(eye.x(), eye.y()), azimuthDeg, FAR_MM);
         double dx = Math.cos(Math.toRadians(azimuthDeg));
         double dy = Math.sin(Math.toRadians(azimuthDeg));
-        slabs = world.bodies().stream()
+        parts = world.bodies().stream()
                 .filter(body -> body != viewer)
-                .map(body -> Slab.of(body, eye, dx, dy))
+                .map(body -> BodyInSlice.of(body, eye, dx, dy))
                 .filter(Objects::nonNull)
-                .filter(slab -> slab.entryMm() < wall.distanceMm())
-                .sorted(Comparator.comparingDouble(Slab::entryMm))
+                .filter(part -> part.entryMm() < wall.distanceMm())
+                .sorted(Comparator.comparingDouble(BodyInSlice::entryMm))
                 .toList();
     }
 
     /** The surface at a slope: height over distance on the floor. */
     VisibleSurface look(double slope) {
-        for (Slab slab : slabs) {
-            double frontMm = eyeMm + slope * slab.entryMm();
-            double backMm = eyeMm + slope * slab.exitMm();
-            double topMm = slab.look().heightMm();
+        for (BodyInSlice part : parts) {
+            double frontMm = eyeMm + slope * part.entryMm();
+            double backMm = eyeMm + slope * part.exitMm();
+            double topMm = part.look().heightMm();
             if (frontMm >= 0 && frontMm <= topMm) {
-                return robot(slab, slab.entryMm(), frontMm, slab.slant());
+                return robot(part, part.entryMm(), frontMm, part.slant());
             }
             if (frontMm > topMm && backMm <= topMm) {
-                return robot(slab, (topMm - eyeMm) / slope, topMm, 1);
+                return robot(part, (topMm - eyeMm) / slope, topMm, 1);
             }
         }
         return behindRobots(slope);
@@ -65,13 +65,13 @@ final class Slice {
         return new VisibleSurface(VisibleSurface.Kind.WALL, wall.distanceMm(), heightMm, slant, wall.reflectivity(), 0);
     }
 
-    private static VisibleSurface robot(Slab slab, double levelMm, double heightMm, double slant) {
+    private static VisibleSurface robot(BodyInSlice part, double levelMm, double heightMm, double slant) {
         return new VisibleSurface(
                 VisibleSurface.Kind.ROBOT,
                 levelMm,
                 heightMm,
                 slant,
                 1,
-                slab.look().rgb());
+                part.look().rgb());
     }
 }

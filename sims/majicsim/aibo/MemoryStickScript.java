@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
  * The programs on the simulated memory stick: the stick's functions with their durations (URBI sheet, section 15), in
  * newly written code.
  */
-final class StickScript {
+final class MemoryStickScript {
     private static final String PROGRAM = """
             robot.walkspeed = 1000; robot.turnspeed = 1000;
             system.name = "ERS-7"; global.name = "ERS-7";
@@ -74,7 +74,7 @@ final class StickScript {
             },
             """;
 
-    private StickScript() {}
+    private MemoryStickScript() {}
 
     /**
      * The program that runs at the start.

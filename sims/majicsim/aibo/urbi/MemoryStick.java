@@ -16,7 +16,7 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /** The files of the memory stick, and the functions that run program text: exec, load and save (URBI sheet, section 9). */
-public final class Stick {
+public final class MemoryStick {
     /** The stick holds this many characters that programs saved. */
     private static final int MAX_SAVED = 1 << 20;
 
@@ -32,7 +32,7 @@ public final class Stick {
      * @param program what runs at the start and after each reset: the dog's own functions
      * @param client what runs in each connection when it comes
      */
-    public Stick(String program, String client) {
+    public MemoryStick(String program, String client) {
         this.program = program;
         files.put("motion.u", program);
         files.put("URBI.INI", "load(\"motion.u\"); load(\"custom.u\");");

@@ -5,7 +5,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /** The sound files of the original stick by name (URBI sheet, section 13); their sounds are invented. */
-final class StickSounds {
+final class MemoryStickSounds {
     private static final double FULL = 0.6;
     private static final Map<String, Sound> FILES = Map.of(
             "bark", bark(300, 420),
@@ -19,7 +19,7 @@ final class StickSounds {
             "test", tune(1000, 440),
             "tecno", tune(125, 110, 220, 110, 247, 110, 262, 110, 220));
 
-    private StickSounds() {}
+    private MemoryStickSounds() {}
 
     /** The file of that name, with or without its ending. */
     static @Nullable Sound named(String file) {

@@ -12,10 +12,10 @@ import org.jspecify.annotations.Nullable;
  * @param exitMm where it leaves it
  * @param slant cosine of the angle of incidence, 1 perpendicular
  */
-record Slab(Appearance look, double entryMm, double exitMm, double slant) {
+record BodyInSlice(RobotAppearance look, double entryMm, double exitMm, double slant) {
 
     /** The part of a body that lies in the direction (dx, dy) of length 1, or null if none does. */
-    static @Nullable Slab of(Body body, Vector eye, double dx, double dy) {
+    static @Nullable BodyInSlice of(Body body, Vector eye, double dx, double dy) {
         List<Point> corners = body.outline();
         double entry = Double.POSITIVE_INFINITY;
         double exit = 0;
@@ -39,6 +39,6 @@ record Slab(Appearance look, double entryMm, double exitMm, double slant) {
                 slant = Math.abs(across) / Math.hypot(ex, ey);
             }
         }
-        return entry <= exit ? new Slab(Appearance.of(body), entry, exit, slant) : null;
+        return entry <= exit ? new BodyInSlice(RobotAppearance.of(body), entry, exit, slant) : null;
     }
 }

@@ -6,4 +6,4 @@ package majicsim.aibo;
  * @param shoulderMm height of the lower end of the neck above the floor
  * @param pitchDeg the slope of the back, positive if it rises to the front
  */
-record Stance(double shoulderMm, double pitchDeg) {}
+record ShoulderPose(double shoulderMm, double pitchDeg) {}

@@ -1,19 +1,19 @@
 package majicsim.aibo;
 
 /** The orientation of the dog's body, from its legs and from being turned over. */
-final class Attitude {
+final class BodyOrientation {
     private static final double ON_ITS_SIDE_DEG = 45;
     private static final double ON_ITS_BACK_DEG = 135;
 
     private final Legs legs;
     private double rollDeg;
 
-    Attitude(Legs legs) {
+    BodyOrientation(Legs legs) {
         this.legs = legs;
     }
 
-    Stance stance() {
-        return legs.stance();
+    ShoulderPose shoulders() {
+        return legs.shoulders();
     }
 
     /** 0 on its feet, 90 lying on its right side, 180 on its back. */
