@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.act.ActDetails;
-import majic.act.file.Acts;
+import majic.act.file.ActCatalog;
 import majic.act.make.ActMaker;
 import majic.script.ScriptAct;
 
@@ -31,7 +31,7 @@ final class ShippedActs {
         Files.createDirectories(target);
         List<Path> sources = sources(Path.of(args[0]));
         for (Path source : sources) {
-            Files.write(target.resolve(name(source) + Acts.ENDING), make(source, args[2]));
+            Files.write(target.resolve(name(source) + ActCatalog.ENDING), make(source, args[2]));
         }
         Files.write(
                 target.resolve("index"), sources.stream().map(ShippedActs::name).toList());

@@ -40,7 +40,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     private volatile BotProfile profile;
     private volatile MotionLimits limits;
     private volatile String name;
-    private volatile @Nullable TeamPlace place;
+    private volatile @Nullable TeamMembership membership;
     private volatile BotState state = BotState.UNKNOWN;
 
     /** The state of a robot's connection. */
@@ -361,23 +361,23 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The place in a team. Every operation that a display offers goes through {@code Member.of(bot)}, so
+     * Returns the membership in a team. Every operation that a display offers goes through {@code Member.of(bot)}, so
      * that the owner of the robot and STOP are respected.
      *
      * @return empty for a robot that is used alone
      */
-    public final Optional<TeamPlace> place() {
-        return Optional.ofNullable(place);
+    public final Optional<TeamMembership> membership() {
+        return Optional.ofNullable(membership);
     }
 
     /**
-     * Takes the place in a team. Called by the team once, before any other command.
+     * Records the membership in a team. Called by the team once, before any other command.
      *
-     * @param newPlace the place
+     * @param newMembership the membership
      * @param newName the robot's name in messages from then on
      */
-    public final void join(TeamPlace newPlace, String newName) {
-        place = newPlace;
+    public final void join(TeamMembership newMembership, String newName) {
+        membership = newMembership;
         name = newName;
     }
 
@@ -653,7 +653,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     protected final void lost(LinkLost cause) {
         if (life.lose(cause, () -> gate.lost(cause))) {
             news();
-            place().ifPresent(there -> there.linkLost(String.valueOf(cause.getMessage())));
+            membership().ifPresent(there -> there.linkLost(String.valueOf(cause.getMessage())));
             listeners.deliver();
         }
     }

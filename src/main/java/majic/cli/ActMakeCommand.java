@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;
 import java.util.concurrent.Callable;
-import majic.act.file.Acts;
+import majic.act.file.ActCatalog;
 import majic.act.make.ActMaker;
 import majic.bot.BotException;
 import majic.console.ActOutput;
@@ -46,7 +46,7 @@ final class ActMakeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         try {
-            if (Acts.isScript(classes.toString())) {
+            if (ActCatalog.isScript(classes.toString())) {
                 makeOfScript();
                 return 0;
             }

@@ -6,8 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Function;
 import majic.act.ActDetails;
+import majic.act.file.ActCatalog;
 import majic.act.file.ActFile;
-import majic.act.file.Acts;
 import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
@@ -50,7 +50,7 @@ public final class ActOutput {
         }
         if (Files.isDirectory(target)) {
             throw new BotException(target + ": is a folder; name the file in it, such as "
-                    + target.resolve("Patrol" + Acts.ENDING).normalize());
+                    + target.resolve("Patrol" + ActCatalog.ENDING).normalize());
         }
         Files.write(target, file);
     }

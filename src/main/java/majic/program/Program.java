@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
-import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.bot.Settings;
 import majic.bot.ShutdownHook;
@@ -65,7 +65,7 @@ public final class Program implements AutoCloseable {
         team = new Team(time);
         Path sessions = folder.folder("sessions");
         log = SessionLog.in(sessions, Clock.systemDefaultZone());
-        Acts acts = new Acts(folder.file("acts"), new ActTrust(settings));
+        ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
     }
 

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import majic.act.ActDetails;
 import majic.act.Role;
+import majic.act.file.ActCatalog;
 import majic.act.file.ActFile;
-import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.log.Line;
 import majic.log.SessionOutput;
@@ -20,9 +20,9 @@ import majic.team.Member;
  */
 public final class ActOffers implements Completion.ActNames {
     private final SessionOutput output;
-    private final Acts acts;
+    private final ActCatalog acts;
 
-    ActOffers(SessionOutput output, Acts acts) {
+    ActOffers(SessionOutput output, ActCatalog acts) {
         this.output = output;
         this.acts = acts;
     }
@@ -95,7 +95,7 @@ public final class ActOffers implements Completion.ActNames {
 
     /** The file of a script that goes by a name or path; empty if an act does. */
     Optional<Path> scriptAt(String name) {
-        return acts.locate(name).filter(path -> Acts.isScript(path.toString()));
+        return acts.locate(name).filter(path -> ActCatalog.isScript(path.toString()));
     }
 
     /**

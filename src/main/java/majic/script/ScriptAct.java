@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import majic.act.MajicAct;
 import majic.act.Role;
-import majic.act.file.Acts;
+import majic.act.file.ActCatalog;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.log.Line;
@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ScriptAct extends MajicAct {
     /** How files with scripts end. */
-    public static final String ENDING = Acts.SCRIPT_ENDING;
+    public static final String ENDING = ActCatalog.SCRIPT_ENDING;
 
     private static final long serialVersionUID = 1;
 

@@ -3,7 +3,7 @@ package majic.script;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import majic.act.file.Acts;
+import majic.act.file.ActCatalog;
 import majic.bot.BotType;
 import majic.log.Line;
 import majic.log.ParameterLog;
@@ -49,7 +49,7 @@ public final class Session {
      * @param acts where behaviours are found
      * @param quit what {@code quit} does; must return at once
      */
-    public Session(Team team, BotFactory factory, SessionLog log, Acts acts, Runnable quit) {
+    public Session(Team team, BotFactory factory, SessionLog log, ActCatalog acts, Runnable quit) {
         this.team = team;
         this.factory = factory;
         this.log = log;

@@ -13,8 +13,8 @@ import java.util.function.Supplier;
 import majic.act.ActRun;
 import majic.act.MajicAct;
 import majic.act.Role;
+import majic.act.file.ActCatalog;
 import majic.act.file.ActFile;
-import majic.act.file.Acts;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
@@ -37,14 +37,14 @@ final class SessionActs implements ActRunner {
     private static final int SHORTEST_HASH = 8;
 
     private final SessionState state;
-    private final Acts acts;
+    private final ActCatalog acts;
     private final ActOffers offers;
     private final List<ActRun> running = new CopyOnWriteArrayList<>();
 
     /** By robot, the permit of all that was ordered since its last {@code act off} and may still wait for its turn. */
     private final Map<Member, Permit> ordered = new ConcurrentHashMap<>();
 
-    SessionActs(SessionState state, Acts acts, ActOffers offers) {
+    SessionActs(SessionState state, ActCatalog acts, ActOffers offers) {
         this.state = state;
         this.acts = acts;
         this.offers = offers;
@@ -178,7 +178,7 @@ final class SessionActs implements ActRunner {
     public List<String> list() {
         List<String> names = acts.names();
         return names.isEmpty()
-                ? List.of("acts: none; \"1 act FILE\" takes any file that ends in " + Acts.ENDING + " or "
+                ? List.of("acts: none; \"1 act FILE\" takes any file that ends in " + ActCatalog.ENDING + " or "
                         + ScriptAct.ENDING)
                 : names.stream().map(this::listed).toList();
     }
@@ -235,7 +235,7 @@ final class SessionActs implements ActRunner {
     @Override
     public String replayName(Literal name) {
         String text = name.unquoted();
-        return Acts.isFile(text)
+        return ActCatalog.isFile(text)
                 ? SessionRecord.quoted(
                         acts.locate(text).orElseThrow().toAbsolutePath().toString())
                 : name.text();

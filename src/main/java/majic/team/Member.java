@@ -9,7 +9,7 @@ import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
-import majic.bot.TeamPlace;
+import majic.bot.TeamMembership;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * A robot in a team: its number, its queue with the single worker thread, its owner, and the act it is lent to.
  * Thread-safe.
  */
-public final class Member implements TeamPlace {
+public final class Member implements TeamMembership {
     /** How many commands may run beside the queue of one robot, each on a thread of its own. */
     private static final int MOST_BESIDE = 16;
 
@@ -49,7 +49,7 @@ public final class Member implements TeamPlace {
      * @return empty for a robot that is used without a team
      */
     public static Optional<Member> of(MajicBot bot) {
-        return bot.place().map(Member.class::cast);
+        return bot.membership().map(Member.class::cast);
     }
 
     @Override

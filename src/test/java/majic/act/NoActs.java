@@ -1,8 +1,8 @@
 package majic.act;
 
 import java.nio.file.Path;
+import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
-import majic.act.file.Acts;
 import majic.bot.Settings;
 
 /** Provides the behaviours for sessions without behaviours of the user and without consents. */
@@ -10,7 +10,7 @@ public final class NoActs {
     private NoActs() {}
 
     /** Returns the behaviours that come with MAJIC. */
-    public static Acts here() {
-        return new Acts(Path.of("no", "such", "folder"), new ActTrust(Settings.inMemory()));
+    public static ActCatalog here() {
+        return new ActCatalog(Path.of("no", "such", "folder"), new ActTrust(Settings.inMemory()));
     }
 }

@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
-import majic.act.file.Acts;
 import majic.act.make.ActMaker;
 import majic.bot.Settings;
 
@@ -30,8 +30,8 @@ public final class SlowActs {
         return new SlowActs(folder);
     }
 
-    public Acts acts() {
-        return new Acts(folder, new ActTrust(new SlowSettings()));
+    public ActCatalog acts() {
+        return new ActCatalog(folder, new ActTrust(new SlowSettings()));
     }
 
     /** Waits until the act is being checked. */

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.act.ActDetails;
+import majic.act.file.ActCatalog;
 import majic.act.file.ActFile;
 import majic.act.file.ActTrust;
-import majic.act.file.Acts;
 import majic.act.make.ActMaker;
 import majic.bot.Settings;
 import majic.script.ScriptAct;
@@ -63,8 +63,8 @@ final class OwnActs {
         this.folder = folder;
     }
 
-    Acts acts() {
-        return new Acts(folder, trust);
+    ActCatalog acts() {
+        return new ActCatalog(folder, trust);
     }
 
     /** Adds a script as an act with a name. */

@@ -21,7 +21,7 @@ import javax.swing.JTextField;
 import javax.swing.ListModel;
 import javax.swing.text.JTextComponent;
 import majic.act.NoActs;
-import majic.act.file.Acts;
+import majic.act.file.ActCatalog;
 import majic.bot.BotType;
 import majic.bot.Settings;
 import majic.gui.kit.EdtGuard;
@@ -55,7 +55,7 @@ public final class TestWindow implements AutoCloseable {
     private final Robot robot;
     private final EdtGuard guard = EdtGuard.install();
 
-    private TestWindow(Acts acts) {
+    private TestWindow(ActCatalog acts) {
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         parser = new MajicParser(session, true);
         robot = BasicRobot.robotWithNewAwtHierarchy();
@@ -70,7 +70,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Opens a window with the user's own acts. */
-    static TestWindow open(Acts acts) {
+    static TestWindow open(ActCatalog acts) {
         return new TestWindow(acts);
     }
 

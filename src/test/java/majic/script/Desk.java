@@ -10,7 +10,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.TestClock;
 import majic.act.NoActs;
-import majic.act.file.Acts;
+import majic.act.file.ActCatalog;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.Settings;
@@ -39,7 +39,7 @@ final class Desk implements AutoCloseable {
     }
 
     /** With behaviours of the user's own. */
-    Desk(Acts acts) {
+    Desk(ActCatalog acts) {
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         prompt = new MajicParser(session, true);
         pipe = new MajicParser(session, false);

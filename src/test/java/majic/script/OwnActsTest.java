@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import majic.act.ActDetails;
+import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
-import majic.act.file.Acts;
 import majic.act.make.ActMaker;
 import majic.bot.Settings;
 import org.junit.jupiter.api.AutoClose;
@@ -31,7 +31,7 @@ class OwnActsTest {
 
     @BeforeEach
     void open() {
-        desk = new Desk(new Acts(folder, new ActTrust(Settings.inMemory())));
+        desk = new Desk(new ActCatalog(folder, new ActTrust(Settings.inMemory())));
         desk.add(desk.aibo);
         desk.add(desk.pioneer);
     }

@@ -37,7 +37,7 @@ public final class Skeleton {
             touching.add(bones.foot().plus(new BodyPoint(0, 0, -PAW_MM)));
         }
         this.contact = GroundContact.of(
-                touching, Attitude.of(senses).map(Attitude::pitchDeg).orElse(0.0));
+                touching, BodyTilt.of(senses).map(BodyTilt::pitchDeg).orElse(0.0));
     }
 
     /** How far the body is raised in front, degrees. */

@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.aibo.body.Attitude;
+import majic.aibo.body.BodyTilt;
 import majic.aibo.body.Sensor;
 import majic.aibo.body.SensorReadings;
 import majic.panel.BatteryIcon;
@@ -40,7 +40,7 @@ final class BodyPanel extends JPanel {
 
     void refresh(SensorReadings senses, boolean connected) {
         horizon.setEnabled(connected);
-        horizon.show(Attitude.of(senses)
+        horizon.show(BodyTilt.of(senses)
                 .map(now -> new Horizon.Tilt(now.pitchDeg(), now.rollDeg()))
                 .orElse(null));
         battery.setEnabled(connected);

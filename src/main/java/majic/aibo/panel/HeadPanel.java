@@ -45,7 +45,7 @@ final class HeadPanel extends JPanel {
     }
 
     void refresh() {
-        boolean usable = bot.isConnected() && bot.place().isPresent();
+        boolean usable = bot.isConnected() && bot.membership().isPresent();
         sliders.forEach((joint, slider) -> {
             slider.setEnabled(usable);
             slider.show(

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import majic.act.ActDetails;
-import majic.act.file.Acts;
+import majic.act.file.ActCatalog;
 import majic.act.make.ActMaker;
 import majic.bot.BotException;
 import majic.script.ScriptAct;
@@ -57,8 +57,8 @@ final class ActSource {
      * @throws BotException if the act is not suitable, or the file cannot be written
      */
     String make(String act, ActDetails details, Path target) {
-        if (!target.toString().endsWith(Acts.ENDING)) {
-            throw new BotException(target + ": a behaviour's file ends in " + Acts.ENDING);
+        if (!target.toString().endsWith(ActCatalog.ENDING)) {
+            throw new BotException(target + ": a behaviour's file ends in " + ActCatalog.ENDING);
         }
         byte[] file = making.make(act, details);
         try {

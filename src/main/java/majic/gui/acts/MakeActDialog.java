@@ -10,7 +10,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import majic.act.ActDetails;
-import majic.act.file.Acts;
+import majic.act.file.ActCatalog;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.Confirm;
 import majic.gui.kit.Edt;
@@ -124,8 +124,9 @@ public final class MakeActDialog extends MajicDialog {
     }
 
     private void suggestTarget() {
-        target.suggest(
-                offers.folder().resolve(name.getText().strip() + Acts.ENDING).toString());
+        target.suggest(offers.folder()
+                .resolve(name.getText().strip() + ActCatalog.ENDING)
+                .toString());
     }
 
     private void make() {

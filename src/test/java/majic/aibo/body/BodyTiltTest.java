@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class AttitudeTest {
+class BodyTiltTest {
     private final SensorReadings senses = new SensorReadings();
 
     @ParameterizedTest
@@ -18,17 +18,17 @@ class AttitudeTest {
         put(Sensor.ACCEL_Y, y);
         put(Sensor.ACCEL_Z, z);
 
-        Attitude attitude = Attitude.of(senses).orElseThrow();
+        BodyTilt tilt = BodyTilt.of(senses).orElseThrow();
 
-        assertThat(attitude.pitchDeg()).isCloseTo(pitch, within(0.01));
-        assertThat(attitude.rollDeg()).isCloseTo(roll, within(0.01));
+        assertThat(tilt.pitchDeg()).isCloseTo(pitch, within(0.01));
+        assertThat(tilt.rollDeg()).isCloseTo(roll, within(0.01));
     }
 
     @Test
     void withoutReadingsThereIsNone() {
         put(Sensor.ACCEL_X, 0);
 
-        assertThat(Attitude.of(senses)).isEmpty();
+        assertThat(BodyTilt.of(senses)).isEmpty();
     }
 
     private void put(Sensor sensor, double amount) {

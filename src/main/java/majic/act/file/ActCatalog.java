@@ -22,7 +22,7 @@ import majic.text.Suggestion;
  * @param folder the user's folder; need not exist
  * @param trust the user's consents
  */
-public record Acts(Path folder, ActTrust trust) {
+public record ActCatalog(Path folder, ActTrust trust) {
     /** The file name extension of acts. */
     public static final String ENDING = ".act";
 
@@ -160,7 +160,7 @@ public record Acts(Path folder, ActTrust trust) {
         }
         try (Stream<Path> files = Files.list(folder)) {
             return files.map(file -> file.getFileName().toString())
-                    .filter(Acts::isFile)
+                    .filter(ActCatalog::isFile)
                     .toList();
         } catch (IOException e) {
             throw new BotException(folder + ": cannot be read (" + IoReason.of(e) + ")", e);
@@ -169,7 +169,7 @@ public record Acts(Path folder, ActTrust trust) {
 
     /** Returns the acts that come with MAJIC, from the list that the build writes. */
     private static List<String> shipped() {
-        try (InputStream in = Acts.class.getResourceAsStream(INDEX)) {
+        try (InputStream in = ActCatalog.class.getResourceAsStream(INDEX)) {
             if (in == null) {
                 return List.of();
             }

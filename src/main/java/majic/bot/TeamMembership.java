@@ -1,9 +1,9 @@
 package majic.bot;
 
-/** The place of a robot in a team. Implemented by the team, so that a robot does not depend on teams. */
-public interface TeamPlace {
+/** The membership of a robot in a team. Implemented by the team, so that a robot does not depend on teams. */
+public interface TeamMembership {
     /**
-     * The number of the robot.
+     * Returns the number of the robot in the team.
      *
      * @return 1 to the size of the team
      */

@@ -9,9 +9,9 @@ import java.util.Optional;
  * @param pitchDeg nose up positive, −90 to 90
  * @param rollDeg right side down positive, −180 to 180
  */
-public record Attitude(double pitchDeg, double rollDeg) {
+public record BodyTilt(double pitchDeg, double rollDeg) {
     /** Returns what the sensors report now; empty before the first report. */
-    public static Optional<Attitude> of(SensorReadings senses) {
+    public static Optional<BodyTilt> of(SensorReadings senses) {
         Optional<Double> x = senses.number(Sensor.ACCEL_X);
         Optional<Double> y = senses.number(Sensor.ACCEL_Y);
         Optional<Double> z = senses.number(Sensor.ACCEL_Z);
@@ -20,6 +20,6 @@ public record Attitude(double pitchDeg, double rollDeg) {
         }
         double pitch = Math.atan2(-x.get(), Math.hypot(y.get(), z.get()));
         double roll = Math.atan2(y.get(), -z.get());
-        return Optional.of(new Attitude(Math.toDegrees(pitch), Math.toDegrees(roll)));
+        return Optional.of(new BodyTilt(Math.toDegrees(pitch), Math.toDegrees(roll)));
     }
 }
