@@ -1,7 +1,10 @@
 package majic.act;
 
+import java.util.regex.Pattern;
+
 /**
- * The author's description of an act. Surrounding blanks and line ends are removed.
+ * The author's description of an act. Each text is one line without control characters or characters that reverse the
+ * writing direction.
  *
  * @param name the act's name, as in {@code act NAME}
  * @param version the author's version number; may be empty
@@ -9,12 +12,19 @@ package majic.act;
  * @param description one or two sentences; may be empty
  */
 public record ActDetails(String name, String version, String author, String description) {
+    private static final Pattern UNSEEN = Pattern.compile("[\\p{Cc}\\p{Cf}\\p{Zl}\\p{Zp}]");
+
     /** Turns each text into one line. */
     public ActDetails {
-        name = Printable.line(name);
-        version = Printable.line(version);
-        author = Printable.line(author);
-        description = Printable.line(description);
+        name = oneLine(name);
+        version = oneLine(version);
+        author = oneLine(author);
+        description = oneLine(description);
+    }
+
+    /** Returns a text in one line, with a blank in place of characters that a screen does not show. */
+    private static String oneLine(String text) {
+        return UNSEEN.matcher(text).replaceAll(" ").strip().replaceAll("\\s+", " ");
     }
 
     /**

@@ -3,6 +3,7 @@ package majic.act;
 import java.util.Optional;
 import java.util.stream.Stream;
 import majic.bot.BotException;
+import majic.text.VisibleText;
 
 /** Describes the failure of an act for its author. */
 public final class FailureText {
@@ -36,7 +37,7 @@ public final class FailureText {
     /** Returns the kind of the exception and its message, in one line. */
     public static String named(Throwable failure) {
         String message = failure.getMessage();
-        return Printable.of(failure.getClass().getSimpleName() + (message == null ? "" : ": " + message));
+        return VisibleText.of(failure.getClass().getSimpleName() + (message == null ? "" : ": " + message));
     }
 
     private static String place(Class<?> act, Throwable failure) {

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.act.ActDetails;
-import majic.act.Printable;
 import majic.act.Role;
+import majic.text.VisibleText;
 
 /** Describes an act's file in lines of text to show to the user. */
 final class ActDescription {
@@ -25,7 +25,7 @@ final class ActDescription {
                         "classes in it: " + orElse(String.join(", ", file.classes()), "none; it needs no consent"),
                         "other files in it: " + orElse(String.join(", ", file.resources()), "none"),
                         "packages they use: " + orElse(String.join(", ", file.packages()), "none"))
-                .map(Printable::of)
+                .map(VisibleText::of)
                 .toList();
     }
 

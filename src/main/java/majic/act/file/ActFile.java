@@ -11,10 +11,10 @@ import java.util.TreeSet;
 import majic.act.ActDetails;
 import majic.act.ActException;
 import majic.act.MajicAct;
-import majic.act.Printable;
 import majic.act.RegularFile;
 import majic.act.Role;
 import majic.text.IoReason;
+import majic.text.VisibleText;
 
 /**
  * A behaviour in a file: a jar with the act's classes, the saved act and a manifest, or the object stream of an act
@@ -37,10 +37,10 @@ public final class ActFile {
         try {
             this.contents = ActContents.of(bytes, MAJIC);
         } catch (IOException e) {
-            throw new ActException(Printable.of(label + " " + e.getMessage()), e);
+            throw new ActException(VisibleText.of(label + " " + e.getMessage()), e);
         } catch (RuntimeException e) {
             // The JDK's readers of manifests and certificates do not promise more than that.
-            throw new ActException(Printable.of(label + " is damaged: its contents make no sense"), e);
+            throw new ActException(VisibleText.of(label + " is damaged: its contents make no sense"), e);
         }
         this.roles = carriesCode() ? contents.manifest().roles() : loadAgreed().roles();
     }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import majic.act.ActException;
 import majic.act.FailureText;
 import majic.act.MajicAct;
-import majic.act.Printable;
+import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -51,6 +51,6 @@ record ActLoading(String label, ActContents contents) {
     private ActException refused(String why, Throwable cause) {
         String version = contents.manifest().majicVersion();
         String made = version.isEmpty() ? "" : " (it was made with MAJIC " + version + ")";
-        return new ActException(Printable.of(label + " " + why + made), cause);
+        return new ActException(VisibleText.of(label + " " + why + made), cause);
     }
 }

@@ -14,13 +14,13 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
-import majic.act.Printable;
 import majic.act.file.ActFile;
 import majic.act.file.Signer;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Palette;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.PlainLabel;
+import majic.text.VisibleText;
 import net.miginfocom.swing.MigLayout;
 
 /** Shows what code an act contains, before any of it is loaded, and asks whether it may run. Enter refuses. */
@@ -109,7 +109,7 @@ final class TrustDialog extends MajicDialog {
     }
 
     private static void lines(JPanel facts, String name, List<String> lines, String as) {
-        List<String> seen = lines.stream().map(Printable::of).toList();
+        List<String> seen = lines.stream().map(VisibleText::of).toList();
         if (seen.size() == 1) {
             row(facts, name, seen.get(0), as);
             return;

@@ -13,6 +13,7 @@ import majic.bot.Permit;
 import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
 import majic.script.run.Checker;
+import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.Interpreter;
 import majic.script.run.RobotAction;
@@ -22,7 +23,6 @@ import majic.script.run.Scheduling;
 import majic.script.run.ScriptRun;
 import majic.script.run.SessionAction;
 import majic.script.run.SessionCheck;
-import majic.script.run.CommandTrait;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
 import majic.team.Member;
@@ -61,7 +61,8 @@ public abstract class PreparedLine {
      *     not there
      * @throws majic.script.syntax.ScriptException if robots have to be there and are not
      */
-    static PreparedLine of(Statement statement, String text, ActionLookup actions, Selection selection, boolean complete) {
+    static PreparedLine of(
+            Statement statement, String text, ActionLookup actions, Selection selection, boolean complete) {
         if (statement instanceof Statement.ForRobots line) {
             List<Member> robots = complete ? selection.members(line.robots()) : selection.present(line.robots());
             return new RobotLine(line, text, actions.of(line.command()), robots, selection);

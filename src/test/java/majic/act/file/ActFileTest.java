@@ -191,7 +191,7 @@ class ActFileTest {
         ActFile file =
                 ActFile.of("a.act", changed(entries -> with(entries, ClassNames.pathOf(name), TinyClass.of(name, 61))));
         assertThat(file.describe()).hasSize(11).contains("signed by: nobody");
-        assertThat(String.join("", file.describe())).contains("a.X?signed by CN=Ada??[2J");
+        assertThat(String.join("", file.describe())).contains("a.X\\nsigned by CN=Ada\\u202e\\u001b[2J");
     }
 
     @Test
