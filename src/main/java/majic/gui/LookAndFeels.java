@@ -6,7 +6,7 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.util.Optional;
 import majic.bot.BotException;
 import majic.bot.Settings;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 
 /** Installs the light or the dark look and feel, and stores which one is chosen. */
 final class LookAndFeels {
@@ -25,7 +25,7 @@ final class LookAndFeels {
     static void change(boolean dark, Settings settings) {
         set(dark);
         FlatLaf.updateUI();
-        Edt.background("remembering the look", () -> remember(dark, settings));
+        EventThread.background("remembering the look", () -> remember(dark, settings));
     }
 
     private static void set(boolean dark) {

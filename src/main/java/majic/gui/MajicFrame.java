@@ -19,8 +19,8 @@ import majic.bot.Settings;
 import majic.gui.bots.BotTabs;
 import majic.gui.command.CommandPane;
 import majic.gui.kit.CommandChannel;
-import majic.gui.kit.Edt;
-import majic.gui.kit.EdtTeamListener;
+import majic.gui.kit.EventThread;
+import majic.gui.kit.EventThreadTeamListener;
 import majic.gui.kit.Icons;
 import majic.gui.kit.ProgramServices;
 import majic.gui.map.MapFeed;
@@ -83,9 +83,9 @@ public final class MajicFrame extends JFrame {
 
     private void place() {
         StopPanel stop = new StopPanel(session.team());
-        session.team().addListener(new EdtTeamListener(stop));
+        session.team().addListener(new EventThreadTeamListener(stop));
         StopAlarm alarm = new StopAlarm(session.team());
-        session.team().addListener(new EdtTeamListener(alarm));
+        session.team().addListener(new EventThreadTeamListener(alarm));
         FrameActions actions = new FrameActions(this, dialogs);
         JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, map, tabs);
         middle.setResizeWeight(0.58);
@@ -94,12 +94,12 @@ public final class MajicFrame extends JFrame {
         JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, commands);
         all.setResizeWeight(0.75);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3", "[grow, fill]", "[][][grow, fill]"));
-        content.add(new ButtonPane(actions.buttons(), stop), "wmin 0, wrap");
+        content.add(new FrameToolbar(actions.buttons(), stop), "wmin 0, wrap");
         content.add(alarm, "wmin 0, gap 8 8 0 6, wrap");
         content.add(all, "wmin 0, hmin 0, gap 8 8 0 8");
         setContentPane(content);
         setJMenuBar(new FrameMenu(this, actions));
-        Edt.background("reading pictures", () -> readPictures(actions));
+        EventThread.background("reading pictures", () -> readPictures(actions));
         setFocusTraversalPolicy(new CommandsFirst());
         setMinimumSize(new Dimension(700, 520));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
@@ -108,9 +108,9 @@ public final class MajicFrame extends JFrame {
     }
 
     private void readPictures(FrameActions actions) {
-        actions.buttons().forEach(FrameAction::readPicture);
+        actions.buttons().forEach(IconAction::readPicture);
         Image icon = Icons.now("app", ICON_SIZE);
-        Edt.later(() -> {
+        EventThread.later(() -> {
             setIconImage(icon);
             repaint();
         });
@@ -118,7 +118,7 @@ public final class MajicFrame extends JFrame {
 
     private void listen() {
         session.addListener(commands.messages());
-        session.team().addListener(new EdtTeamListener(tabs));
+        session.team().addListener(new EventThreadTeamListener(tabs));
         stopKeys.install();
         mapFeed.start();
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
@@ -170,7 +170,7 @@ public final class MajicFrame extends JFrame {
         if (!quitting) {
             quitting = true;
             setTitle("MAJIC: stopping and closing all robots …");
-            Edt.background("quit", services.quit());
+            EventThread.background("quit", services.quit());
         }
     }
 
@@ -185,7 +185,7 @@ public final class MajicFrame extends JFrame {
     void startLab() {
         Runnable start = services.startLab();
         if (start != null) {
-            Edt.background("starting the lab", () -> startLab(start));
+            EventThread.background("starting the lab", () -> startLab(start));
         }
     }
 
@@ -241,7 +241,7 @@ public final class MajicFrame extends JFrame {
     private final class Channel implements CommandChannel {
         @Override
         public void submit(String lines) {
-            Edt.background("giving a line", () -> MajicFrame.this.submit(lines));
+            EventThread.background("giving a line", () -> MajicFrame.this.submit(lines));
         }
 
         @Override

@@ -24,7 +24,7 @@ import majic.act.NoActs;
 import majic.act.file.ActCatalog;
 import majic.bot.BotType;
 import majic.bot.Settings;
-import majic.gui.kit.EdtGuard;
+import majic.gui.kit.EventThreadGuard;
 import majic.gui.kit.ProgramServices;
 import majic.log.SessionLog;
 import majic.script.MajicParser;
@@ -53,7 +53,7 @@ public final class TestWindow implements AutoCloseable {
     final MajicParser parser;
     final MajicFrame frame;
     private final Robot robot;
-    private final EdtGuard guard = EdtGuard.install();
+    private final EventThreadGuard guard = EventThreadGuard.install();
 
     private TestWindow(ActCatalog acts) {
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);

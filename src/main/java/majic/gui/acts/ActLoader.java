@@ -5,7 +5,7 @@ import java.util.List;
 import majic.act.file.ActFile;
 import majic.bot.BotException;
 import majic.gui.kit.CommandChannel;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
 import majic.script.Session;
@@ -42,7 +42,7 @@ public final class ActLoader {
 
     /** Stores the consent, which may block; if it cannot be stored, it is valid until the program ends. */
     private void agree(LoadTarget target, ActOffer offer) {
-        Edt.background(
+        EventThread.background(
                 "agreeing to " + offer.called(),
                 () -> {
                     try {
@@ -50,7 +50,7 @@ public final class ActLoader {
                     } catch (BotException e) {
                         channel.showError(String.valueOf(e.getMessage()));
                     }
-                    Edt.later(() -> askRoles(target, offer));
+                    EventThread.later(() -> askRoles(target, offer));
                 },
                 channel::showError);
     }

@@ -15,7 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import majic.gui.kit.ChooseFile;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
@@ -75,11 +75,11 @@ final class ChooseActDialog extends MajicDialog {
 
     private void readAll() {
         summary.say("Reading the behaviours there are …");
-        Edt.background(
+        EventThread.background(
                 "reading behaviours",
                 () -> {
                     List<ActEntry> all = ActEntry.readAll(offers);
-                    Edt.later(() -> fillList(all));
+                    EventThread.later(() -> fillList(all));
                 },
                 summary::complain);
     }
@@ -94,11 +94,11 @@ final class ChooseActDialog extends MajicDialog {
 
     /** Shows an act from a file in the same way as the listed ones, before it is loaded. */
     private void readFile(Path file) {
-        Edt.background(
+        EventThread.background(
                 "reading " + file,
                 () -> {
                     ActEntry entry = ActEntry.read(offers, file.toAbsolutePath().toString());
-                    Edt.later(() -> showFile(entry));
+                    EventThread.later(() -> showFile(entry));
                 },
                 summary::complain);
     }

@@ -13,7 +13,7 @@ import majic.act.ActDetails;
 import majic.act.file.ActCatalog;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.Confirm;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.script.ActOffers;
@@ -158,11 +158,11 @@ public final class MakeActDialog extends MajicDialog {
     private void work(String doing, Work work) {
         make.setEnabled(false);
         outcome.show(doing, false);
-        Edt.background(
+        EventThread.background(
                 "making an act",
                 () -> {
                     Runnable done = work.done();
-                    Edt.later(() -> ended(done));
+                    EventThread.later(() -> ended(done));
                 },
                 why -> ended(() -> outcome.show(why, true)));
     }

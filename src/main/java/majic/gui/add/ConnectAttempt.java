@@ -5,7 +5,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.script.Session;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
@@ -53,7 +53,7 @@ final class ConnectAttempt {
     }
 
     void start() {
-        Edt.background("connecting " + address, this::run);
+        EventThread.background("connecting " + address, this::run);
     }
 
     /**
@@ -63,7 +63,7 @@ final class ConnectAttempt {
     void cancel() {
         MajicBot begun = bot;
         if (phase.compareAndSet(Phase.CONNECTING, Phase.CANCELLED) && begun != null) {
-            Edt.background("giving up " + address, begun::close);
+            EventThread.background("giving up " + address, begun::close);
         }
     }
 
@@ -83,7 +83,7 @@ final class ConnectAttempt {
     private void rejoin(Member member) {
         member.bot().connect();
         if (phase.compareAndSet(Phase.CONNECTING, Phase.JOINING)) {
-            Edt.later(() -> outcome.joined(member));
+            EventThread.later(() -> outcome.joined(member));
         }
     }
 
@@ -100,7 +100,7 @@ final class ConnectAttempt {
             if (phase.compareAndSet(Phase.CONNECTING, Phase.JOINING)) {
                 Member member = session.team().add(made, OptionalInt.empty());
                 session.joined(member, address);
-                Edt.later(() -> outcome.joined(member));
+                EventThread.later(() -> outcome.joined(member));
             } else {
                 made.close();
             }
@@ -112,7 +112,7 @@ final class ConnectAttempt {
 
     private void fail(BotException e) {
         if (phase.get() != Phase.CANCELLED) {
-            Edt.later(() -> outcome.failed(e.getMessage()));
+            EventThread.later(() -> outcome.failed(e.getMessage()));
         }
     }
 }

@@ -7,7 +7,7 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
 
 /** Selects one of the serial ports of this computer, or takes one that is typed in. */
@@ -53,9 +53,9 @@ final class SerialInput extends AddressInput {
     /** Lists the ports in the background, because the system may be slow to list them. */
     private void look() {
         found.setText("Looking for ports…");
-        Edt.background("listing serial ports", () -> {
+        EventThread.background("listing serial ports", () -> {
             List<SerialPortChoice> all = ports.get();
-            Edt.later(() -> show(all));
+            EventThread.later(() -> show(all));
         });
     }
 

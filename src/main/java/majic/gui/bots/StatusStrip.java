@@ -11,7 +11,7 @@ import majic.bot.MajicBot;
 import majic.gui.acts.ActBar;
 import majic.gui.kit.BotStatus;
 import majic.gui.kit.CommandChannel;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import majic.gui.kit.StateIcon;
@@ -94,14 +94,14 @@ final class StatusStrip extends JPanel {
     private void reconnect() {
         reconnect.setEnabled(false);
         leaveFocus();
-        Edt.background("reconnecting robot " + member.number(), () -> {
+        EventThread.background("reconnecting robot " + member.number(), () -> {
             try {
                 member.bot().connect();
             } catch (BotException e) {
                 String problem = String.valueOf(e.getMessage());
                 channel.showError(member.number() + ": " + member.bot().type().adviceAfter(problem));
             } finally {
-                Edt.later(() -> reconnect.setEnabled(true));
+                EventThread.later(() -> reconnect.setEnabled(true));
             }
         });
     }

@@ -11,7 +11,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.script.MajicParser;
 
 /**
@@ -65,7 +65,7 @@ public final class CommandLine extends JTextField {
             setText("");
             return;
         }
-        Optional<String> wrong = parser.parseText(line, why -> Edt.later(() -> refusedLater(line, why)));
+        Optional<String> wrong = parser.parseText(line, why -> EventThread.later(() -> refusedLater(line, why)));
         if (wrong.isEmpty()) {
             history.add(line);
             setText("");
@@ -97,23 +97,23 @@ public final class CommandLine extends JTextField {
         String text = getText();
         int caret = getCaretPosition();
         if (!MajicParser.readsFiles(text)) {
-            complete(Completer.complete(text, caret, parser.complete(text, caret)));
+            complete(CompletedLine.complete(text, caret, parser.complete(text, caret)));
             return;
         }
-        Edt.background("reading for the command line", () -> {
-            Completer done = Completer.complete(text, caret, parser.complete(text, caret));
-            Edt.later(() -> completeIfSame(text, caret, done));
+        EventThread.background("reading for the command line", () -> {
+            CompletedLine done = CompletedLine.complete(text, caret, parser.complete(text, caret));
+            EventThread.later(() -> completeIfSame(text, caret, done));
         });
     }
 
     /** Applies the completion unless the text or the caret changed while files were read. */
-    private void completeIfSame(String text, int caret, Completer done) {
+    private void completeIfSame(String text, int caret, CompletedLine done) {
         if (getText().equals(text) && getCaretPosition() == caret) {
             complete(done);
         }
     }
 
-    private void complete(Completer done) {
+    private void complete(CompletedLine done) {
         if (!done.text().equals(getText())) {
             setText(done.text());
         }

@@ -7,7 +7,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTextPane;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.UpdateThrottle;
 import majic.log.Line;
 import majic.log.SessionListener;
@@ -64,7 +64,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         boolean follow = isAtEnd();
         super.doLayout();
         if (follow) {
-            Edt.later(this::toEnd);
+            EventThread.later(this::toEnd);
         }
     }
 
@@ -77,7 +77,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         boolean follow = isAtEnd();
         document.append(lines);
         if (follow) {
-            Edt.later(this::toEnd);
+            EventThread.later(this::toEnd);
         }
     }
 

@@ -21,7 +21,7 @@ public final class UpdateThrottle {
     /** Reports a change; callable from any thread. */
     public void changed() {
         if (due.compareAndSet(false, true)) {
-            Edt.later(timer::start);
+            EventThread.later(timer::start);
         }
     }
 }

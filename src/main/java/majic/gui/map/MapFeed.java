@@ -12,7 +12,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import majic.bot.Pose;
-import majic.gui.kit.Edt;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.UpdateThrottle;
 import majic.lab.LabAccess;
 import majic.panel.map.Trail;
@@ -86,7 +86,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
             MapScene scene = scene();
             if (!scene.equals(last)) {
                 last = scene;
-                Edt.later(() -> show.accept(scene));
+                EventThread.later(() -> show.accept(scene));
             }
         } catch (RuntimeException e) {
             LOG.log(Level.WARNING, "the team map could not be brought up to date", e);

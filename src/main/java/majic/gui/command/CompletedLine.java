@@ -10,12 +10,12 @@ import java.util.Locale;
  * @param caret position of the caret afterwards
  * @param choices the words to choose from; empty when there was one or none
  */
-record Completer(String text, int caret, List<String> choices) {
+record CompletedLine(String text, int caret, List<String> choices) {
 
     /** Completes the word before the caret with the longest common prefix of all candidates. */
-    static Completer complete(String text, int caret, List<String> candidates) {
+    static CompletedLine complete(String text, int caret, List<String> candidates) {
         if (candidates.isEmpty()) {
-            return new Completer(text, caret, List.of());
+            return new CompletedLine(text, caret, List.of());
         }
         int start = wordStart(text, caret);
         String typed = text.substring(start, caret);
@@ -27,7 +27,7 @@ record Completer(String text, int caret, List<String> choices) {
         String tail = text.substring(caret);
         String gap = one && !tail.startsWith(" ") ? " " : "";
         String line = text.substring(0, start) + word + gap + tail;
-        return new Completer(line, start + word.length() + gap.length(), one ? List.of() : List.copyOf(candidates));
+        return new CompletedLine(line, start + word.length() + gap.length(), one ? List.of() : List.copyOf(candidates));
     }
 
     private static int wordStart(String text, int caret) {

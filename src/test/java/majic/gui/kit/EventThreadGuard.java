@@ -10,12 +10,12 @@ import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
 
 /** Records every change of a component by a thread that may not change it. */
-public final class EdtGuard extends RepaintManager {
+public final class EventThreadGuard extends RepaintManager {
     private final List<String> violations = new CopyOnWriteArrayList<>();
     private final RepaintManager before = RepaintManager.currentManager(null);
 
-    public static EdtGuard install() {
-        EdtGuard guard = new EdtGuard();
+    public static EventThreadGuard install() {
+        EventThreadGuard guard = new EventThreadGuard();
         RepaintManager.setCurrentManager(guard);
         return guard;
     }

@@ -9,7 +9,7 @@ import javax.swing.KeyStroke;
 import majic.gui.kit.Icons;
 
 /** An action of the window; its button and its menu entry are both made from it. */
-final class FrameAction extends AbstractAction {
+final class IconAction extends AbstractAction {
     private static final long serialVersionUID = 1L;
     private static final int LARGE_ICON = 22;
 
@@ -21,7 +21,7 @@ final class FrameAction extends AbstractAction {
      * @param icon name of one of MAJIC's icons, without {@code .svg}
      * @param tip tool tip, one line
      */
-    FrameAction(String name, String icon, String tip, Runnable action) {
+    IconAction(String name, String icon, String tip, Runnable action) {
         super(name);
         this.action = action;
         putValue(SHORT_DESCRIPTION, tip);
@@ -29,7 +29,7 @@ final class FrameAction extends AbstractAction {
     }
 
     /** Sets the action's key, which is pressed together with Ctrl (Cmd on a Mac). */
-    FrameAction withKey(int keyCode) {
+    IconAction withKey(int keyCode) {
         int menuKey = Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx();
         putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(keyCode, menuKey));
         return this;

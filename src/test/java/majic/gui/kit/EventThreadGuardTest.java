@@ -8,11 +8,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(30)
-class EdtGuardTest {
+class EventThreadGuardTest {
     @Test
     void aChangeOnTheWrongThreadIsFound() {
         JLabel label = new JLabel();
-        EdtGuard guard = EdtGuard.install();
+        EventThreadGuard guard = EventThreadGuard.install();
         label.setText("from the test's own thread");
         assertThatThrownBy(guard::checkAndRemove).hasMessageContaining("JLabel");
     }
@@ -20,7 +20,7 @@ class EdtGuardTest {
     @Test
     void aChangeOnTheRightThreadIsFine() throws Exception {
         JLabel label = new JLabel();
-        EdtGuard guard = EdtGuard.install();
+        EventThreadGuard guard = EventThreadGuard.install();
         SwingUtilities.invokeAndWait(() -> label.setText("from the event thread"));
         guard.checkAndRemove();
     }

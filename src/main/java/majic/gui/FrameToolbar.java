@@ -12,7 +12,7 @@ import net.miginfocom.swing.MigLayout;
  * Places the row of buttons at the top, with STOP at its end. STOP is never clipped, however narrow the window is.
  * Where there is too little room for all texts, the buttons show their icons alone.
  */
-final class ButtonPane extends JPanel {
+final class FrameToolbar extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private static final int GAP = 8;
@@ -22,10 +22,10 @@ final class ButtonPane extends JPanel {
     private final StopPanel stop;
     private int wordsWidth;
 
-    ButtonPane(List<FrameAction> actions, StopPanel stop) {
+    FrameToolbar(List<IconAction> actions, StopPanel stop) {
         super(new BorderLayout(GAP, 0));
         this.stop = stop;
-        this.buttons = actions.stream().map(ButtonPane::button).toList();
+        this.buttons = actions.stream().map(FrameToolbar::button).toList();
         setBorder(BorderFactory.createEmptyBorder(6, GAP, 6, GAP));
         buttons.forEach(button -> row.add(button, "h 52!, wmin 48"));
         add(row, BorderLayout.CENTER);
@@ -42,9 +42,9 @@ final class ButtonPane extends JPanel {
         super.doLayout();
     }
 
-    private static JButton button(FrameAction action) {
+    private static JButton button(IconAction action) {
         JButton button = new JButton(action);
-        button.setName((String) action.getValue(FrameAction.NAME));
+        button.setName((String) action.getValue(IconAction.NAME));
         button.setVerticalTextPosition(SwingConstants.BOTTOM);
         button.setHorizontalTextPosition(SwingConstants.CENTER);
         button.setFocusable(false);

@@ -8,10 +8,10 @@ import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 
 /** Runs tasks on the event dispatch thread, and blocking tasks off it. */
-public final class Edt {
-    private static final Logger LOG = System.getLogger(Edt.class.getName());
+public final class EventThread {
+    private static final Logger LOG = System.getLogger(EventThread.class.getName());
 
-    private Edt() {}
+    private EventThread() {}
 
     /** Schedules a task on the event dispatch thread; callable from any thread, keeps the order of each caller. */
     public static void later(Runnable change) {
