@@ -36,15 +36,15 @@ final class SipDetector {
         return fresh;
     }
 
+    /** The first time is not counted: before the first SIP it is the one at which ARIA began to connect. */
     private boolean isNewByTime(long nowNanos) {
         ArTime received = robot.getLastOdometryTime();
         long atNanos = nowNanos - received.mSecSince() * 1_000_000L;
         received.delete();
-        boolean fresh = !seen || Math.abs(atNanos - lastNanos) > APART_NANOS;
-        if (fresh) {
-            seen = true;
-            lastNanos = atNanos;
-        }
+        boolean changed = !seen || Math.abs(atNanos - lastNanos) > APART_NANOS;
+        boolean fresh = seen && changed;
+        seen = true;
+        lastNanos = changed ? atNanos : lastNanos;
         return fresh;
     }
 }
