@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that running a saved session again moves a simulated robot to the same place. */
@@ -53,6 +54,80 @@ class SavedSessionInLabTest {
             lab.run("save session \"" + saved + "\"");
             assertThat(apart(start, end)).isBetween(100.0, 300.0);
             assertThat(apart(replayed(type, saved), end)).isLessThan(NEAR_MM);
+        }
+    }
+
+    /** Sends a stop in one of the ways that a person has. */
+    private enum Stop {
+        BUTTON_OR_KEY {
+            @Override
+            void send(LabRig lab) {
+                lab.team().stopAll();
+            }
+        },
+        TAB {
+            @Override
+            void send(LabRig lab) {
+                lab.team().stop(lab.team().members(), null);
+            }
+        },
+        LINE {
+            @Override
+            void send(LabRig lab) {
+                lab.say("1 stop");
+            }
+        },
+        LINE_FOR_ALL {
+            @Override
+            void send(LabRig lab) {
+                lab.say("stop");
+            }
+        };
+
+        abstract void send(LabRig lab);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Stop.class)
+    void aMoveThatWasCutByAnyStopGoesNoFurtherAgain(Stop stop) throws InterruptedException {
+        Path saved = folder.resolve("cut.majic");
+        try (LabRig lab = LabRig.exact()) {
+            lab.run("add sim:pioneer");
+            Pose start = lab.truePose("pioneer");
+            lab.say("1 move 999");
+            lab.await(() -> apart(start, lab.truePose("pioneer")) > 250);
+            stop.send(lab);
+            lab.await(lab.team().member(1)::isIdle);
+            Pose end = lab.truePose("pioneer");
+            lab.run("save session \"" + saved + "\"");
+            assertThat(apart(start, end)).isBetween(250.0, 500.0);
+            assertThat(apart(start, replayed("pioneer", saved))).isLessThan(apart(start, end) + NEAR_MM);
+        }
+    }
+
+    @Test
+    void drivingByHandThatASecondStopEndedGoesNoFurtherAgain() throws InterruptedException {
+        Path saved = folder.resolve("hand-stopped.majic");
+        try (LabRig lab = LabRig.exact()) {
+            lab.run("add sim:pioneer");
+            Pose start = lab.truePose("pioneer");
+            Member member = lab.team().member(1);
+            lab.team().stopAll();
+            lab.await(member::isIdle);
+            lab.team().release();
+            ManualControl hand = new ManualControl(member);
+            for (int tick = 0; tick < 8; tick++) {
+                hand.drive(200, 0);
+                lab.lab().time().sleep(0.15);
+            }
+            lab.team().stopAll();
+            lab.await(() -> hand.isOff() && !member.bot().state().moving());
+            Pose end = lab.truePose("pioneer");
+            lab.run("save session \"" + saved + "\"");
+            Pose again = replayed("pioneer", saved);
+            assertThat(apart(start, end)).isGreaterThan(100);
+            assertThat(apart(start, again)).isLessThan(apart(start, end) + NEAR_MM);
+            assertThat(apart(again, end)).isLessThan(BRAKED_MM);
         }
     }
 

@@ -177,7 +177,7 @@ public final class Team implements AutoCloseable {
             stop(stopped, by, false, () -> {});
         } else {
             stops.stopped(stopped);
-            stop(stopped, null, false, () -> events.publish(listener -> listener.stopped(stopped)));
+            stop(stopped, null, false, announcement(stopped));
         }
     }
 
@@ -185,7 +185,17 @@ public final class Team implements AutoCloseable {
     public void stopAll() {
         latch(true);
         stops.stoppedAll();
-        stop(members(), null, true, latchEvents::deliver);
+        List<Member> all = members();
+        Runnable announcement = announcement(all);
+        stop(all, null, true, () -> {
+            latchEvents.deliver();
+            announcement.run();
+        });
+    }
+
+    private Runnable announcement(List<Member> stopped) {
+        long atNanos = time.nanos();
+        return () -> events.publish(listener -> listener.stopped(stopped, atNanos));
     }
 
     /** Revokes, writes to every connection, then notifies. */

@@ -68,11 +68,12 @@ public interface TeamListener {
     default void drivenManually(Member member, List<ManualCommand> commands) {}
 
     /**
-     * A person has stopped some robots, but not all by STOP; called when the stops are being written to the robots.
+     * A person has stopped robots, some of them or all by STOP; called when the stops are being written to the robots.
      *
      * @param members the stopped robots
+     * @param atNanos when the stop was requested, on the clock of the team
      */
-    default void stopped(Collection<Member> members) {}
+    default void stopped(Collection<Member> members, long atNanos) {}
 
     /**
      * STOP was pressed or released; called in that order, when the stops are being written to the robots. By the time

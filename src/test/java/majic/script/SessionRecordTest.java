@@ -12,6 +12,8 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A saved session is a script that does again what was done. */
 @Timeout(30)
@@ -132,6 +134,23 @@ class SessionRecordTest {
         assertThatReplayEndsWhereThisDid();
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"1 drive 300 0 for 3s", "1 drive 300 0", "1 act FILE", "run FILE", "1 move 3m; 1 wait"})
+    void whateverTheStopButtonCutIsCutAgain(String line) throws Exception {
+        addTwo();
+        Path script =
+                Files.write(folder.resolve("far.majic"), List.of(line.contains("act") ? "move 999" : "1 move 999"));
+        for (String part : line.replace("FILE", '"' + script.toString() + '"').split("; ")) {
+            type(part);
+        }
+        desk.pause(0.96);
+        desk.team.stopAll();
+        desk.prompt.awaitAll();
+        desk.pause(1);
+        assertThat(desk.session.state().record().lines()).endsWith("1,2 stop");
+        assertThatReplayEndsWhereThisDid();
+    }
+
     @Test
     void theStopOfOneRobotByItsButtonIsKept() throws Exception {
         addTwo();
@@ -231,6 +250,22 @@ class SessionRecordTest {
         type("1 turn 90");
         assertThat(desk.session.state().record().lines())
                 .endsWith("1 drive 200 0 for 0.6s", "wait 0.6s", "1 drive 200 15.5 for 0.9s", "wait 1.9s", "1 turn 90");
+    }
+
+    @Test
+    void theSecondStopIsKeptIfItEndsDrivingByHand() throws Exception {
+        addTwo();
+        desk.team.stopAll();
+        desk.team.release();
+        desk.pause(1);
+        ManualControl hand = new ManualControl(desk.team.member(1));
+        hand.drive(200, 0);
+        desk.pause(0.3);
+        desk.team.stopAll();
+        desk.pause(1);
+        assertThat(hand.isOff()).isTrue();
+        assertThat(desk.session.state().record().lines())
+                .endsWith("1,2 stop", "wait 1s", "1 drive 200 0 for 0.3s", "wait 0.3s", "1,2 stop");
     }
 
     @Test

@@ -70,7 +70,7 @@ class StopOrderTest {
         }
 
         @Override
-        public void stopped(Collection<Member> members) {
+        public void stopped(Collection<Member> members, long atNanos) {
             blockForEver();
         }
 

@@ -29,7 +29,10 @@ public final class SessionRecord {
     private final Team team;
     private final List<RecordedEvent> events = new ArrayList<>();
     private final Map<Integer, Long> lastAnswerNanos = new HashMap<>();
+
+    /** For each robot under manual control, the others that had finished before, and when. */
     private final Map<Integer, Map<Integer, Long>> finishedBeforeManual = new HashMap<>();
+
     private final Set<Integer> started = new TreeSet<>();
 
     public SessionRecord(Team team) {
@@ -78,12 +81,13 @@ public final class SessionRecord {
         keep(event(RecordedEvent.Kind.WAIT, nanos(), text, robots, block));
     }
 
-    /** Keeps that robots were stopped. */
+    /** Keeps that robots were stopped, unless nothing has moved them since they were stopped before. */
     public synchronized void stopped(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
         RecordedEvent last = events.isEmpty() ? null : events.get(events.size() - 1);
         boolean again = last != null
                 && last.kind() == RecordedEvent.Kind.STOP
-                && last.robots().containsAll(robots);
+                && last.robots().containsAll(robots)
+                && robots.stream().noneMatch(finishedBeforeManual::containsKey);
         if (!robots.isEmpty() && !again) {
             keep(stop(atNanos, RecordedEvent.names(robots) + " stop", robots, block));
         }
@@ -96,7 +100,7 @@ public final class SessionRecord {
 
     private RecordedEvent stop(long atNanos, String text, Set<Integer> robots, @Nullable RecordedBlock block) {
         Set<Integer> moving = new TreeSet<>(robots);
-        moving.retainAll(started);
+        moving.removeIf(number -> !started.contains(number) && !finishedBeforeManual.containsKey(number));
         return new RecordedEvent(RecordedEvent.Kind.STOP, atNanos, text, robots, moving, Map.of(), block);
     }
 
@@ -186,15 +190,8 @@ public final class SessionRecord {
         }
 
         @Override
-        public void stopped(Collection<Member> members) {
-            SessionRecord.this.stopped(numbers(members), nanos(), null);
-        }
-
-        @Override
-        public void latchChanged(boolean latched) {
-            if (latched) {
-                SessionRecord.this.stopped(numbers(team.members()), nanos(), null);
-            }
+        public void stopped(Collection<Member> members, long atNanos) {
+            SessionRecord.this.stopped(numbers(members), atNanos, null);
         }
 
         /** Manual control takes a robot that is free; its commands are reported when it ends. */

@@ -8,7 +8,8 @@ import org.junit.jupiter.api.Test;
 class CompletedLineTest {
     @Test
     void theOnlyCandidateIsTakenWithABlankBehind() {
-        assertThat(CompletedLine.complete("1 mo", 4, List.of("move"))).isEqualTo(new CompletedLine("1 move ", 7, List.of()));
+        assertThat(CompletedLine.complete("1 mo", 4, List.of("move")))
+                .isEqualTo(new CompletedLine("1 move ", 7, List.of()));
     }
 
     @Test
@@ -30,7 +31,8 @@ class CompletedLineTest {
 
     @Test
     void theNextOfAListIsAWordOfItsOwn() {
-        assertThat(CompletedLine.complete("1 get x,head", 12, List.of("heading")).text())
+        assertThat(CompletedLine.complete("1 get x,head", 12, List.of("heading"))
+                        .text())
                 .isEqualTo("1 get x,heading ");
     }
 }
