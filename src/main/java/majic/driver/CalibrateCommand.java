@@ -17,79 +17,79 @@ import majic.bot.Unit;
 import majic.bot.Value;
 
 /**
- * The command by which a person with a ruler teaches a robot its own pace: {@code calibrate forward} moves it and says
- * what to measure, {@code calibrate forward 940mm} tells it what was measured. Safe from any thread.
+ * The command that calibrates the speeds of a robot by a measurement of the user: {@code calibrate forward} moves the robot and
+ * asks for the distance, {@code calibrate forward 940mm} stores the speed that follows from it. Thread-safe.
  */
 public final class CalibrateCommand {
     private static final String NAME = "calibrate";
 
-    /** For putting a mark on the floor, seconds. */
+    /** The time for marking the floor before the robot moves, seconds. */
     private static final int MARKING_S = 5;
 
     private static final Pattern MEASURED = Pattern.compile("(-?\\d+(?:\\.\\d+)?)(?: (\\S+))?");
 
-    private final Pupil pupil;
+    private final CalibratedRobot robot;
     private final Map<String, Trial> trials = new ConcurrentHashMap<>();
 
-    /** A robot that can be taught. */
-    public interface Pupil {
+    /** A robot whose speeds can be calibrated. */
+    public interface CalibratedRobot {
         /**
-         * What can be measured.
+         * The motions that can be measured.
          *
-         * @return words for it, such as {@code forward}
+         * @return their names, such as {@code forward}
          */
         List<String> directions();
 
         /**
-         * Moves the robot so that somebody can measure it; before that calls {@link #letMark}.
+         * Performs a motion to be measured; calls {@link #letMark} before it.
          *
          * @param direction one of {@link #directions()}
          * @param motion for sending and waiting
-         * @return what it did
+         * @return the motion, to be measured by the user
          */
         Trial go(String direction, Motion motion);
     }
 
     /**
-     * What a robot has done to be measured. Can be learned from more than once, so that a slip of the pen can be mended.
+     * A motion to be measured. Several measurements may be entered for it; the last one counts.
      *
-     * @param believed how far it takes itself to have gone, positive, mm or degrees
+     * @param believed the distance or angle by the calibration in force, positive, mm or degrees
      * @param unit of that
-     * @param credible what can have been measured, in that unit; anything else is refused
-     * @param lesson takes what was measured; keeps what follows and tells old and new
+     * @param credible the measurements that are accepted, in that unit
+     * @param calibration stores the calibration for a measurement; returns the message with the old and the new value
      */
-    public record Trial(double believed, Unit unit, Range credible, DoubleFunction<String> lesson) {}
+    public record Trial(double believed, Unit unit, Range credible, DoubleFunction<String> calibration) {}
 
-    private CalibrateCommand(Pupil pupil) {
-        this.pupil = pupil;
+    private CalibrateCommand(CalibratedRobot robot) {
+        this.robot = robot;
     }
 
     /**
      * The command for a robot.
      *
-     * @param pupil what moves and learns
+     * @param robot moves, and stores its calibration
      * @return a command that moves the robot
      */
-    public static BotCommand of(Pupil pupil) {
+    public static BotCommand of(CalibratedRobot robot) {
         Parameter measured = Parameter.text("measured", "what the ruler says");
         Parameter direction =
-                Parameter.choice("direction", pupil.directions(), "which way").with(measured);
+                Parameter.choice("direction", robot.directions(), "which way").with(measured);
         return new BotCommand(
                 NAME,
                 List.of(direction),
                 true,
-                String.join(", ", pupil.directions())
+                String.join(", ", robot.directions())
                         + ": moves and says what to measure; then the same with what you measured behind it",
-                new CalibrateCommand(pupil)::run);
+                new CalibrateCommand(robot)::run);
     }
 
     /**
-     * Says what to mark and what will come, and leaves the time for it. For a {@link Pupil}, before it moves.
+     * Announces a motion, and waits while the user marks the floor. For a {@link CalibratedRobot}, before it moves.
      *
      * @param motion the motion that is to begin
-     * @param mark what to mark: {@code where it stands}
-     * @param deed what it does then: {@code drives ahead for 10 s}
-     * @throws MotionStopped if somebody stops it meanwhile
+     * @param mark the mark to be made: {@code where it stands}
+     * @param deed the motion that follows: {@code drives ahead for 10 s}
+     * @throws MotionStopped if the robot is stopped meanwhile
      */
     public static void letMark(Motion motion, String mark, String deed) {
         motion.say("mark " + mark + "; in " + MARKING_S + " s it " + deed);
@@ -103,10 +103,10 @@ public final class CalibrateCommand {
                 : learn(direction, arguments.get(1).toString());
     }
 
-    /** What was done before is forgotten at once: nobody measures that any more. */
+    /** Discards the motion before at once, because the user cannot measure it any more. */
     private String go(String direction, Motion motion) {
         trials.remove(direction);
-        Trial trial = pupil.go(direction, motion);
+        Trial trial = robot.go(direction, motion);
         trials.put(direction, trial);
         String turns = trial.unit() == Unit.DEG ? " (a whole turn counts 360)" : "";
         return String.format(
@@ -127,7 +127,7 @@ public final class CalibrateCommand {
             throw new BotException(
                     typed + " " + measured + ": nothing to measure yet; \"" + typed + "\" alone moves it first");
         }
-        return trial.lesson().apply(credible(trial, typed, measured));
+        return trial.calibration().apply(credible(trial, typed, measured));
     }
 
     private static double credible(Trial trial, String typed, String measured) {

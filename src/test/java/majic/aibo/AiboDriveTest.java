@@ -97,13 +97,13 @@ class AiboDriveTest {
     }
 
     @Test
-    void aStoppedCalibrationTeachesNothing() {
-        CompletableFuture<Void> lesson = driven.aside(() -> calibrate("forward"));
+    void aStoppedCalibrationStoresNothing() {
+        CompletableFuture<Void> calibration = driven.aside(() -> calibrate("forward"));
         dog.awaitReceived("robot.walk(");
 
         aibo.stop();
 
-        assertThatThrownBy(() -> driven.join(lesson)).hasMessageContaining("stopped");
+        assertThatThrownBy(() -> driven.join(calibration)).hasMessageContaining("stopped");
         assertThatThrownBy(() -> calibrate("forward", Value.of(900, Unit.MM))).hasMessageContaining("moves it first");
         assertThat(aibo.get("forwardFactor").number()).isEqualTo(12);
     }

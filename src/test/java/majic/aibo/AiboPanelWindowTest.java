@@ -90,14 +90,14 @@ class AiboPanelWindowTest {
     }
 
     @Test
-    void aDamagedPictureIsToldInItsPlace() {
+    void aDamagedPictureIsReportedInItsPlace() {
         dog.set(ASKED, "BIN 5 jpeg 208 160\nabcde");
 
         await("words", () -> view().getAccessibleContext().getAccessibleName().contains("damaged"));
     }
 
     @Test
-    void aSliderTurnsTheHeadAndSaysThatMotorsComeOn() throws Exception {
+    void aSliderTurnsTheHeadAndReportsThatTheMotorsAreSwitchedOn() throws Exception {
         drag("headPan", 30);
 
         dog.awaitReceived("headPan.val = 30");
@@ -106,7 +106,7 @@ class AiboPanelWindowTest {
     }
 
     @Test
-    void aSliderIsRefusedWhileAnActHasTheDogAndGoesBack() throws Exception {
+    void aSliderIsRefusedAndReturnsWhileAnActOwnsTheDog() throws Exception {
         member.claim(new Owner(Owner.Kind.ACT, "WanderDog", () -> {}));
         drag("headPan", 30);
 

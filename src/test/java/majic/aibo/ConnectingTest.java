@@ -21,28 +21,28 @@ class ConnectingTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
-    void aConnectionClosedBeforeTheDogIntroducedItselfIsSaidSo(int connection) {
+    void aConnectionClosedBeforeTheBannerIsReported(int connection) {
         refusedThenConnected(
                 connection, ScriptedDog.Trouble.HANGS_UP, expected(connection, "closed the connection at once"));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
-    void aConnectionThatStaysMuteIsSaidSo(int connection) {
+    void aConnectionWithoutABannerIsReported(int connection) {
         refusedThenConnected(
                 connection, ScriptedDog.Trouble.SAYS_NOTHING, expected(connection, "not as an URBI server within 4 s"));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
-    void aBannerCutInHalfIsNoIntroduction(int connection) {
+    void aPartialBannerIsNoBanner(int connection) {
         refusedThenConnected(
                 connection, ScriptedDog.Trouble.HALF_A_BANNER, expected(connection, "closed the connection at once"));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
-    void aDogThatHangsUpAtTheFirstCommandIsSaidSo(int connection) {
+    void aConnectionClosedAtTheFirstCommandIsReported(int connection) {
         refusedThenConnected(connection, ScriptedDog.Trouble.HANGS_UP_AT_A_COMMAND, "");
     }
 

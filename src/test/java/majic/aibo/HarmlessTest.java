@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Whatever the driver can send stands in its string literals; what the URBI sheet says never to send does not. */
+/** Tests that no string literal of the driver contains a command that the URBI sheet forbids. */
 class HarmlessTest {
     private static final Pattern LITERAL = Pattern.compile("\"((?:\\\\.|[^\"\\\\])*)\"");
     private static final Pattern NEVER =
@@ -24,7 +24,7 @@ class HarmlessTest {
     private static final Set<Path> REFUSALS = Set.of(Path.of("CommandFilter.java"), Path.of("RawText.java"));
 
     @Test
-    void nothingTheDriverCanSayHarmsADog() throws IOException {
+    void noCommandOfTheDriverIsForbiddenByTheSheet() throws IOException {
         List<String> literals = literals();
 
         assertThat(literals).hasSizeGreaterThan(100).contains("stop walk, stop turn,");

@@ -40,7 +40,7 @@ class LostDogTest {
     }
 
     @Test
-    void whatALostConnectionLeftGoingOnIsEndedByTheNextOneAndNothingResumes() {
+    void aMotionLeftByALostConnectionIsEndedByTheNextOneAndNothingResumes() {
         CompletableFuture<Void> walk = walk();
         dog.hangUp();
         assertThatThrownBy(() -> driven.join(walk)).hasCauseInstanceOf(LinkLost.class);
@@ -54,7 +54,7 @@ class LostDogTest {
     }
 
     @Test
-    void aDogThatStoodStillIsLeftAloneByTheNextConnection() {
+    void theNextConnectionDoesNotStopADogThatDidNotWalk() {
         dog.hangUp();
         driven.until(() -> !aibo.isConnected());
 
@@ -73,7 +73,7 @@ class LostDogTest {
     }
 
     @Test
-    void aStopOverADeadConnectionDoesNotClaimToHaveWaited() {
+    void aStopOverALostConnectionReportsNoConfirmation() {
         AiboSession session = aibo.session();
         dog.hangUp(STOP);
         driven.until(() -> !aibo.isConnected());

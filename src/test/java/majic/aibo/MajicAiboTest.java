@@ -41,7 +41,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void theFirstMotionPowersTheDogAndStandsItUpAndSaysSo() {
+    void theFirstMotionSwitchesTheMotorsOnAndStandsTheDogUpWithANotice() {
         aibo.connect();
 
         aibo.move(20);
@@ -102,7 +102,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void aStopThatOvertakesTheWalkIsSentUntilItHasHit() {
+    void aStopThatOvertakesTheWalkIsRepeatedUntilItTakesEffect() {
         standing();
         aibo.connect();
         dog.latenessMs = 400;
@@ -119,7 +119,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void aGuardEndsTheWalkWhereItIs() throws Exception {
+    void aGuardEndsTheWalkAtOnce() throws Exception {
         standing();
         aibo.connect();
         CompletableFuture<MotionReport> walk = dog.clock()
@@ -135,7 +135,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void drivingChoosesOneGaitAndLapses() throws Exception {
+    void aDriveUsesOneGaitAndExpires() throws Exception {
         standing();
         aibo.connect();
 
@@ -148,7 +148,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void settingAJointTakesTheTimeThatWasGiven() {
+    void settingAJointTakesTheGivenTime() {
         standing();
         aibo.connect();
 
@@ -194,7 +194,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void aDyingBatteryIsToldOnceAndNamedWhenTheDogGoesAway() {
+    void aLowBatteryIsReportedOnceAndNamedWhenTheConnectionIsLost() {
         aibo.connect();
 
         IntStream.iterate(22, percent -> percent >= 4, percent -> percent - 1).forEach(percent -> {
@@ -224,7 +224,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void aDogThatHangsUpEndsTheWalkAndConnectsAgain() {
+    void aClosedConnectionEndsTheWalkAndTheDogCanBeConnectedAgain() {
         standing();
         aibo.connect();
         CompletableFuture<MotionReport> walk = dog.clock().aside(() -> aibo.move(2000));
@@ -239,7 +239,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void whatIsNoUrbiServerIsSaidSoInTime() {
+    void aPeerThatIsNoUrbiServerIsReportedInTime() {
         dog.introducesItself = false;
 
         assertThatThrownBy(aibo::connect)
@@ -248,7 +248,7 @@ class MajicAiboTest {
     }
 
     @Test
-    void anotherMakesAddressIsRefused() {
+    void theAddressOfAnotherRobotTypeIsRefused() {
         assertThatThrownBy(() -> new MajicAibo("pioneer://host"))
                 .hasMessageContaining("it looks like aibo://192.168.1.20");
         assertThatThrownBy(() -> new MajicAibo("aibo:COM3")).hasMessageContaining("not an Aibo's address");

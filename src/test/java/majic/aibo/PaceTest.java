@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** How fast the dog's legs go, and the factors behind its estimates. */
+/** The pace of the dog's legs, and the calibration factors of its gaits. */
 @Timeout(30)
 class PaceTest {
     @AutoClose
@@ -49,7 +49,7 @@ class PaceTest {
     }
 
     @Test
-    void withoutAnybodysWishTheLegsGoAtTheirUsualPaceBothWays() {
+    void withoutASettingTheLegsMoveAtTheirUsualPaceInBothDirections() {
         driven.settings.put(key("backward"), "21");
 
         aibo.move(-10);
@@ -59,14 +59,14 @@ class PaceTest {
     }
 
     @Test
-    void aPaceThatNoFootHoldsIsRefused() {
+    void aPaceOutsideTheRangeIsRefused() {
         assertThatThrownBy(() -> aibo.set("cruise", 200)).hasMessageContaining("outside 33.3 … 128");
         assertThatThrownBy(() -> aibo.set("cruise", 10)).hasMessageContaining("outside 33.3 … 128");
         assertThatThrownBy(() -> aibo.drive(200, 0)).hasMessageContaining("outside");
     }
 
     @Test
-    void drivingGoesAtTheSpeedThatWasAskedFor() {
+    void aDriveHasTheRequestedSpeed() {
         aibo.drive(-60, 10);
         dog.awaitReceived("robot.walk(-600)");
 
@@ -74,7 +74,7 @@ class PaceTest {
     }
 
     @Test
-    void closingPutsThePaceBackAsItWasForTheDogsOtherUsers() {
+    void closingRestoresThePaceForOtherPrograms() {
         aibo.set("cruise", 60);
         aibo.move(10);
 
@@ -104,7 +104,7 @@ class PaceTest {
     }
 
     @Test
-    void aFactorThatIsKnownCanBeSetAndIsKept() {
+    void aCalibrationFactorCanBeSetAndIsStored() {
         aibo.set("forwardFactor", 6);
 
         assertThat(driven.settings.get(key("forward"))).contains("6.000");
@@ -113,7 +113,7 @@ class PaceTest {
     }
 
     @Test
-    void nothingIsLearnedBeforeSomethingWasMeasured() {
+    void noFactorIsStoredBeforeAMeasurement() {
         assertThatThrownBy(() -> calibrate("forward", Value.of(940, Unit.MM)))
                 .hasMessageContaining("\"calibrate forward\" alone moves it first");
         assertThat(driven.settings.get(key("forward"))).isEmpty();

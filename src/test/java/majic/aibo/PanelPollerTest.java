@@ -90,7 +90,7 @@ class PanelPollerTest implements PanelPoller.PictureReceiver {
     }
 
     @Test
-    void noSecondPictureIsAskedForWhileOneIsUnderWay() {
+    void noSecondPictureIsRequestedWhileOneIsUnderWay() {
         dog.silentAbout = ASKED;
         aibo.connect();
         poller.look(true);
@@ -103,7 +103,7 @@ class PanelPollerTest implements PanelPoller.PictureReceiver {
     }
 
     @Test
-    void aLostDogIsSaidToBeNotConnectedAndIsSeenAgainOnceItIsBack() {
+    void aLostDogIsReportedAsNotConnectedAndItsPicturesReturnAfterReconnecting() {
         aibo.connect();
         poller.look(true);
         next(seen);
@@ -116,7 +116,7 @@ class PanelPollerTest implements PanelPoller.PictureReceiver {
     }
 
     @Test
-    void whatTheDogComplainsOfIsPassedOn() {
+    void anErrorMessageOfTheDogIsReported() {
         dog.set(ASKED, "!!! Unknown identifier: camera.val");
         aibo.connect();
         poller.look(true);
@@ -125,7 +125,7 @@ class PanelPollerTest implements PanelPoller.PictureReceiver {
     }
 
     @Test
-    void aLaterServerIsLookedAtAsWell() {
+    void aLaterServerIsPolledAsWell() {
         dog.speaks15 = true;
         aibo.connect();
         poller.look(true);

@@ -51,7 +51,7 @@ class PlayCommandTest {
     }
 
     @Test
-    void aLongSoundGoesOverWholeInPiecesThatTheServerTakes() throws IOException {
+    void aLongSoundIsSentInPiecesThatFitIntoTheQueueOfTheServer() throws IOException {
         byte[] wav = Sounds.wav(16_000, 1.2);
         play(Files.write(folder.resolve("a.wav"), wav));
 
@@ -94,7 +94,7 @@ class PlayCommandTest {
     }
 
     @Test
-    void aDogThatGoesAwayInTheMiddleEndsIt() throws IOException {
+    void aLostConnectionEndsTheSound() throws IOException {
         Path file = Files.write(folder.resolve("a.wav"), Sounds.wav(16_000, 50));
         CompletableFuture<String> playing = dog.clock().aside(() -> play(file));
         until(() -> !dog.binaries().isEmpty());
@@ -105,7 +105,7 @@ class PlayCommandTest {
     }
 
     @Test
-    void aDogThatTellsNothingOfItsSpeakerIsTakenAtItsTime() throws IOException {
+    void withoutReportsOfTheSpeakerThePlayingTimeIsEstimated() throws IOException {
         dog.set("speaker.remain", "!!! Unknown identifier: speaker.remain");
         play(Files.write(folder.resolve("a.wav"), Sounds.wav(16_000, 0.8)));
 
@@ -113,7 +113,7 @@ class PlayCommandTest {
     }
 
     @Test
-    void aRefusalOfTheServerIsHandedOn() throws IOException {
+    void aRefusalOfTheServerIsReported() throws IOException {
         dog.set("speaker.remain", "!!! Receive buffer full");
         Path file = Files.write(folder.resolve("a.wav"), Sounds.wav(16_000, 0.01));
 
@@ -123,7 +123,7 @@ class PlayCommandTest {
     }
 
     @Test
-    void whatIsNoSoundIsRefusedBeforeAnythingIsSent() throws IOException {
+    void aFileThatCannotBePlayedIsRefusedBeforeAnythingIsSent() throws IOException {
         Path file = Files.writeString(folder.resolve("a.wav"), "not a sound");
         Path slow = Files.write(folder.resolve("b.wav"), Sounds.wav(1000, 60.5));
 
@@ -138,7 +138,7 @@ class PlayCommandTest {
     }
 
     @Test
-    void aFileOfManyMegabytesIsNotEvenRead() throws IOException {
+    void aFileOfManyMegabytesIsRefusedUnread() throws IOException {
         Path file = folder.resolve("big.wav");
         try (SeekableByteChannel channel =
                 Files.newByteChannel(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {

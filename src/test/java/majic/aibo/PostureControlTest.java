@@ -33,7 +33,7 @@ class PostureControlTest {
     }
 
     @Test
-    void aDogThatLiesOrHasFallenJustGoesLoose() {
+    void theMotorsOfALyingOrFallenDogAreSwitchedOffAtOnce() {
         dog.set("robot.MyguessPosition()", "\"side\"");
 
         motorsOff();
@@ -56,7 +56,7 @@ class PostureControlTest {
     }
 
     @Test
-    void aDogThatCannotTellThatItLiesGoesLoose() {
+    void theMotorsOfADogWithUnknownPostureAreSwitchedOff() {
         dog.guessOnceDown = "unknown";
 
         motorsOff();
@@ -86,7 +86,7 @@ class PostureControlTest {
     }
 
     @Test
-    void aPostureIsTakenByTheFunctionOfTheStick() {
+    void aPostureIsTakenByAFunctionOfTheMemoryStick() {
         aibo.set("posture", "sit");
 
         assertThat(poses()).singleElement().asString().endsWith("+end: robot.sit()");
@@ -94,14 +94,14 @@ class PostureControlTest {
     }
 
     @Test
-    void aPostureTheStickDoesNotKnowIsSaidSo() {
+    void aPostureThatTheMemoryStickLacksIsReported() {
         dog.knowsNo = "robot.beg";
 
         assertThatThrownBy(() -> aibo.set("posture", "beg")).hasMessageContaining("the dog refuses");
     }
 
     @Test
-    void whatGoesWrongInsideOfGettingUpIsHeard() {
+    void anErrorDuringGettingUpIsReported() {
         dog.set("robot.MyguessPosition()", "\"lay\"");
         dog.set("legLF1.load", "0.000000");
         driven.until(() -> !aibo.get("motors").isYes());

@@ -31,7 +31,7 @@ class RecordCommandTest {
     private final MajicAibo aibo = driven.aibo;
 
     @Test
-    void theOrderRunsOutOnTheDogAndIsEnded() {
+    void theSubscriptionEndsOnTheDogByItselfAndByACommand() {
         assertThatThrownBy(() -> record(folder.resolve("a.wav")))
                 .hasMessage("the dog's microphone has said nothing for 2 s");
 
@@ -43,7 +43,7 @@ class RecordCommandTest {
     }
 
     @Test
-    void aDogThatRefusesIsQuotedAndThereIsNoFile() {
+    void aRefusalIsQuotedAndNoFileIsWritten() {
         CompletableFuture<String> recording = recording(folder.resolve("a.wav"));
 
         dog.say(SENSORS, ear(), "!!! Unknown identifier: micro.val");
@@ -54,7 +54,7 @@ class RecordCommandTest {
     }
 
     @Test
-    void aLostLinkLeavesAShorterFileAndSaysHowMuch() throws Exception {
+    void aLostLinkLeavesAShorterFileAndReportsItsLength() throws Exception {
         Path file = folder.resolve("a.wav");
         CompletableFuture<String> recording = recording(file);
         dog.say(SENSORS, ear(), BLOCK);
@@ -77,14 +77,14 @@ class RecordCommandTest {
     }
 
     @Test
-    void aFileThatCannotBeMadeIsSaidAtOnce() {
+    void aFileThatCannotBeCreatedIsReportedAtOnce() {
         Path nowhere = folder.resolve("none").resolve("a.wav");
 
         assertThatThrownBy(() -> record(nowhere)).hasMessage(nowhere + ": there is no such folder");
         assertThat(dog.received("micro.val")).isEmpty();
     }
 
-    /** What the dog said before that has been heard too, then. */
+    /** Waits until the driver has processed all earlier messages of the dog. */
     private void untilBattery(int percent) {
         dog.clock().until(() -> aibo.get("battery").equals(Value.of(percent, Unit.PERCENT)));
     }

@@ -20,8 +20,8 @@ import majicsim.net.LineCount;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A peer that answers the few things the driver says, on loopback. It knows no URBI: it looks for the words of the sheet
- * in what arrives. Its clock steps, unless a test has threads that no such clock knows of. Here stands what a test sets and sees; {@link ScriptedLine} is a connection,
+ * A peer on loopback that answers the commands of the driver. It does not parse URBI: it searches for the words of the sheet
+ * in what arrives. Its clock steps, unless a test has threads that do not use it. This class has the settings and records of a test; {@link ScriptedLine} is a connection,
  * {@link ScriptedCommands} what comes of a command, {@link ScriptedErrands} what then goes on.
  */
 public final class ScriptedDog implements AutoCloseable {
@@ -46,16 +46,16 @@ public final class ScriptedDog implements AutoCloseable {
     /** Whether it leaves tags out as 1.5 does: only flags and channels have one. */
     volatile boolean speaks15;
 
-    /** How much later than it was said everything is heard of it. */
+    /** The delay of all its messages. */
     volatile long slownessMs = 1;
 
     /** How long what is neither a gait nor a joint takes. */
     volatile long lastingMs = 20;
 
-    /** Whether it lies down when it is told to. */
+    /** Whether it obeys the command to lie down. */
     volatile boolean staysUp;
 
-    /** What it takes its posture for once it lies; with its fore legs at -20 degrees a real one says "unknown". */
+    /** The posture that it reports when it lies; a real dog with its fore legs at -20 degrees reports "unknown". */
     volatile String guessOnceDown = "lay";
 
     /** A word of the commands that it complains of. */
@@ -179,7 +179,7 @@ public final class ScriptedDog implements AutoCloseable {
         return List.copyOf(received);
     }
 
-    /** The commands with a word in them; those about the pace of its legs only if it is named. */
+    /** The commands that contain a word; those for the pace of its legs only if the word names it. */
     public List<String> received(String word) {
         return received.stream()
                 .filter(command -> command.contains(word) && !command.contains("every"))
@@ -237,7 +237,7 @@ public final class ScriptedDog implements AutoCloseable {
         lines.get(connection).stopReading();
     }
 
-    /** Says something unasked on one of the connections. */
+    /** Sends an unrequested message on one of the connections. */
     void say(int connection, String tag, String body) {
         lines.get(connection).say(tag, body);
     }

@@ -43,7 +43,7 @@ final class ScriptedErrands {
         }
     }
 
-    /** Ends it before its time. Only a gait tells its end then (URBI sheet 7, 15). */
+    /** Ends it early. Only a gait then reports its end (URBI sheet 7, 15). */
     void stop(String name) {
         Agenda.Event stopped = running.remove(name);
         if (stopped != null && stopped.cancel() && isGait(name)) {

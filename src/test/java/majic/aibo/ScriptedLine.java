@@ -135,7 +135,7 @@ final class ScriptedLine {
         }
     }
 
-    /** Says something under a tag, or without one where it is empty. */
+    /** Sends a message under a tag; without one if the tag is empty. */
     void say(String tag, String body) {
         String name = tag.isEmpty() ? "" : ":" + tag;
         String message = String.format("[%08d%s] %s", dog.nowMs(), name, body) + (body.startsWith("BIN ") ? "" : "\n");

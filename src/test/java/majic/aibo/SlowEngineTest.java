@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A dog whose engine takes two seconds from a question to its answer. */
+/** A dog whose engine answers a question after two seconds. */
 @Timeout(60)
 class SlowEngineTest {
     @AutoClose
@@ -21,7 +21,7 @@ class SlowEngineTest {
 
     @ParameterizedTest
     @CsvSource({"2000, 0", "0, 2000", "1000, 1000"})
-    void theWalkGoesOnPieceByPieceAndIsToldAsItWas(long heedsLateMs, long answersLateMs) {
+    void theWalkContinuesPieceByPieceAndItsDistanceIsReported(long heedsLateMs, long answersLateMs) {
         dog.heedlessnessMs = heedsLateMs;
         dog.slownessMs = answersLateMs;
         aibo.connect();

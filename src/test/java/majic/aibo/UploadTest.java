@@ -72,7 +72,7 @@ class UploadTest {
     }
 
     @Test
-    void whatTheServerCannotTakeAtOnceIsNotSent() throws IOException {
+    void aBinaryAboveTheLimitOfTheServerIsNotSent() throws IOException {
         byte[] tooMuch = new byte[UrbiConnection.LARGEST_BINARY + 1];
 
         assertThatThrownBy(() -> connection.upload("speaker.val", "raw 1 8000 8 1", tooMuch))
@@ -83,7 +83,7 @@ class UploadTest {
     }
 
     @Test
-    void aServerThatTakesNoMoreEndsTheConnectionInItsDeadlineAndNothingFollowsTheHalfBinary() {
+    void aBlockedWriteEndsTheConnectionAtItsDeadlineAndNothingFollowsThePartialBinary() {
         byte[] piece = new byte[UrbiConnection.LARGEST_BINARY];
 
         assertThatThrownBy(() -> {
@@ -99,7 +99,7 @@ class UploadTest {
     }
 
     @Test
-    void aServerThatGoesAwayInTheMiddleIsTold() throws IOException {
+    void aConnectionLostDuringAnUploadIsReported() throws IOException {
         peer.setSoLinger(true, 0);
         peer.close();
 

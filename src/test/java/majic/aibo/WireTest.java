@@ -36,7 +36,7 @@ class WireTest {
                 "ledBC      | 0 0.5 1       | TAG+end: { ledBFC.val = 0 & ledBMC.val = 0.5 & ledBRC.val = 1 }",
                 "jpegFactor | 50            | TAG+end: camera.jpegfactor = 50"
             })
-    void aSettingIsOneCommandWhoseEndIsHeard(String parameter, String values, String command) {
+    void aSettingIsOneCommandAndItsEndIsAwaited(String parameter, String values, String command) {
         aibo.connect();
 
         aibo.set(parameter, numbers(values));
@@ -87,7 +87,7 @@ class WireTest {
     }
 
     @Test
-    void aServerWithoutGuardsIsSaidSoOnceAndWalks() {
+    void aServerWithoutGuardsIsReportedOnceAndTheDogWalks() {
         dog.refusesGuards = true;
         aibo.connect();
 

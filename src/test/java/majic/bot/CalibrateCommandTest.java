@@ -21,7 +21,7 @@ class CalibrateCommandTest {
 
     @BeforeEach
     void connect() {
-        bot.add(CalibrateCommand.of(new CalibrateCommand.Pupil() {
+        bot.add(CalibrateCommand.of(new CalibrateCommand.CalibratedRobot() {
             @Override
             public List<String> directions() {
                 return List.of("forward", "left");

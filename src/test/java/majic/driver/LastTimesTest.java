@@ -10,7 +10,7 @@ class LastTimesTest {
     private final LastTimes<String> reads = new LastTimes<>(TimeSource.system());
 
     @Test
-    void whatNeverHappenedIsInfinitelyLongAgo() {
+    void anEventThatNeverOccurredIsInfinitelyLongAgo() {
         assertThat(reads.secondsSince("camera")).isInfinite();
     }
 

@@ -77,7 +77,7 @@ class LinkReaderTest {
     }
 
     @Test
-    void theReaderMayNotWaitForAnAnswer() throws InterruptedException {
+    void aHandlerRunsWithoutPermissionToWait() throws InterruptedException {
         List<Boolean> mayWait = new CopyOnWriteArrayList<>();
         read(new Chunks() {
             @Override

@@ -11,13 +11,13 @@ import majic.bot.MajicBot;
 
 /** A driver and the robot that it drives, for one test. */
 final class DrivenHemisson implements AutoCloseable {
-    /** What a robot with nothing around it sees. */
+    /** The proximity readings of a robot with nothing around it. */
     static final String FAR = "n,004,004,004,004,004,004,060,080";
 
-    /** The same with something before it. */
+    /** The proximity readings with an obstacle ahead. */
     static final String NEAR = "n,060,004,004,004,004,004,060,080";
 
-    /** What a robot says first when it is switched on. */
+    /** The greeting of a robot that is switched on. */
     static final String GREETING =
             "HemiOS V1.50 , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30\r\nE-Mail : info@hemisson.com\r\n\r\n";
 
@@ -30,7 +30,7 @@ final class DrivenHemisson implements AutoCloseable {
         bot = new MajicHemisson(robot.address(), robot.environment());
         bot.addListener(new BotListener() {
             @Override
-            public void notice(MajicBot who, String message) {
+            public void notice(MajicBot source, String message) {
                 notices.add(message);
             }
         });
@@ -91,7 +91,7 @@ final class DrivenHemisson implements AutoCloseable {
         return all.subList(all.indexOf("D,3,3") + 1, all.size());
     }
 
-    /** When a command came first. */
+    /** The time at which a command was first received. */
     long heardAt(String command) {
         return robot.heard().stream()
                 .filter(heard -> heard.command().equals(command))
@@ -110,7 +110,7 @@ final class DrivenHemisson implements AutoCloseable {
                 .orElseThrow();
     }
 
-    /** Lets time pass until something is so; for ever, so tests have a time-out. */
+    /** Lets time pass until a condition holds; without a limit, so that tests need a timeout. */
     void await(BooleanSupplier condition) {
         robot.clock().until(condition);
     }

@@ -52,9 +52,9 @@ class HemissonPanelWindowTest {
     }
 
     @Test
-    void aClickSwitchesALampAndAnotherSwitchesItOff() {
+    void aClickSwitchesALedOnAndAnotherSwitchesItOff() {
         click("ledLeft");
-        await("the lamp", () -> button("ledLeft").isOn());
+        await("the LED", () -> button("ledLeft").isOn());
         assertThat(bot.get("ledLeft").isYes()).isTrue();
         assertThat(peer.commands()).contains("L,0,0,1,0");
 
@@ -82,7 +82,7 @@ class HemissonPanelWindowTest {
     }
 
     @Test
-    void aClickOnARobotThatIsGoneSaysSo() throws Exception {
+    void aClickOnALostRobotShowsTheCause() throws Exception {
         peer.hangUp();
         await("the loss", () -> !bot.isConnected());
 
@@ -93,7 +93,7 @@ class HemissonPanelWindowTest {
     }
 
     @Test
-    void clicksFasterThanTheLineEndInTheLastWish() {
+    void ofClicksFasterThanTheLineTheLastOneCounts() {
         CountDownLatch answering = new CountDownLatch(1);
         peer.answer('H', command -> {
             await("leave to answer", () -> answering.getCount() == 0);
@@ -111,7 +111,7 @@ class HemissonPanelWindowTest {
     }
 
     @Test
-    void lookingAtTheTabCostsTheLineNothing() {
+    void aVisibleTabDoesNotChangeTheShareOfThePolls() {
         await("questions", () -> peer.count("N") >= 20);
         double seen = shareOfLight();
         GuiActionRunner.execute(() -> frame.setVisible(false));
@@ -126,7 +126,7 @@ class HemissonPanelWindowTest {
     }
 
     @Test
-    void whatToDoIsSaidWhenTheLinkIsLostInMotionAndOnlyThen() throws Exception {
+    void theRemedyIsShownOnlyIfTheLinkIsLostInMotion() throws Exception {
         assertThat(banner().isShowing()).isFalse();
         bot.drive(40, 0);
         await("a moving robot", () -> peer.commands().contains("D,3,3"));

@@ -82,7 +82,7 @@ class LostRobotTest {
     }
 
     @Test
-    void lastingSilenceIsExplained() {
+    void aLastingSilenceIsReportedWithItsCause() {
         bot.connect();
         robot.fallSilent(true);
 
@@ -92,7 +92,7 @@ class LostRobotTest {
     }
 
     @Test
-    void aLinkCutWhileItMovesSaysWhatAPersonCanDo() {
+    void aLinkCutWhileItMovesIsReportedWithTheRemedy() {
         bot.connect();
         pair.onceItMoves(pair::hangUp);
 
@@ -100,7 +100,7 @@ class LostRobotTest {
     }
 
     @Test
-    void connectsAnewAfterALostLink() throws Exception {
+    void aLostRobotIsConnectedAgain() throws Exception {
         bot.connect();
         robot.hangUp();
         pair.await(() -> !bot.isConnected());

@@ -33,7 +33,7 @@ class MajicHemissonOnAPortTest {
     }
 
     @Test
-    void speaksTheRoadNarrowsDialect() {
+    void aMotionIsConfirmedByTheRoadNarrowsFirmware() {
         bot.move(10);
 
         assertThat(bot.get("version")).hasToString("HemiOS_v_1.50-RNe");
@@ -41,7 +41,7 @@ class MajicHemissonOnAPortTest {
     }
 
     @Test
-    void modulesAreSpokenToInTheRoadNarrowsDialect() {
+    void modulesAreReadByTheCommandsOfTheRoadNarrowsFirmware() {
         assertThat(bot.get("modules")).hasToString("ultrasonic sensor at E0, linear camera at C0");
         assertThat(bot.get("ultrasonic")).hasToString("320 mm");
         assertThat(bot.get("ultrasonicEchoes")).hasToString("320 mm, 650 mm");
@@ -49,7 +49,7 @@ class MajicHemissonOnAPortTest {
     }
 
     @Test
-    void anAdapterPulledOutWhileItMovesSaysWhatAPersonCanDo() {
+    void anAdapterPulledOutWhileItMovesIsReportedWithTheRemedy() {
         new Thread(() -> {
                     robot.awaitMotion();
                     robot.close();

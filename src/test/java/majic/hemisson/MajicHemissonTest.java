@@ -20,7 +20,7 @@ class MajicHemissonTest {
     private final MajicHemisson bot = pair.bot();
 
     @Test
-    void connectingTellsItToStandAndNothingElseThatMoves() {
+    void connectingSendsAStopAndNothingThatMovesIt() {
         bot.connect();
 
         assertThat(robot.commands()).startsWith("", "B", "I", "E", "D,0,0");
@@ -36,7 +36,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void aSilentPeerIsGivenUpWithWhatToTry() {
+    void aSilentPeerFailsTheConnectingWithAdvice() {
         robot.fallSilent(true);
 
         assertThatThrownBy(bot::connect).isInstanceOf(BotException.class).hasMessageContaining("wait 5 s");
@@ -53,7 +53,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void aRobotThatItsOwnRunningModeMovesIsSaidToMove() {
+    void aRobotMovedByItsRunningModeIsReportedAsMoving() {
         robot.answer('I', command -> "i,1,0,1,1");
         robot.answer('E', command -> "e,10,05");
 
@@ -64,7 +64,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void aRobotOfAnOlderFirmwareIsSaidToMoveWhenItsRunningModeMight() {
+    void aRobotOfAnOlderFirmwareIsReportedAsMovingIfItsRunningModeMayMoveIt() {
         robot.answer('I', command -> "i,1,0,1,1");
         robot.answer('E', command -> "Unknown Command ?!");
 
@@ -75,7 +75,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void aRobotThatATvRemoteControlDrivesIsSaidToMove() {
+    void aRobotDrivenByATvRemoteControlIsReportedAsMoving() {
         bot.connect();
         robot.answer('E', command -> "e,-9,09");
 
@@ -94,7 +94,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void itsFirstReadingsAreThereWhenItIsConnected() {
+    void theFirstReadingsArePresentWhenItIsConnected() {
         bot.connect();
 
         WaitPolicy.without(() -> {
@@ -123,7 +123,7 @@ class MajicHemissonTest {
         bot.connect();
         pair.switchOffAndOn();
         pair.await(() -> !pair.notices().isEmpty());
-        assertThat(pair.notices()).containsExactly("it was switched on or reset; its lamps are off, its motors stand");
+        assertThat(pair.notices()).containsExactly("it was switched on or reset; its LEDs are off, its motors stand");
 
         robot.answer('E', command -> "e,05,05");
         pair.switchOffAndOn();
@@ -132,7 +132,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void closingTellsItToStand() {
+    void closingSendsAStop() {
         bot.connect();
         int before = robot.commands().size();
 
@@ -142,13 +142,13 @@ class MajicHemissonTest {
     }
 
     @Test
-    void whatItLacksIsAnsweredWithTheReason() {
+    void aMissingSensorIsReportedWithTheReason() {
         assertThat(bot.get("battery")).hasToString("unknown (no command of the Hemisson tells it)");
         assertThat(bot.get("odometer").toString()).contains("no wheel encoders");
     }
 
     @Test
-    void theFirmwaresSlipInTheLeftGroundReadingIsCorrected() {
+    void theErrorOfTheFirmwareInTheLeftGroundReadingIsCorrected() {
         bot.connect();
         pair.await(() -> bot.get("prox7").toString().equals("80"));
 
@@ -156,7 +156,7 @@ class MajicHemissonTest {
     }
 
     @Test
-    void lampsAreSetTogetherAndRemembered() {
+    void allLedsAreSentTogetherAndTheirStateIsStored() {
         bot.connect();
 
         bot.set("ledLeft", "on");

@@ -61,7 +61,7 @@ class ModulesTest {
     }
 
     @Test
-    void theCameraTellsItsPixels() {
+    void theCameraReturnsItsPixels() {
         Value.Many pixels = (Value.Many) bot.get("camera");
         bot.set("cameraExposure", 10);
 
@@ -79,7 +79,7 @@ class ModulesTest {
     }
 
     @Test
-    void textGoesToTheDisplayAndPhrasesToTheVoice() {
+    void textIsSentToTheDisplayAndPhrasesToTheSpeechModule() {
         run("lcd", "upper", "AB");
         run("phrase", "7");
 
@@ -90,7 +90,7 @@ class ModulesTest {
     }
 
     @Test
-    void linesAndPinsAreReadAndSet() {
+    void digitalLinesAndPinsAreReadAndSet() {
         bot.set("digital11", "on");
         bot.set("pinRB7", "on");
 

@@ -24,7 +24,7 @@ class MotionTest {
     private final MajicHemisson bot = pair.bot();
 
     @Test
-    void movesAsLongAsTheTableSays() {
+    void aMoveLastsAsLongAsTheSpeedTableGives() {
         bot.connect();
 
         MotionReport report = bot.move(42);
@@ -36,7 +36,7 @@ class MotionTest {
     }
 
     @Test
-    void turnsLeftForAPositiveAngle() {
+    void aPositiveAngleTurnsItLeft() {
         bot.connect();
 
         bot.turn(40);
@@ -46,7 +46,7 @@ class MotionTest {
     }
 
     @Test
-    void isAskedWhatItSeesAllTheWhileItMoves() {
+    void theSensorsArePolledWhileItMoves() {
         bot.connect();
         bot.move(42);
 
@@ -59,7 +59,7 @@ class MotionTest {
     }
 
     @Test
-    void aGuardThatHoldsAlreadyLetsItStand() {
+    void aGuardThatHoldsAlreadyPreventsTheMotion() {
         robot.answer('N', command -> "n,060,004,004,004,004,004,060,080");
         bot.connect();
 
@@ -99,7 +99,7 @@ class MotionTest {
     }
 
     @Test
-    void aTimedDriveTellsWhichMotorValuesItChose() {
+    void aTimedDriveReportsItsMotorValues() {
         bot.connect();
 
         MotionReport report = bot.drive(50, 20, 0.1, Guard.NEVER);
@@ -109,7 +109,7 @@ class MotionTest {
     }
 
     @Test
-    void wheelsThatSomethingElseSetEndTheMotion() {
+    void wheelsSetByAnotherSourceEndTheMotion() {
         bot.connect();
         robot.answer('E', command -> "e,00,00");
 

@@ -42,7 +42,7 @@ final class PortHemisson implements AutoCloseable {
         return heard;
     }
 
-    /** For a benchmark, which asks it too often to keep it all. */
+    /** Records no commands any more; a benchmark sends too many. */
     void remembersNothing() {
         remembers = false;
     }

@@ -17,13 +17,13 @@ class ReaderTest {
     private static final int ROUNDS = 5;
 
     @Test
-    void aListenerThatReadsWhatMustBeAskedForHoldsUpNeitherTheLineNorAStop() throws IOException {
+    void aListenerThatReadsAnUnpolledValueDelaysNeitherTheLineNorAStop() throws IOException {
         List<Long> waits = new CopyOnWriteArrayList<>();
         try (DrivenHemisson pair = new DrivenHemisson()) {
             MajicHemisson bot = pair.bot();
             bot.addListener(new BotListener() {
                 @Override
-                public void stateChanged(MajicBot who, BotState state) {
+                public void stateChanged(MajicBot source, BotState state) {
                     if (waits.size() < ROUNDS) {
                         long before = bot.time().nanos();
                         bot.get("tvRemote");

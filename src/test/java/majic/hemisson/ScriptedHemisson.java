@@ -49,7 +49,7 @@ final class ScriptedHemisson implements AutoCloseable {
         this(true);
     }
 
-    /** One that lives by the system's clock, as windows do. */
+    /** A peer on the system's clock, which windows use. */
     static ScriptedHemisson inRealTime() {
         return new ScriptedHemisson(false);
     }
@@ -89,7 +89,7 @@ final class ScriptedHemisson implements AutoCloseable {
         silent = now;
     }
 
-    /** What a driver needs to live by its clock. */
+    /** The environment of a driver that uses the clock of the peer. */
     BotEnvironment environment() {
         return new BotEnvironment(time, Settings.inMemory());
     }
@@ -218,7 +218,7 @@ final class ScriptedHemisson implements AutoCloseable {
         }
     }
 
-    /** What a command leaves out is what an earlier one left there. */
+    /** Answers a command; arguments that it lacks are those of an earlier command. */
     private String answerTo(String command) {
         arguments = command.length() > 1 ? command.substring(1) : arguments;
         Function<String, String> answer = command.isEmpty() ? null : answers.get(command.charAt(0));

@@ -55,7 +55,7 @@ class LinkEndTest {
     }
 
     @Test
-    void aLinkThatThePeerHasClosedCountsUntilItsReaderHasDealtWithThat() throws Exception {
+    void aLinkClosedByThePeerCountsAsOpenUntilItsReaderHasHandledTheEnd() throws Exception {
         server.accept().close();
         ended.await();
         assertThat(counts()).isTrue();

@@ -46,7 +46,7 @@ class SerialLinkTest {
     }
 
     @Test
-    void handsOutBytesAsSoonAsTheyComeWithoutWaitingForATimeOut() throws IOException {
+    void bytesAreReturnedWhenTheyArriveWithoutATimeout() throws IOException {
         plug.write("x");
         readText(1);
         long start = System.nanoTime();
@@ -84,7 +84,7 @@ class SerialLinkTest {
     }
 
     @Test
-    void aPortThatTakesNoMoreDataIsDeadAfterTheDeadline() {
+    void aBlockedPortIsClosedAtTheDeadline() {
         long start = System.nanoTime();
 
         assertThatThrownBy(() -> link.write(new byte[1_000_000]))
@@ -114,7 +114,7 @@ class SerialLinkTest {
     }
 
     @Test
-    void abortingThrowsAwayWhatIsStillOnItsWay() throws IOException {
+    void abortingDiscardsUndeliveredData() throws IOException {
         int queued = 6000;
         link.write(new byte[queued]);
 
@@ -136,7 +136,7 @@ class SerialLinkTest {
     }
 
     @Test
-    void aPortThatIsNotThereIsNamed() {
+    void aMissingPortIsNamed() {
         SerialLink none = new SerialLink("/dev/ttyNONE7", 115_200);
 
         assertThatThrownBy(() -> none.open(1000))
@@ -145,7 +145,7 @@ class SerialLinkTest {
     }
 
     @Test
-    void countsWhatWentThrough() throws IOException {
+    void theTrafficIsCounted() throws IOException {
         link.write(new byte[] {'B', '\r'});
         plug.write("b\r\n");
         readText(3);

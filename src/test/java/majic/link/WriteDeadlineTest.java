@@ -42,7 +42,7 @@ class WriteDeadlineTest {
     }
 
     @Test
-    void aLinkThatCannotEvenBeAbortedHoldsUpNoOther() throws InterruptedException {
+    void aLinkWhoseAbortBlocksDelaysNoOtherLink() throws InterruptedException {
         CountDownLatch over = new CountDownLatch(1);
         CountDownLatch aborted = new CountDownLatch(1);
         WriteDeadline.start(new Ending(() -> hang(over)));
@@ -54,7 +54,7 @@ class WriteDeadlineTest {
     }
 
     @Test
-    void aWriteThatCameBackInTimeEndsNothing() throws InterruptedException {
+    void aWriteThatReturnsInTimeAbortsNothing() throws InterruptedException {
         CountDownLatch early = new CountDownLatch(1);
         CountDownLatch late = new CountDownLatch(1);
         WriteDeadline.start(new Ending(early::countDown)).close();

@@ -61,7 +61,7 @@ public enum Gait {
         return usualMsPerUnit;
     }
 
-    /** The variable on the dog that says how many ms a cycle of the legs lasts; two gaits share it. */
+    /** The variable on the dog with the duration of a cycle of the legs, ms; two gaits share it. */
     String paceVariable() {
         return "robot." + function + "speed";
     }

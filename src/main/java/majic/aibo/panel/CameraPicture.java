@@ -24,7 +24,7 @@ final class CameraPicture {
     /**
      * A picture.
      *
-     * @throws UrbiRefusal if it is none, or a damaged one; says which
+     * @throws UrbiRefusal if it is none, or a damaged one; the message names which
      */
     static BufferedImage of(UrbiValue value) {
         if (!(value instanceof UrbiValue.Binary binary) || binary.words().isEmpty()) {

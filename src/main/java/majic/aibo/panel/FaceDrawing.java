@@ -14,7 +14,7 @@ import majic.panel.DrawingColors;
 
 /**
  * The face as one looks into it, in mm around its middle: the 14 LEDs behind the visor in pairs from the chin upwards,
- * the mouth as far open as it is, ears, the mode indicator, and the touch sensors of head and chin. Which lamp a name
+ * the mouth as far open as it is, ears, the mode indicator, and the touch sensors of head and chin. Which LED a name
  * lights on the real dog also depends on its LED mode.
  */
 final class FaceDrawing {
@@ -23,7 +23,7 @@ final class FaceDrawing {
     static final double FOOT_MM = 84;
 
     private static final double OUTLINE_MM = 3;
-    private static final double LAMP_MM = 5.2;
+    private static final double LED_MM = 5.2;
     private static final double ROW_MM = 13;
     private static final List<Double> OFF_MIDDLE_MM = List.of(9.0, 14.0, 18.0, 20.0, 19.0, 16.0, 10.0);
     private static final List<String> MODES = List.of("modeR", "modeG", "modeB");
@@ -39,7 +39,7 @@ final class FaceDrawing {
         this.dog = dog;
         this.colors = colors;
         this.live = live;
-        this.leds = new LedDrawing(colors, LAMP_MM, colors.grey(0.55));
+        this.leds = new LedDrawing(colors, LED_MM, colors.grey(0.55));
     }
 
     /** Paints with y upwards. */

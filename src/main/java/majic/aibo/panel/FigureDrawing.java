@@ -84,13 +84,13 @@ final class FigureDrawing {
         parts.pad(skeleton.body(new BodyPoint(x - 9, 0, 51)), skeleton.body(new BodyPoint(x + 9, 0, 51)), 15, pressed);
         String name = "ledB" + PLACES.get(place);
         double height = view == Projection.SIDE ? 31 : 48;
-        parts.lamp(
+        parts.led(
                 skeleton.body(new BodyPoint(x - 8, -24, height)),
                 COLOURS.get(place),
                 dog.leds().amount(name + "C"));
         double left = view == Projection.SIDE ? -24 : 24;
         double further = view == Projection.SIDE ? 8 : -8;
-        parts.lamp(
+        parts.led(
                 skeleton.body(new BodyPoint(x + further, left, height)),
                 LedDrawing.WHITE,
                 dog.leds().amount(name + "W"));

@@ -41,15 +41,15 @@ final class HeadDrawing {
         addTouch(parts);
         addEar(parts, 1, "earL");
         addEar(parts, -1, "earR");
-        parts.lamp(
+        parts.led(
                 skeleton.head(new BodyPoint(18, -9, 52)),
                 LedDrawing.ORANGE,
                 dog.leds().amount("ledHC"));
-        parts.lamp(
+        parts.led(
                 skeleton.head(new BodyPoint(18, 9, 52)),
                 LedDrawing.WHITE,
                 dog.leds().amount("ledHW"));
-        parts.lamp(
+        parts.led(
                 skeleton.head(new BodyPoint(-42, 0, 26)),
                 LedDrawing.BLUE,
                 dog.leds().amount("ledWIFI"));

@@ -14,7 +14,7 @@ import majic.panel.DrawingColors;
 /** The parts of the dog as one view shows them, painted from the farthest to the nearest, in mm. */
 final class PartsDrawing {
     private static final double OUTLINE_MM = 5;
-    private static final double LAMP_MM = 5;
+    private static final double LED_MM = 5;
 
     /** What faces away is a little darker. */
     private static final double SHADE = 0.0012;
@@ -32,7 +32,7 @@ final class PartsDrawing {
         this.view = view;
         this.colors = colors;
         this.live = live;
-        this.leds = new LedDrawing(colors, LAMP_MM, colors.grey(0.8));
+        this.leds = new LedDrawing(colors, LED_MM, colors.grey(0.8));
     }
 
     /** A round-ended part of this thickness. */
@@ -61,7 +61,7 @@ final class PartsDrawing {
         parts.add(new Part(depth, pen -> capsule(pen, from, to, pressed ? 1.35 * widthMm : widthMm, color)));
     }
 
-    void lamp(BodyPoint at, Color light, Optional<Double> amount) {
+    void led(BodyPoint at, Color light, Optional<Double> amount) {
         Optional<Double> shown = live ? amount : Optional.empty();
         parts.add(new Part(view.depth(at) - 1, pen -> leds.paint(pen, view.across(at), view.up(at), light, shown)));
     }

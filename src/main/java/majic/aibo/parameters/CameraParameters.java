@@ -33,7 +33,7 @@ final class CameraParameters implements ParameterTheme<UrbiVersion> {
                         Parameter.number("jpegFactor", Unit.NONE, "quality of the camera's jpeg pictures")
                                 .within(0, BEST),
                         access.asked("camera.jpegfactor", amount -> Value.of(amount, Unit.NONE)))
-                .writes(values -> tell("jpegfactor", Math.rint(values.get(0).number())));
+                .writes(values -> assign("jpegfactor", Math.rint(values.get(0).number())));
         words(table, "shutter", "shutter", 1, List.of("slow", "mid", "fast"), "the camera's shutter");
         words(table, "gain", "gain", 1, List.of("low", "mid", "high"), "how much the camera amplifies the light");
         words(
@@ -46,7 +46,7 @@ final class CameraParameters implements ParameterTheme<UrbiVersion> {
         table.add(
                         Parameter.onOff("reconstruct", "whether the camera rebuilds the fine picture, which is slow"),
                         access.asked("camera.reconstruct", amount -> Value.onOff(amount > 0)))
-                .writes(values -> tell("reconstruct", values.get(0).number()));
+                .writes(values -> assign("reconstruct", values.get(0).number()));
     }
 
     /** A setting that the dog counts from a number on. */
@@ -55,7 +55,7 @@ final class CameraParameters implements ParameterTheme<UrbiVersion> {
                         Parameter.choice(name, words, help),
                         access.asked("camera." + field, amount -> word(words, (int) Math.rint(amount) - first)))
                 .writes(values ->
-                        tell(field, first + words.indexOf(values.get(0).toString())));
+                        assign(field, first + words.indexOf(values.get(0).toString())));
     }
 
     private static Value word(List<String> words, int index) {
@@ -64,7 +64,7 @@ final class CameraParameters implements ParameterTheme<UrbiVersion> {
                 : Value.unknown("a setting that the dog's manual does not name");
     }
 
-    private void tell(String field, double amount) {
+    private void assign(String field, double amount) {
         access.send(List.of(UrbiCommands.assign("camera." + field, amount)));
     }
 }

@@ -15,7 +15,7 @@ import majic.driver.CalibrateCommand;
 import majic.driver.CalibrateCommand.Trial;
 
 /** Calibrates one gait: the dog walks or turns for a known time, and the user measures how far it came. */
-public final class CalibrationRun implements CalibrateCommand.Pupil {
+public final class CalibrationRun implements CalibrateCommand.CalibratedRobot {
     /** About a metre. */
     private static final int WALK_S = 12;
 

@@ -12,10 +12,10 @@ import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The guard that runs on the dog itself (URBI sheet 19): it ends a walk when the program that ordered it has not been
- * heard for {@value #PATIENCE_MS} ms. It lives on the motion connection and is renewed on the sensor connection, with
- * what the dog's own clock shows when the renewal goes out: one that arrives late says so and renews nothing. While
- * nothing of ours walks it is disarmed, so that it ends no other program's walk.
+ * The guard that runs on the dog itself (URBI sheet 19): it ends a walk that was not renewed for {@value #PATIENCE_MS} ms. It runs
+ * on the motion connection and is renewed on the sensor connection; each renewal contains the time of the dog's clock at which it
+ * was sent, and one that arrives late renews nothing. While no motion of this driver runs, the guard is disarmed, so that it
+ * ends no walk of another program.
  */
 public final class DogGuard {
     private static final Logger LOG = System.getLogger(DogGuard.class.getName());
@@ -80,8 +80,8 @@ public final class DogGuard {
     }
 
     /**
-     * Renews it in time while the dog walks; disarms it once it does not, unless a walk is just about to begin. What was
-     * told to stop and has not ended yet gets neither: the guard ends it if the stop does not.
+     * Renews it in time while the dog walks; disarms it once it does not, unless a walk is just about to begin. A walk
+     * that is being stopped is neither renewed nor disarmed: the guard ends it if the stop does not.
      */
     synchronized void tick(@Nullable RunningMotion running) {
         boolean due = waiting.time().secondsSince(renewedNanos) >= RENEWAL_S;

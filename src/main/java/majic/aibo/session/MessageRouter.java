@@ -84,7 +84,7 @@ final class MessageRouter {
         if (sensor != null) {
             sensed(sensor, message);
         } else if (dog.leds().take(message)) {
-            LOG.log(Level.TRACE, "lamp: {0}", message);
+            LOG.log(Level.TRACE, "LED: {0}", message);
         } else if (message.tag().equals("power") && message.body() instanceof UrbiMessage.Info info) {
             receivedPower(info.text(), message.timeMs());
         } else {

@@ -52,7 +52,7 @@ public final class RunningMotion {
 
     /**
      * What ends it. A gait is stopped inside, by the stick's own tags, so that the caller's {@code *** end} still comes
-     * and tells how long it has walked; a command stopped by its own tag sends none (URBI sheet 7, 15).
+     * and reports how long it has walked; a command stopped by its own tag sends none (URBI sheet 7, 15).
      */
     String stopCommands() {
         return piece == null ? "stop " + ask.tag() + "," : "";

@@ -10,7 +10,7 @@ import java.nio.file.StandardOpenOption;
 import majic.bot.BotException;
 import majic.text.IoReason;
 
-/** A file on this computer that a command names, from the folder that MAJIC runs in unless it says otherwise. */
+/** A file on this computer that a command names; a relative path starts at the folder that MAJIC runs in. */
 record LocalFile(String name, Path path) {
     private static final long LARGEST_MB = 64;
     private static final long MB = 1024 * 1024;

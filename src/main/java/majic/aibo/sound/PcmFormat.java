@@ -20,7 +20,7 @@ record PcmFormat(int channels, int rateHz, int bits, Coding coding) {
         FLOAT
     }
 
-    /** Whether it is something that can be played; what a damaged header says may not be. */
+    /** Whether it can be played; the format in a damaged header may not be. */
     boolean isSensible() {
         boolean known = coding == Coding.FLOAT ? bits == 32 : bits == 8 || bits == 16 || bits == 24 || bits == 32;
         return known && channels >= 1 && channels <= MOST_CHANNELS && rateHz >= SLOWEST_HZ && rateHz <= FASTEST_HZ;

@@ -23,7 +23,7 @@ final class LinearCamera implements ExtensionModule {
     private final Row thresholded;
     private final ModuleNumber exposure;
     private final ModuleNumber threshold;
-    private final LampSwitching lamp;
+    private final LightSwitching light;
 
     /** A reading of all pixels. */
     private record Row(Question ask, Function<Reply, List<Integer>> values) {
@@ -52,17 +52,17 @@ final class LinearCamera implements ExtensionModule {
     }
 
     /** Adds the parameter that switches its light. */
-    private interface LampSwitching {
+    private interface LightSwitching {
         void describe(ParameterTable table, RobotReadings access, Parameter parameter);
     }
 
     private LinearCamera(
-            Row pixels, Row thresholded, ModuleNumber exposure, ModuleNumber threshold, LampSwitching lamp) {
+            Row pixels, Row thresholded, ModuleNumber exposure, ModuleNumber threshold, LightSwitching light) {
         this.pixels = pixels;
         this.thresholded = thresholded;
         this.exposure = exposure;
         this.threshold = threshold;
-        this.lamp = lamp;
+        this.light = light;
     }
 
     static LinearCamera stock() {
@@ -80,11 +80,11 @@ final class LinearCamera implements ExtensionModule {
                 Row.roadNarrows('Q'),
                 ModuleNumber.roadNarrows('L', 'F', 'E'),
                 ModuleNumber.roadNarrows('L', 'U', 'T'),
-                LinearCamera::roadNarrowsLamp);
+                LinearCamera::roadNarrowsLight);
     }
 
     /** The firmware can switch the light but cannot report it. */
-    private static void roadNarrowsLamp(ParameterTable table, RobotReadings access, Parameter parameter) {
+    private static void roadNarrowsLight(ParameterTable table, RobotReadings access, Parameter parameter) {
         new UnreportedSetting()
                 .describe(
                         table,
@@ -109,7 +109,7 @@ final class LinearCamera implements ExtensionModule {
                 access,
                 Parameter.number("cameraThreshold", Unit.NONE, "from which value a pixel counts as bright")
                         .within(0, 255));
-        lamp.describe(table, access, Parameter.onOff("cameraLight", "the lamp of the camera"));
+        light.describe(table, access, Parameter.onOff("cameraLight", "the light of the camera"));
     }
 
     private static void row(ParameterTable table, RobotReadings access, String name, Row row, String help) {

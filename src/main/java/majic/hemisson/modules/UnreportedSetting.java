@@ -11,7 +11,7 @@ import majic.hemisson.readings.RobotReadings;
 final class UnreportedSetting {
     private volatile Value value = Value.unknown("not set since it was connected");
 
-    /** What is sent for a value, and the value that results. Immutable. */
+    /** The command for a value, and the value that results. Immutable. */
     record Order(Question question, Value value) {}
 
     /**

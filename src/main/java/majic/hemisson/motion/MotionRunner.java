@@ -44,8 +44,8 @@ public final class MotionRunner {
      *
      * @throws MotionFailed if the robot missed an answer, disobeyed or was reset; it was stopped
      */
-    public Value run(TimedMotion leg, Motion motion) {
-        return new Run(leg, motion).run();
+    public Value run(TimedMotion plan, Motion motion) {
+        return new Run(plan, motion).run();
     }
 
     /**
@@ -89,27 +89,27 @@ public final class MotionRunner {
 
     /** One timed motion, on the thread that asked for it. */
     private final class Run {
-        private final TimedMotion leg;
+        private final TimedMotion plan;
         private final Motion motion;
         private final MotionWatch watch = monitor.motion();
 
-        Run(TimedMotion leg, Motion motion) {
-            this.leg = leg;
+        Run(TimedMotion plan, Motion motion) {
+            this.plan = plan;
             this.motion = motion;
         }
 
         Value run() {
-            if (leg.seconds() <= 0 || !isAllowedToBegin()) {
-                return leg.covered(0);
+            if (plan.seconds() <= 0 || !isAllowedToBegin()) {
+                return plan.covered(0);
             }
             Exchange start = begin();
-            long due = start.middleNanos() + nanos(leg.seconds()) - start.roundTripNanos() / 2;
+            long due = start.middleNanos() + nanos(plan.seconds()) - start.roundTripNanos() / 2;
             watch.ends(due);
             runUntil(start.middleNanos(), due);
             motion.send(stopConfirmation::send);
             stopConfirmation.confirm();
             failOn(watch.trouble());
-            return leg.covered((monitor.pose().sinceNanos() - start.middleNanos()) / 1e9);
+            return plan.covered((monitor.pose().sinceNanos() - start.middleNanos()) / 1e9);
         }
 
         /** Reads the sensors once more, so that a guard condition that holds already prevents the motion. */
@@ -127,8 +127,8 @@ public final class MotionRunner {
         private Exchange begin() {
             Exchange[] start = new Exchange[1];
             motion.send(() -> {
-                watch.begins(time.nanos() + nanos(leg.seconds()));
-                start[0] = conversation().ask(Question.wheels(leg.wheels()));
+                watch.begins(time.nanos() + nanos(plan.seconds()));
+                start[0] = conversation().ask(Question.wheels(plan.wheels()));
             });
             answers.await(start[0]::isDone);
             motion.check();
@@ -138,17 +138,17 @@ public final class MotionRunner {
 
         /** Lets the time pass, and eases the faster wheel at the end of each round. */
         private void runUntil(long begunNanos, long dueNanos) {
-            long round = leg.rounds() == 0 ? 0 : (dueNanos - begunNanos) / leg.rounds();
-            for (int count = 0; count < leg.rounds(); count++) {
+            long round = plan.rounds() == 0 ? 0 : (dueNanos - begunNanos) / plan.rounds();
+            for (int count = 0; count < plan.rounds(); count++) {
                 long roundNanos = begunNanos + count * round;
                 if (count > 0) {
-                    send(leg.wheels());
+                    send(plan.wheels());
                 }
-                if (!waitUntil(roundNanos + (long) (round * (1 - leg.easedShare())))) {
+                if (!waitUntil(roundNanos + (long) (round * (1 - plan.easedShare())))) {
                     return;
                 }
-                send(leg.eased());
-                if (count < leg.rounds() - 1 && !waitUntil(roundNanos + round)) {
+                send(plan.eased());
+                if (count < plan.rounds() - 1 && !waitUntil(roundNanos + round)) {
                     return;
                 }
             }

@@ -68,7 +68,7 @@ final class RestartCheck {
             restarted = false;
             boolean moves =
                     reply.kind() == Reply.Kind.ANSWER && !MotorValues.of(reply).isStill();
-            notices.accept("it was switched on or reset; its lamps are off, its motors " + (moves ? "run" : "stand"));
+            notices.accept("it was switched on or reset; its LEDs are off, its motors " + (moves ? "run" : "stand"));
         }
     }
 }

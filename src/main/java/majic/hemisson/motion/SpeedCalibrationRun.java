@@ -10,12 +10,12 @@ import majic.driver.CalibrateCommand.Trial;
 import majic.hemisson.line.MotorValues;
 
 /** Runs the calibration: the robot drives or spins for a known time, and the user measures how far it came. */
-public final class SpeedCalibrationRun implements CalibrateCommand.Pupil {
+public final class SpeedCalibrationRun implements CalibrateCommand.CalibratedRobot {
     private static final String FORWARD = "forward";
     private static final String SPIN = "spin";
 
     /** Long enough that errors of marking and timing do not matter, seconds. */
-    private static final int LESSON_S = 10;
+    private static final int RUN_S = 10;
 
     /** The credible range of its speed, as a multiple of the speed in the manual. */
     private static final Range SENSIBLE = new Range(0.2, 2.7);
@@ -52,13 +52,12 @@ public final class SpeedCalibrationRun implements CalibrateCommand.Pupil {
 
     private Trial drive(SpeedTable table, Motion motion) {
         double mmPerSec = table.mmPerSec(Math.max(SpeedTable.SLOWEST, table.nearest(pace.mmPerSec())));
-        TimedMotion leg = TimedMotion.straight(mmPerSec * LESSON_S, mmPerSec, table);
+        TimedMotion plan = TimedMotion.straight(mmPerSec * RUN_S, mmPerSec, table);
         CalibrateCommand.letMark(
                 motion,
                 "where it stands",
-                "drives ahead for " + LESSON_S + " s, about " + Math.round(mmPerSec * LESSON_S)
-                        + " mm: keep the way free");
-        double covered = go(leg, motion);
+                "drives ahead for " + RUN_S + " s, about " + Math.round(mmPerSec * RUN_S) + " mm: keep the way free");
+        double covered = go(plan, motion);
         double asInManual = covered * SpeedTable.USUAL.mmPerSec(MotorValues.MAX) / table.mmPerSec(MotorValues.MAX);
         Range credible = new Range(SENSIBLE.min() * asInManual, SENSIBLE.max() * asInManual);
         return new Trial(covered, Unit.MM, credible, measured -> learnSpeed(table, table.scaled(measured / covered)));
@@ -66,18 +65,18 @@ public final class SpeedCalibrationRun implements CalibrateCommand.Pupil {
 
     private Trial spin(SpeedTable table, Motion motion) {
         double rate = pace.degPerSec();
-        TimedMotion leg = TimedMotion.spin(rate * LESSON_S, rate, table);
+        TimedMotion plan = TimedMotion.spin(rate * RUN_S, rate, table);
         CalibrateCommand.letMark(
-                motion, "which way it looks", "spins to the left for about " + LESSON_S + " s: count the turns");
-        double covered = go(leg, motion);
+                motion, "which way it looks", "spins to the left for about " + RUN_S + " s: count the turns");
+        double covered = go(plan, motion);
         double rolled = covered * table.wheelDistanceMm();
         Range credible = new Range(
                 rolled / SpeedCalibration.WHEEL_DISTANCE_MM.max(), rolled / SpeedCalibration.WHEEL_DISTANCE_MM.min());
         return new Trial(covered, Unit.DEG, credible, measured -> learnWheelDistance(table, rolled / measured));
     }
 
-    private double go(TimedMotion leg, Motion motion) {
-        return motions.run(leg, motion).number();
+    private double go(TimedMotion plan, Motion motion) {
+        return motions.run(plan, motion).number();
     }
 
     private String learnSpeed(SpeedTable table, SpeedTable better) {

@@ -52,14 +52,14 @@ final class HemissonBodyDrawing {
         pen.fill(nose);
     }
 
-    private void paintWheel(Graphics2D pen, double y, int told) {
+    private void paintWheel(Graphics2D pen, double y, int value) {
         Shape tyre = new RoundRectangle2D.Double(
                 -WHEEL_HALF_MM, y - WHEEL_HALF_WIDTH_MM, 2 * WHEEL_HALF_MM, 2 * WHEEL_HALF_WIDTH_MM, 6, 6);
         part(pen, tyre, 0.28);
-        if (told == 0) {
+        if (value == 0) {
             return;
         }
-        double tip = WHEEL_HALF_MM * told / MotorValues.MAX;
+        double tip = WHEEL_HALF_MM * value / MotorValues.MAX;
         double side = WHEEL_HALF_WIDTH_MM - 2;
         pen.setColor(colors.accent());
         pen.fill(new Rectangle2D.Double(Math.min(0, tip), y - side, Math.abs(tip), 2 * side));

@@ -24,25 +24,25 @@ final class HemissonDrawing extends JPanel {
     /** From the middle to beyond the figures, mm. */
     private static final double SHOWN_MM = 124;
 
-    private static final double LAMP_MM = 5;
-    private static final double LEAST_LAMP_PX = 3.5;
+    private static final double LED_MM = 5;
+    private static final double LEAST_LED_PX = 3.5;
     private static final int LEAST_CLICK_PX = 16;
 
-    private final transient LedSwitch lampSwitch;
+    private final transient LedSwitch ledSwitch;
     private final transient List<LedButton> buttons;
     private transient HemissonScene view;
 
-    HemissonDrawing(HemissonScene view, LedSwitch lampSwitch) {
+    HemissonDrawing(HemissonScene view, LedSwitch ledSwitch) {
         super(null);
         this.view = view;
-        this.lampSwitch = lampSwitch;
+        this.ledSwitch = ledSwitch;
         this.buttons = Arrays.stream(LedOrBuzzer.values()).map(LedButton::new).toList();
         setName("robot");
         setOpaque(false);
         getAccessibleContext().setAccessibleName("the Hemisson from above with its proximity readings");
         setToolTipText("");
         buttons.forEach(button -> {
-            button.addActionListener(click -> toggle(button.lamp()));
+            button.addActionListener(click -> toggle(button.part()));
             add(button);
         });
     }
@@ -51,17 +51,17 @@ final class HemissonDrawing extends JPanel {
     void show(HemissonScene newView) {
         view = newView;
         for (LedButton button : buttons) {
-            LedOrBuzzer lamp = button.lamp();
-            button.show(lamp.isOn(newView), lampSwitch.isWaiting(lamp), view.isConnected());
+            LedOrBuzzer part = button.part();
+            button.show(part.isOn(newView), ledSwitch.isWaiting(part), view.isConnected());
         }
         repaint();
     }
 
-    private void toggle(LedOrBuzzer lamp) {
-        lampSwitch.toggle(lamp);
+    private void toggle(LedOrBuzzer part) {
+        ledSwitch.toggle(part);
         buttons.stream()
-                .filter(button -> button.lamp() == lamp)
-                .forEach(button -> button.show(button.isOn(), lampSwitch.isWaiting(lamp), view.isConnected()));
+                .filter(button -> button.part() == part)
+                .forEach(button -> button.show(button.isOn(), ledSwitch.isWaiting(part), view.isConnected()));
     }
 
     private double pxPerMm() {
@@ -71,12 +71,12 @@ final class HemissonDrawing extends JPanel {
     @Override
     public void doLayout() {
         double scale = pxPerMm();
-        double radius = Math.max(LEAST_LAMP_PX, LAMP_MM * scale);
+        double radius = Math.max(LEAST_LED_PX, LED_MM * scale);
         int side = (int) Math.max(LEAST_CLICK_PX, 4 * radius);
         for (LedButton button : buttons) {
-            LedOrBuzzer lamp = button.lamp();
-            double x = getWidth() / 2.0 - lamp.yMm() * scale;
-            double y = getHeight() / 2.0 - lamp.xMm() * scale;
+            LedOrBuzzer part = button.part();
+            double x = getWidth() / 2.0 - part.yMm() * scale;
+            double y = getHeight() / 2.0 - part.xMm() * scale;
             button.scale(radius);
             button.setBounds((int) Math.round(x - side / 2.0), (int) Math.round(y - side / 2.0), side, side);
         }
@@ -109,9 +109,9 @@ final class HemissonDrawing extends JPanel {
     }
 
     /** The value of the motor, behind its wheel. */
-    private void paintSpeed(Graphics2D screen, DrawingColors colors, double y, int told) {
+    private void paintSpeed(Graphics2D screen, DrawingColors colors, double y, int value) {
         String text =
-                String.format(Locale.ROOT, "%+d", told).replace('-', '\u2212').replace("+0", "0");
+                String.format(Locale.ROOT, "%+d", value).replace('-', '\u2212').replace("+0", "0");
         FontMetrics metrics = screen.getFontMetrics();
         double x = -y * pxPerMm() - metrics.stringWidth(text) / 2.0;
         screen.setColor(colors.line());

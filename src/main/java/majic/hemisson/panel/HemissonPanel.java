@@ -34,7 +34,7 @@ public final class HemissonPanel extends RefreshingPanel {
         super(bot);
         this.views = views;
         this.drawing = new HemissonDrawing(
-                views.get(), new LedSwitch(bot, background, lamp -> lamp.isOn(views.get()), this::refused));
+                views.get(), new LedSwitch(bot, background, part -> part.isOn(views.get()), this::refused));
         map.getAccessibleContext().setAccessibleName("Map of the way the Hemisson should have come, an estimate");
         add(drawing);
         add(lights.panel());

@@ -18,27 +18,27 @@ public final class LedButton extends JButton {
     private static final long serialVersionUID = 1;
     private static final double HALO = 1.7;
 
-    private final LedOrBuzzer lamp;
+    private final LedOrBuzzer part;
     private double radiusPx = 6;
     private boolean on;
     private boolean waiting;
     private boolean faded;
 
-    LedButton(LedOrBuzzer lamp) {
-        this.lamp = lamp;
-        setName(lamp.parameter());
+    LedButton(LedOrBuzzer part) {
+        this.part = part;
+        setName(part.parameter());
         setOpaque(false);
         setContentAreaFilled(false);
         setBorderPainted(false);
         setFocusPainted(false);
         setRolloverEnabled(true);
         setRequestFocusEnabled(false);
-        getAccessibleContext().setAccessibleName(lamp.words());
+        getAccessibleContext().setAccessibleName(part.words());
         setToolTipText("");
     }
 
-    LedOrBuzzer lamp() {
-        return lamp;
+    LedOrBuzzer part() {
+        return part;
     }
 
     public boolean isOn() {
@@ -61,7 +61,7 @@ public final class LedButton extends JButton {
     @Override
     public String getToolTipText(MouseEvent event) {
         String now = waiting ? "being switched" : on ? "on" : "off";
-        return lamp.words() + ": " + now + " \u2013 click for set " + lamp.parameter() + " " + (on ? "off" : "on");
+        return part.words() + ": " + now + " \u2013 click for set " + part.parameter() + " " + (on ? "off" : "on");
     }
 
     @Override
@@ -78,10 +78,10 @@ public final class LedButton extends JButton {
         if (getModel().isRollover() || isFocusOwner() || waiting) {
             paintRing(pen, colors);
         }
-        if (lamp == LedOrBuzzer.BUZZER) {
+        if (part == LedOrBuzzer.BUZZER) {
             paintBuzzer(pen, colors);
         } else {
-            paintLamp(pen, colors);
+            paintLed(pen, colors);
         }
         pen.dispose();
     }
@@ -93,7 +93,7 @@ public final class LedButton extends JButton {
         pen.draw(circle(HALO * radiusPx));
     }
 
-    private void paintLamp(Graphics2D pen, DrawingColors colors) {
+    private void paintLed(Graphics2D pen, DrawingColors colors) {
         if (on) {
             pen.setColor(colors.wash(0.3));
             pen.fill(circle(HALO * radiusPx));

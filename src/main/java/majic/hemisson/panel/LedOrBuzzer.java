@@ -4,15 +4,15 @@ import java.util.function.Predicate;
 
 /** The four LEDs and the buzzer, which can be clicked on the drawing; their places on the robot, mm. */
 enum LedOrBuzzer {
-    LEFT("ledLeft", "front left lamp", 34, 25, view -> view.leds().left()),
-    RIGHT("ledRight", "front right lamp", 34, -25, view -> view.leds().right()),
+    LEFT("ledLeft", "front left LED", 34, 25, view -> view.leds().left()),
+    RIGHT("ledRight", "front right LED", 34, -25, view -> view.leds().right()),
     ON_OFF(
             "ledOnOff",
-            "On/Off lamp; the robot takes it back within half a second",
+            "On/Off LED; the robot takes it back within half a second",
             -14,
             24,
             view -> view.leds().onOff()),
-    PGM("ledPgm", "Pgm/Exec lamp", -14, -24, view -> view.leds().pgm()),
+    PGM("ledPgm", "Pgm/Exec LED", -14, -24, view -> view.leds().pgm()),
     BUZZER("beep", "buzzer", -14, 0, HemissonScene::buzzing);
 
     private final String parameter;

@@ -39,9 +39,9 @@ final class LedSwitch {
     }
 
     /** Toggles one, from the state that was requested last. */
-    void toggle(LedOrBuzzer lamp) {
+    void toggle(LedOrBuzzer part) {
         synchronized (wanted) {
-            wanted.put(lamp, !wanted.getOrDefault(lamp, isOn.test(lamp)));
+            wanted.put(part, !wanted.getOrDefault(part, isOn.test(part)));
             if (working) {
                 return;
             }
@@ -51,22 +51,22 @@ final class LedSwitch {
     }
 
     /** Whether the robot has not yet confirmed a click. */
-    boolean isWaiting(LedOrBuzzer lamp) {
+    boolean isWaiting(LedOrBuzzer part) {
         synchronized (wanted) {
-            return wanted.containsKey(lamp);
+            return wanted.containsKey(part);
         }
     }
 
     private void work() {
-        for (LedOrBuzzer lamp = next(); lamp != null; lamp = next()) {
-            boolean on = wish(lamp);
+        for (LedOrBuzzer part = next(); part != null; part = next()) {
+            boolean on = wanted(part);
             try {
-                bot.set(lamp.parameter(), List.of(new Value.Flag(on, Words.ON_OFF)));
+                bot.set(part.parameter(), List.of(new Value.Flag(on, Words.ON_OFF)));
             } catch (BotException e) {
-                refused.accept(lamp.parameter() + ": " + e.getMessage());
+                refused.accept(part.parameter() + ": " + e.getMessage());
             } finally {
                 synchronized (wanted) {
-                    wanted.remove(lamp, on);
+                    wanted.remove(part, on);
                 }
             }
         }
@@ -80,9 +80,9 @@ final class LedSwitch {
         }
     }
 
-    private boolean wish(LedOrBuzzer lamp) {
+    private boolean wanted(LedOrBuzzer part) {
         synchronized (wanted) {
-            return wanted.getOrDefault(lamp, false);
+            return wanted.getOrDefault(part, false);
         }
     }
 }

@@ -11,48 +11,48 @@ import majic.hemisson.modules.Modules;
 
 /** The four LEDs and the buzzer. */
 final class LedAndBuzzerParameters implements ParameterTheme<Modules> {
-    private final LedsAndBuzzer lamps;
+    private final LedsAndBuzzer leds;
 
-    LedAndBuzzerParameters(LedsAndBuzzer lamps) {
-        this.lamps = lamps;
+    LedAndBuzzerParameters(LedsAndBuzzer leds) {
+        this.leds = leds;
     }
 
     @Override
     public void describe(ParameterTable table, Modules modules) {
-        lamp(
+        led(
                 table,
                 "light",
-                "both front lamps",
+                "both front LEDs",
                 leds -> leds.left() && leds.right(),
                 (leds, on) -> leds.withLeft(on).withRight(on));
-        lamp(table, "ledLeft", "front left lamp", Leds::left, Leds::withLeft);
-        lamp(table, "ledRight", "front right lamp", Leds::right, Leds::withRight);
-        lamp(table, "ledPgm", "the Pgm/Exec lamp", Leds::pgm, Leds::withPgm);
-        lamp(
+        led(table, "ledLeft", "front left LED", Leds::left, Leds::withLeft);
+        led(table, "ledRight", "front right LED", Leds::right, Leds::withRight);
+        led(table, "ledPgm", "the Pgm/Exec LED", Leds::pgm, Leds::withPgm);
+        led(
                 table,
                 "ledOnOff",
-                "the On/Off lamp; the robot takes it back within half a second",
+                "the On/Off LED; the robot takes it back within half a second",
                 Leds::onOff,
                 Leds::withOnOff);
         buzzer(table, "beep", "the buzzer, until it is switched off");
         buzzer(table, "buzzer", "the same as beep");
     }
 
-    private void lamp(
+    private void led(
             ParameterTable table,
             String name,
             String help,
             Function<Leds, Boolean> reader,
             BiFunction<Leds, Boolean, Leds> writer) {
-        table.add(Parameter.onOff(name, help), () -> Value.onOff(reader.apply(lamps.leds())))
+        table.add(Parameter.onOff(name, help), () -> Value.onOff(reader.apply(leds.leds())))
                 .writes(values -> {
                     boolean on = values.get(0).isYes();
-                    lamps.light(leds -> writer.apply(leds, on));
+                    leds.light(leds -> writer.apply(leds, on));
                 });
     }
 
     private void buzzer(ParameterTable table, String name, String help) {
-        table.add(Parameter.onOff(name, help), () -> Value.onOff(lamps.isBuzzing()))
-                .writes(values -> lamps.buzz(values.get(0).isYes()));
+        table.add(Parameter.onOff(name, help), () -> Value.onOff(leds.isBuzzing()))
+                .writes(values -> leds.buzz(values.get(0).isYes()));
     }
 }

@@ -13,7 +13,7 @@ class BodyTiltTest {
 
     @ParameterizedTest
     @CsvSource({"0, 0, -9.8, 0, 0", "-6.93, 0, -6.93, 45, 0", "0, 6.93, -6.93, 0, 45", "0, 0, 9.8, 0, 180"})
-    void gravityTellsHowTheDogIsTilted(double x, double y, double z, double pitch, double roll) {
+    void theTiltFollowsFromTheDirectionOfGravity(double x, double y, double z, double pitch, double roll) {
         put(Sensor.ACCEL_X, x);
         put(Sensor.ACCEL_Y, y);
         put(Sensor.ACCEL_Z, z);

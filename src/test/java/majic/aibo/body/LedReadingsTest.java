@@ -11,7 +11,7 @@ class LedReadingsTest {
     private final LedReadings leds = new LedReadings();
 
     @Test
-    void eachReadingFindsItsLamp() {
+    void eachReadingIsStoredForItsLed() {
         String order = LedReadings.order("mjx_1", UrbiVersion.V1_0);
 
         assertThat(order).contains("mjx_1_led0: ledF1.val").contains("mjx_1_led27: earR.val");
@@ -28,14 +28,14 @@ class LedReadingsTest {
     }
 
     @Test
-    void whatIsNoLampsReadingIsLeftToOthers() {
+    void otherReadingsAreIgnored() {
         assertThat(leds.take(message("notag", 1))).isFalse();
         assertThat(leds.take(message("my_led99", 1))).isFalse();
         assertThat(leds.take(message("my_leds", 1))).isFalse();
     }
 
     @Test
-    void anotherDogsLampsAreForgotten() {
+    void theReadingsOfThePreviousConnectionAreDiscarded() {
         leds.take(message("t_led0", 1));
         leds.clear();
 

@@ -17,14 +17,14 @@ class RecentObstaclesTest {
     }
 
     @Test
-    void whatIsMetWalksNearerWithTheDog() {
+    void anObstacleComesNearerAsTheDogWalks() {
         obstacles.add(Pose.START, 0, Optional.of(400.0), 1000);
 
         assertThat(obstacles.frontMm(new Pose(100, 0, 0))).contains(270.0);
     }
 
     @Test
-    void whatLiesBesideTheCorridorIsNotInTheWay() {
+    void anObstacleBesideTheCorridorIsIgnored() {
         obstacles.add(Pose.START, 45, Optional.of(400.0), 1000);
 
         assertThat(obstacles.frontMm(Pose.START)).isEmpty();
@@ -40,7 +40,7 @@ class RecentObstaclesTest {
     }
 
     @Test
-    void whatWasNotMetAgainInASweepIsForgotten() {
+    void anObstacleThatASweepDoesNotFindAgainIsDiscarded() {
         obstacles.add(Pose.START, 0, Optional.of(300.0), 1000);
         obstacles.add(Pose.START, 0, Optional.empty(), 4000);
 

@@ -79,7 +79,7 @@ class SkeletonTest {
     }
 
     @Test
-    void aSpreadLegStandsOffToItsOwnSide() {
+    void aSpreadLegPointsToItsOwnSide() {
         put(Sensor.LEG_LF2, 60);
         put(Sensor.LEG_RF2, 60);
 

@@ -15,7 +15,7 @@ class AiboPanelTest {
     private final DogState dog = new DogState(new Calibration(Settings.inMemory(), "host"));
 
     @Test
-    void theDrawingShowsWhereTheHeadLooksAndWhatItMeets() {
+    void theDrawingShowsTheDirectionOfTheHeadAndTheObstaclesThere() {
         BufferedImage ahead = drawn();
         dog.senses().put(Sensor.HEAD_PAN, new UrbiValue.Num(40), 1);
         dog.senses().put(Sensor.NEAR, new UrbiValue.Num(30), 1);
@@ -27,7 +27,7 @@ class AiboPanelTest {
     }
 
     @Test
-    void aDogThatIsNotConnectedIsDrawnFaded() {
+    void aDogThatIsNotConnectedIsDrawnPale() {
         DogDrawing drawing = new DogDrawing(dog);
         drawing.setEnabled(false);
 

@@ -54,7 +54,7 @@ class CameraPictureTest {
     }
 
     @Test
-    void whatIsNoPictureIsSaidToBeNone() {
+    void dataWithoutAPictureAreRefused() {
         assertThatThrownBy(() -> CameraPicture.of(new UrbiValue.Num(0))).hasMessageContaining("no picture");
         assertThatThrownBy(() -> CameraPicture.of(binary("raw 2 16000 16 1", new byte[4])))
                 .hasMessageContaining("raw");

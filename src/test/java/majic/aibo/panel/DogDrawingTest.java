@@ -73,7 +73,7 @@ class DogDrawingTest {
     }
 
     @Test
-    void aDimLampIsNoBrightOne() {
+    void aDimLedIsPaintedDarkerThanABrightOne() {
         shine("ledF5", 0.3);
         before = painted();
         shine("ledF5", 1);
@@ -82,7 +82,7 @@ class DogDrawingTest {
     }
 
     @Test
-    void aLostDogIsPaleAndItsLampsAreOut() {
+    void aLostDogIsPaintedPaleWithItsLedsOff() {
         drawing.setEnabled(false);
         int[] lost = painted();
         assertThat(differing()).isGreaterThan(1000);
@@ -93,7 +93,7 @@ class DogDrawingTest {
     }
 
     @Test
-    void aPaintIsDoneInTimeForTheNext() {
+    void aPaintEndsBeforeTheNextOne() {
         long start = System.nanoTime();
         for (int painting = 0; painting < PAINTINGS; painting++) {
             painted();

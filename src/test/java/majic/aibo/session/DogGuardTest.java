@@ -79,7 +79,7 @@ class DogGuardTest {
     }
 
     @Test
-    void leavesAWalkThatWasToldToStopToItself() {
+    void aWalkThatIsBeingStoppedIsNeitherRenewedNorDisarmed() {
         guard.renew();
         RunningMotion stopped = walk(3000);
         stopped.requestStop();

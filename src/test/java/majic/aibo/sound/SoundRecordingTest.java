@@ -45,7 +45,7 @@ class SoundRecordingTest {
     }
 
     @Test
-    void aBlockThatComesTwiceOrJustBeforeItsTimeIsTakenOnce() {
+    void aRepeatedOrEarlyBlockIsUsedOnce() {
         block(0, 1);
         block(8, 9);
         block(BLOCK_MS - 10, 2);
@@ -58,7 +58,7 @@ class SoundRecordingTest {
     }
 
     @Test
-    void aClockThatLeapsFillsNoMoreThanTheTime() {
+    void aJumpOfTheClockFillsNoMoreThanTheRecordedTime() {
         block(0, 1);
         block(1_000_000_000_000L, 2);
 
@@ -68,7 +68,7 @@ class SoundRecordingTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"raw 2 16000 16 1 1", "raw 2 16000 16 1", "wav 2 16000 16 1", "wav", "raw"})
-    void everyWayOfSayingItIsUnderstood(String words) {
+    void everyNotationOfTheFormatIsRead(String words) {
         take(0, words, new byte[BLOCK]);
 
         assertThat(sound().format()).isEqualTo(new PcmFormat(2, 16_000, 16, PcmFormat.Coding.SIGNED));
@@ -86,7 +86,7 @@ class SoundRecordingTest {
     }
 
     @Test
-    void nonsenseAtTheBeginningEndsItAndLaterOnIsLeftOut() {
+    void anUnreadableFirstBlockEndsTheRecordingAndALaterOneIsSkipped() {
         block(0, 1);
         take(BLOCK_MS, "raw 0 0 0 0", new byte[7]);
         block(2 * BLOCK_MS, 3);
@@ -101,7 +101,7 @@ class SoundRecordingTest {
     }
 
     @Test
-    void aDogWithoutAMicrophoneIsHeardSayingSo() {
+    void theRefusalOfADogWithoutAMicrophoneIsReported() {
         recording.take(new UrbiMessage(0, "ear", new UrbiMessage.Failure("Unknown identifier: micro.val")));
 
         assertThat(recording.failure()).isEqualTo("the dog refuses: Unknown identifier: micro.val");

@@ -40,7 +40,7 @@ public final class Sounds {
         return wav(new AudioFormat(rateHz, 16, 1, true, false), bytes.array());
     }
 
-    /** A chunk of a RIFF file that says it is so long. */
+    /** A chunk of a RIFF file with the given length in its header. */
     static byte[] chunk(String kind, int saidLength, byte... content) {
         return ByteBuffer.allocate(8 + content.length)
                 .order(ByteOrder.LITTLE_ENDIAN)

@@ -26,12 +26,12 @@ class SpeakerSoundTest {
     }
 
     @Test
-    void aToneThatTheSpeakerCannotHaveHardlyComesBackAsAnother() {
+    void aToneAboveTheRangeOfTheSpeakerIsFilteredOut() {
         assertThat(loudest(SpeakerSound.of(tone(96_000, 31_000, 0.2)))).isLessThan(4000);
     }
 
     @Test
-    void whatHasTheSpeakersFormIsSentAsItIs() {
+    void soundInTheFormatOfTheSpeakerIsSentUnchanged() {
         Pcm sound = new Pcm(format(16_000), HexFormat.of().parseHex("0000FF7F01800100"));
 
         assertThat(SpeakerSound.of(sound).bytes(0, 4, 1)).isEqualTo(sound.bytes());
@@ -41,7 +41,7 @@ class SpeakerSoundTest {
     }
 
     @Test
-    void piecesFitIntoTheServersQueueAndAreAllThereIs() {
+    void theSoundIsSplitIntoPiecesThatFitIntoTheQueueOfTheServer() {
         SpeakerSound sound = SpeakerSound.of(tone(16_000, 440, 3.1));
 
         List<Integer> ends = ends(sound);

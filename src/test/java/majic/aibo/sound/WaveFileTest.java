@@ -52,7 +52,7 @@ class WaveFileTest {
 
     @ParameterizedTest
     @ValueSource(ints = {4, 0, -1, 1000})
-    void aLengthThatIsNotTrueEndsWithTheFile(int said) {
+    void aWrongLengthIsLimitedToTheFile(int said) {
         byte[] file = Sounds.riff(
                 Sounds.chunk("LIST", 3, new byte[4]),
                 Sounds.format(1, 16_000, 16),
@@ -62,7 +62,7 @@ class WaveFileTest {
     }
 
     @Test
-    void whatCannotBePlayedSaysWhy() {
+    void aFileThatCannotBePlayedIsRefusedWithTheReason() {
         byte[] silence = Sounds.chunk("data", 4, new byte[4]);
 
         refused("x.wav: not a WAV file", "ID3 this is a song".getBytes(StandardCharsets.US_ASCII));
@@ -102,7 +102,7 @@ class WaveFileTest {
     }
 
     @Test
-    void whatIsWrittenIsWhatTheJavaLibraryReads() throws Exception {
+    void aWrittenFileIsReadByTheJavaLibrary() throws Exception {
         PcmFormat stereo = new PcmFormat(2, 16_000, 16, PcmFormat.Coding.SIGNED);
         byte[] bytes = bytes("0100FF7F00800200");
 

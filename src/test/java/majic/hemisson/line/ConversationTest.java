@@ -33,7 +33,7 @@ class ConversationTest {
     }
 
     @Test
-    void aStopOvertakesWhatWaitsButNotTheAnswerUnderWay() {
+    void aStopOvertakesQueuedQuestionsButNotTheAnswerUnderWay() {
         conversation.ask(Question.PROXIMITY);
         conversation.ask(Question.SWITCHES);
         conversation.stop();
@@ -53,7 +53,7 @@ class ConversationTest {
     }
 
     @Test
-    void aStopThrowsAwayMotionsThatWait() {
+    void aStopDiscardsQueuedMotions() {
         conversation.ask(Question.PROXIMITY);
         Exchange motion = conversation.ask(Question.wheels(AHEAD));
         conversation.stop();
@@ -114,7 +114,7 @@ class ConversationTest {
     }
 
     @Test
-    void aMissInMotionIsReportedAsOneThoughTheRobotIsStoppedByThen() {
+    void aMissedAnswerInMotionIsReportedAsSuchThoughTheRobotIsStoppedByThen() {
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
         conversation.ask(Question.PROXIMITY);
@@ -126,7 +126,7 @@ class ConversationTest {
     }
 
     @Test
-    void aMissedAnswerWhileStandingIsAskedForOnceMore() {
+    void aQuestionToAStationaryRobotIsRepeatedOnceIfItsAnswerIsMissed() {
         Exchange look = conversation.ask(Question.PROXIMITY);
         pass(0.3);
         assertThat(look.isDone()).isFalse();
@@ -149,7 +149,7 @@ class ConversationTest {
     }
 
     @Test
-    void whatAnswersNothingIsDropped() {
+    void aLineThatAnswersNoQuestionIsDropped() {
         Exchange look = conversation.ask(Question.PROXIMITY);
         hear("d");
         hear("n,004,garbage");
@@ -175,7 +175,7 @@ class ConversationTest {
     }
 
     @Test
-    void aGreetingForgetsWhatWasAskedAndTellsItToStand() {
+    void aGreetingDiscardsTheQuestionsAndSendsAStop() {
         Exchange look = conversation.ask(Question.PROXIMITY);
         hear("HemiOS V1.50 , K-Team");
         pass(0.1);
@@ -197,7 +197,7 @@ class ConversationTest {
     }
 
     @Test
-    void whatSetsItsOwnSpeedsIsStoppedAgainButNotWithoutPause() {
+    void aRobotThatSetsItsOwnSpeedsIsStoppedAgainAfterAPause() {
         conversation.stop();
         hear("d");
         hear("e,10,05");
@@ -210,7 +210,7 @@ class ConversationTest {
     }
 
     @Test
-    void noiseWithoutEndDoesNotHoldUpAStop() {
+    void continuousNoiseDoesNotPreventAStop() {
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
         conversation.ask(Question.PROXIMITY);
@@ -224,7 +224,7 @@ class ConversationTest {
     }
 
     @Test
-    void whatTakesTheLineForLongIsNotBegunWhileItMoves() {
+    void aLongQuestionIsRefusedWhileItMoves() {
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
 
@@ -235,7 +235,7 @@ class ConversationTest {
     }
 
     @Test
-    void whatTakesTheLineForLongIsGivenUpWhenAMotionHasOvertakenIt() {
+    void aQueuedLongQuestionFailsWhenAMotionIsSentBeforeIt() {
         conversation.ask(Question.PROXIMITY);
         conversation.ask(Question.wheels(AHEAD));
         Exchange camera = conversation.ask(CAMERA);
@@ -247,7 +247,7 @@ class ConversationTest {
     }
 
     @Test
-    void anUnansweredVerificationBeginsTheStopAnew() {
+    void anUnansweredVerificationRepeatsTheStop() {
         conversation.stop();
         hear("d");
         pass(0.3);
@@ -308,7 +308,7 @@ class ConversationTest {
     }
 
     @Test
-    void aFirmwareThatCannotTellItsSpeedsIsBelieved() {
+    void theStopOfAFirmwareThatCannotReportSpeedsCountsWithoutVerification() {
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
         conversation.stop();
@@ -319,7 +319,7 @@ class ConversationTest {
     }
 
     @Test
-    void aStopThatIsOrderedBehindTheEndOfTheConnectionDoesNotUndoThatItStands() {
+    void aStopAfterTheEndOfTheConnectionDoesNotUndoAConfirmation() {
         conversation.ask(Question.wheels(AHEAD));
         hear("d");
         conversation.stop();
@@ -333,7 +333,7 @@ class ConversationTest {
     }
 
     @Test
-    void aRobotThatSetsItsOwnSpeedsIsLookedAtForASecondBeforeItCountsAsStanding() {
+    void aRobotThatSetsItsOwnSpeedsCountsAsStoppedAfterASecondOfZeros() {
         conversation.setsItsOwnSpeeds(true);
         conversation.stop();
         hear("d");
@@ -352,7 +352,7 @@ class ConversationTest {
     }
 
     @Test
-    void aQuestionInMotionCarriesAStopSoThatTwoCharactersBehindItAreOne() {
+    void aQuestionInMotionCarriesTheArgumentsOfAStop() {
         moveOnABufferedLine();
         conversation.ask(Question.PROXIMITY);
         conversation.stop();
@@ -363,7 +363,7 @@ class ConversationTest {
     }
 
     @Test
-    void nothingFollowsAStopThatWaitsBehindAQuestionUntilTheLineCountsAsEmpty() {
+    void nothingIsSentAfterAStopBehindAQuestionUntilTheLineCountsAsEmpty() {
         moveOnABufferedLine();
         conversation.ask(Question.PROXIMITY);
         pass(1);
@@ -395,7 +395,7 @@ class ConversationTest {
     }
 
     @Test
-    void aStopGoesOutAtOnceBehindWhatIsAnsweredBriefly() {
+    void aStopIsSentAtOnceBehindAQuestionWithABriefAnswer() {
         conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
         conversation.mayBeDeafened(false);
         conversation.receiver(ReceiverLimits.K_TEAM);
@@ -406,7 +406,7 @@ class ConversationTest {
     }
 
     @Test
-    void aStopWaitsBehindWhatCannotCarryOneUntilTheLineCountsAsEmpty() {
+    void aStopWaitsBehindAQuestionWithoutItsArgumentsUntilTheLineCountsAsEmpty() {
         moveOnABufferedLine();
         conversation.ask(ULTRASONIC);
         conversation.stop();
@@ -418,7 +418,7 @@ class ConversationTest {
     }
 
     @Test
-    void aLateAnswerSaysThatTheLineIsFree() {
+    void aLateAnswerFreesTheLine() {
         moveOnABufferedLine();
         conversation.ask(ULTRASONIC);
         pass(1);
@@ -430,7 +430,7 @@ class ConversationTest {
     }
 
     @Test
-    void anUnmeasuredReceiverIsSentNothingBehindAnything() {
+    void anUnknownReceiverGetsOneCommandAtATime() {
         conversation = new Conversation(link, clock, LineTimes.BUFFERED, told);
         conversation.mayBeDeafened(false);
         conversation.ask(Question.wheels(AHEAD));

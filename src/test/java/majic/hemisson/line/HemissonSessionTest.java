@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(20)
 class HemissonSessionTest {
     @Test
-    void anErrorOverOneLineLeavesTheLinkToTheNextOnes() throws InterruptedException {
+    void anErrorInOneLineDoesNotEndTheLink() throws InterruptedException {
         CountDownLatch ended = new CountDownLatch(1);
         List<String> resets = new CopyOnWriteArrayList<>();
         byte[] greeting = "HemiOS V1.50\r\n".getBytes(StandardCharsets.ISO_8859_1);

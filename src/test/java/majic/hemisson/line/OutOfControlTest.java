@@ -19,7 +19,7 @@ class OutOfControlTest {
     }
 
     @Test
-    void whatWasMissedBeforeItMovedDoesNotCount() {
+    void anAnswerMissedBeforeTheMotionDoesNotCount() {
         conversation.ask(Question.PROXIMITY);
         pass(0.3);
         hear(SEEN);
@@ -31,7 +31,7 @@ class OutOfControlTest {
     }
 
     @Test
-    void fromTheFirstMissInMotionUntilItIsKnownToStand() {
+    void aRobotIsOutOfControlFromTheFirstMissedAnswerInMotionUntilAConfirmedStop() {
         conversation.ask(Question.wheels(new MotorValues(3, 3)));
         pass(0.3);
         assertThat(conversation.isUnreached()).isTrue();

@@ -49,7 +49,7 @@ class QuestionTest {
                 "n,004,004,004,004,004,004,060,0600",
                 "o,004,004,004,004,004,004,060,060"
             })
-    void aDamagedReadingAnswersNothing(String line) {
+    void aDamagedReadingIsNoAnswer(String line) {
         assertThat(Question.PROXIMITY.isAnsweredBy(Reply.of(line))).isFalse();
     }
 
@@ -67,7 +67,7 @@ class QuestionTest {
     }
 
     @Test
-    void lampsAreAlwaysSentAllFour() {
+    void allFourLedsAreSentTogether() {
         assertThat(Question.leds(Leds.OFF.withPgm(true).withRight(true)).text()).isEqualTo("L,0,1,0,1");
     }
 }

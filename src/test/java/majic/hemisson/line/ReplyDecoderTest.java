@@ -17,7 +17,7 @@ class ReplyDecoderTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 7, 64, 1000})
-    void findsTheSameLinesHoweverTheBytesArrive(int chunkSize) {
+    void theLinesDoNotDependOnThePacketsOfTheBytes(int chunkSize) {
         assertThat(decode(SESSION, chunkSize))
                 .containsExactly(
                         "HemiOS V1.50 , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30",
@@ -30,12 +30,12 @@ class ReplyDecoderTest {
     }
 
     @Test
-    void keepsWhatIsNotYetALine() {
+    void aPartialLineIsKept() {
         assertThat(decode("b,Hemi", 100)).isEmpty();
     }
 
     @Test
-    void dropsALineThatIsTooLongAndFindsTheNext() {
+    void aTooLongLineIsDroppedAndTheNextIsFound() {
         assertThat(decode("x".repeat(ReplyDecoder.LONGEST + 1) + "\r\nd\r\n", 50))
                 .containsExactly("d");
     }
@@ -46,7 +46,7 @@ class ReplyDecoderTest {
     }
 
     @Test
-    void recognisesATelnetPeerByItsFirstBytes() {
+    void aTelnetPeerIsRecognisedByItsFirstBytes() {
         ReplyDecoder decoder = new ReplyDecoder();
 
         decoder.feed(new byte[] {(byte) 0xFF}, 1);

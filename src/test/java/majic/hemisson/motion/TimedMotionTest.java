@@ -10,35 +10,36 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class TimedMotionTest {
     @Test
-    void aMetreAtCruiseTakesWhatTheTableSays() {
-        TimedMotion leg = TimedMotion.straight(1000, 42, SpeedTable.USUAL);
+    void aMetreAtCruiseSpeedTakesTheTimeOfTheSpeedTable() {
+        TimedMotion plan = TimedMotion.straight(1000, 42, SpeedTable.USUAL);
 
-        assertThat(leg.wheels()).isEqualTo(new MotorValues(3, 3));
-        assertThat(leg.seconds()).isCloseTo(1000 / 42.0, within(1e-9));
+        assertThat(plan.wheels()).isEqualTo(new MotorValues(3, 3));
+        assertThat(plan.seconds()).isCloseTo(1000 / 42.0, within(1e-9));
     }
 
     @Test
     void backwardBothWheelsTurnBack() {
-        TimedMotion leg = TimedMotion.straight(-100, 42, SpeedTable.USUAL);
+        TimedMotion plan = TimedMotion.straight(-100, 42, SpeedTable.USUAL);
 
-        assertThat(leg.wheels()).isEqualTo(new MotorValues(-3, -3));
-        assertThat(leg.seconds()).isPositive();
-        assertThat(leg.covered(leg.seconds())).hasToString("about -100 mm");
+        assertThat(plan.wheels()).isEqualTo(new MotorValues(-3, -3));
+        assertThat(plan.seconds()).isPositive();
+        assertThat(plan.covered(plan.seconds())).hasToString("about -100 mm");
     }
 
     @ParameterizedTest
     @CsvSource({"1000,3", "20,3", "10,2", "1,2"})
-    void aShortWayIsGoneSlower(double mm, int value) {
+    void aShortMotionIsSlower(double mm, int value) {
         assertThat(TimedMotion.straight(mm, 42, SpeedTable.USUAL).wheels().right())
                 .isEqualTo(value);
     }
 
     @Test
     void leftIsPositive() {
-        TimedMotion leg = TimedMotion.spin(90, 53, SpeedTable.USUAL);
+        TimedMotion plan = TimedMotion.spin(90, 53, SpeedTable.USUAL);
 
-        assertThat(leg.wheels()).isEqualTo(new MotorValues(-3, 3));
-        assertThat(leg.seconds() * SpeedTable.USUAL.turnDegPerSec(leg.wheels())).isCloseTo(90, within(1e-9));
+        assertThat(plan.wheels()).isEqualTo(new MotorValues(-3, 3));
+        assertThat(plan.seconds() * SpeedTable.USUAL.turnDegPerSec(plan.wheels()))
+                .isCloseTo(90, within(1e-9));
     }
 
     @Test
@@ -58,27 +59,27 @@ class TimedMotionTest {
 
     @ParameterizedTest
     @CsvSource({"42,0,3,3", "0,53,-3,3", "0,-53,3,-3", "-64,0,-4,-4", "86,29,4,6", "184,234,0,9", "5,0,0,0"})
-    void aCurveGetsTheNearestWheelValues(double speed, double turn, int left, int right) {
+    void aCurveUsesTheNearestMotorValues(double speed, double turn, int left, int right) {
         assertThat(SpeedTable.USUAL.curve(speed, turn)).isEqualTo(new MotorValues(left, right));
     }
 
     @ParameterizedTest
     @CsvSource({"5", "-5", "12"})
-    void theFasterWheelIsEasedUntilBothGoEquallyFar(double trimPercent) {
+    void theFasterWheelIsSlowedUntilBothCoverTheSameDistance(double trimPercent) {
         SpeedTable table = SpeedTable.USUAL.withTrim(trimPercent);
-        TimedMotion leg = TimedMotion.straight(420, 42, table);
+        TimedMotion plan = TimedMotion.straight(420, 42, table);
 
-        double drift = table.turnDegPerSec(leg.wheels()) * (1 - leg.easedShare())
-                + table.turnDegPerSec(leg.eased()) * leg.easedShare();
-        double speed = table.speedMmPerSec(leg.wheels()) * (1 - leg.easedShare())
-                + table.speedMmPerSec(leg.eased()) * leg.easedShare();
+        double drift = table.turnDegPerSec(plan.wheels()) * (1 - plan.easedShare())
+                + table.turnDegPerSec(plan.eased()) * plan.easedShare();
+        double speed = table.speedMmPerSec(plan.wheels()) * (1 - plan.easedShare())
+                + table.speedMmPerSec(plan.eased()) * plan.easedShare();
         assertThat(drift).isCloseTo(0, within(1e-9));
-        assertThat(speed).isCloseTo(leg.perSecond(), within(1e-9));
-        assertThat(leg.rounds()).isEqualTo((int) Math.round(leg.seconds()));
+        assertThat(speed).isCloseTo(plan.perSecond(), within(1e-9));
+        assertThat(plan.rounds()).isEqualTo((int) Math.round(plan.seconds()));
     }
 
     @Test
-    void withoutTrimNoWheelIsEased() {
+    void withoutTrimNoWheelIsSlowed() {
         assertThat(TimedMotion.straight(420, 42, SpeedTable.USUAL).rounds()).isZero();
     }
 }

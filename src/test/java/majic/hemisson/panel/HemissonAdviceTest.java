@@ -10,7 +10,7 @@ import majic.hemisson.panel.HemissonScene.Line;
 import majic.panel.StatusLight;
 import org.junit.jupiter.api.Test;
 
-/** What the advice and the lights of the Hemisson's tab say, and when. */
+/** The advice and the status lights of the Hemisson's tab. */
 class HemissonAdviceTest {
     private static final long SECOND = 1_000_000_000;
 
@@ -40,7 +40,7 @@ class HemissonAdviceTest {
     }
 
     @Test
-    void anotherRunningModeIsCalledByItsName() {
+    void anotherRunningModeIsShownByItsName() {
         HemissonScene dancing = Scenes.withSwitches(Scenes.DANCE, Scenes.DANCE);
 
         assertThat(advice.on(dancing, 0).text()).contains("dance", "reads 1");
@@ -49,14 +49,14 @@ class HemissonAdviceTest {
     }
 
     @Test
-    void switchesMovedAfterItsStartAreSaid() {
+    void switchesMovedAfterTheStartAreReported() {
         assertThat(light("mode", Scenes.withSwitches(Scenes.REMOTE, Scenes.DANCE)))
                 .isEqualTo("WARNING switches moved since its start");
         assertThat(light("mode", Scenes.standing(Scenes.WELL))).isEqualTo("GOOD remote control");
     }
 
     @Test
-    void theLineTellsHowItCarries() {
+    void theQualityOfTheLineIsShown() {
         LinkQuality quality = new LinkQuality(4.25, 100, 2, 1, 0);
 
         assertThat(line(quality, false, 0.1)).isEqualTo("GOOD line 4.3 ms");

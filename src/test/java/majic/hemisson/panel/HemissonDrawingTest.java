@@ -43,7 +43,7 @@ class HemissonDrawingTest {
     }
 
     @Test
-    void lightIsSunnyAndDarknessIsShadeBesideTheBar() {
+    void lightIsPaintedYellowAndDarknessGrey() {
         Point2D besideTheFrontBar = new Point2D.Double(90, 9);
         int unknown = at(painted(Scenes.seeing(null, null)), besideTheFrontBar);
         int bright = at(painted(Scenes.seeing(null, BRIGHT)), besideTheFrontBar);
@@ -75,14 +75,14 @@ class HemissonDrawingTest {
     }
 
     @Test
-    void aLostRobotIsPaintedFaded() {
+    void aLostRobotIsPaintedPale() {
         int[] here = painted(Scenes.standing(Scenes.WELL));
 
         assertThat(differing(here, painted(Scenes.standing(Scenes.LOST)))).isGreaterThan(5000);
     }
 
     @Test
-    void theLeftGroundSensorsSlipIsCorrectedWhereTheLightIsKnown() {
+    void theLeftGroundReadingIsCorrectedIfTheLightIsKnown() {
         Proximity seen = new Proximity(List.of(0, 0, 0, 0, 0, 0, 60, 80));
         List<Integer> light = List.of(220, 220, 220, 220, 220, 220, 220, 200);
 

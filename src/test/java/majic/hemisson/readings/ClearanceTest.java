@@ -22,7 +22,7 @@ class ClearanceTest {
     }
 
     @Test
-    void theResponseCurveIsReadBackwards() {
+    void distancesFollowFromTheInverseOfTheResponseCurve() {
         assertThat(Clearance.front(reading(20, 4, 4, 4, 4, 4)).orElseThrow()).isCloseTo(27.5, within(0.01));
         assertThat(Clearance.back(reading(4, 4, 4, 4, 4, 34)).orElseThrow()).isCloseTo(25, within(0.01));
         assertThat(Clearance.left(reading(4, 4, 4, 4, 48, 4)).orElseThrow()).isCloseTo(9, within(0.01));
@@ -30,7 +30,7 @@ class ClearanceTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70, 75, 80, 85})
-    void aWallAtAnyAngleIsNearBeforeItIsTouched(int angleDeg) {
+    void aWallAtAnyAngleIsReportedAsNearBeforeContact(int angleDeg) {
         for (int side = -1; side <= 1; side += 2) {
             double normal = Math.toRadians(side * angleDeg);
             double[] wall = wall(FAR_MM * Math.cos(normal), FAR_MM * Math.sin(normal), normal);
@@ -41,7 +41,7 @@ class ClearanceTest {
     }
 
     @Test
-    void aCornerOfABoxIsNearBeforeItIsTouched() {
+    void aCornerOfABoxIsReportedAsNearBeforeContact() {
         for (int offset = -58; offset <= 58; offset += 2) {
             for (int turned = 0; turned <= 90; turned += 5) {
                 List<double[]> box = box(FAR_MM, offset, Math.toRadians(turned - 45));

@@ -13,7 +13,7 @@ class PolledAnswersTest {
     private final PolledAnswers polled = new PolledAnswers(TimeSource.system());
 
     @Test
-    void whatIsAnsweredAgainAndAgainIsNeverEvictedByRawAnswers() {
+    void aPolledAnswerIsNeverEvictedByRawAnswers() {
         for (int register = 0; register < MANY; register++) {
             polled.answered(Question.PROXIMITY, Reply.of("n,004,004,004,004,004,004,060,080"));
             polled.answered(raw(register), Reply.of("r,255"));

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** Tests that a Hemisson is calibrated with a ruler, and that its motions use the result. */
 @Timeout(120)
-class HemissonLessonInLabTest {
+class HemissonCalibrationInLabTest {
     @Test
     void aStretchThatWasMeasuredScalesAllSpeeds() throws Exception {
         try (LabRig rig = LabRig.exact()) {
