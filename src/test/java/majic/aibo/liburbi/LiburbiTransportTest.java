@@ -26,6 +26,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import liburbi.UClient;
 import liburbi.call.URBIEvent;
@@ -311,15 +312,16 @@ class LiburbiTransportTest {
     @Test
     void theDeathOfTheLibrarysThreadEndsTheConnection() throws IOException {
         lenient().when(client.effectiveSend(any(), anyInt())).thenReturn(1);
+        AtomicReference<Thread> reading = new AtomicReference<>();
         transport = new LiburbiTransport(new TcpConnector("127.0.0.1", server.getLocalPort()), (opened, heard) -> {
-            new Thread(() -> {
-                        throw new IllegalStateException("made up");
-                    })
-                    .start();
+            reading.set(new Thread(() -> {
+                throw new IllegalStateException("made up");
+            }));
             return client;
         });
-
         open();
+
+        reading.get().start();
 
         verify(receiver, timeout(PATIENCE_MS))
                 .ended(argThat(cause -> String.valueOf(cause.getMessage())
