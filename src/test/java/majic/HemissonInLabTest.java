@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
+import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.Guard;
@@ -177,7 +178,7 @@ class HemissonInLabTest {
         lab = simulated.simulators();
         time = simulated.time();
         membership = time.join();
-        String address = simulated.address("hemisson").orElseThrow().rest();
+        BotAddress address = simulated.address("hemisson").orElseThrow();
         bot = new MajicHemisson(address, new BotEnvironment(time, Settings.inMemory()));
         bot.connect();
     }

@@ -41,7 +41,7 @@ public final class AiboType implements BotType {
 
     @Override
     public MajicBot create(String address, BotEnvironment environment) {
-        return new MajicAibo(address, environment);
+        return new MajicAibo(new BotAddress(name(), address), environment);
     }
 
     @Override

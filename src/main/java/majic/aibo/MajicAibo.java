@@ -66,17 +66,6 @@ public final class MajicAibo extends MajicBot {
     /**
      * Makes the driver of a dog, without touching it.
      *
-     * @param address what follows {@code aibo:}, such as {@code //192.168.1.20}
-     * @param environment its clock and settings
-     * @throws BotException if it is no such address; the message says what one looks like
-     */
-    public MajicAibo(String address, BotEnvironment environment) {
-        this(new BotAddress("aibo", address), environment);
-    }
-
-    /**
-     * Makes the driver of a dog, without touching it.
-     *
      * @param address may name a library
      * @param environment its clock and settings
      * @throws BotException if it is no dog's address, or the library is missing; the message says what is right

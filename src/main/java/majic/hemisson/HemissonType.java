@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
@@ -38,7 +39,7 @@ public final class HemissonType implements BotType {
 
     @Override
     public MajicBot create(String address, BotEnvironment environment) {
-        return new MajicHemisson(address, environment);
+        return new MajicHemisson(new BotAddress(name(), address), environment);
     }
 
     @Override

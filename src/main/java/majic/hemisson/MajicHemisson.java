@@ -1,5 +1,6 @@
 package majic.hemisson;
 
+import java.util.List;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
@@ -63,17 +64,22 @@ public final class MajicHemisson extends MajicBot {
      * @throws BotException if the address is not valid
      */
     public MajicHemisson(String address) {
-        this(BotAddress.parse(address).rest(), BotEnvironment.plain());
+        this(BotAddress.parse(address), BotEnvironment.plain());
     }
 
     /**
      * Creates a driver; sends nothing to the robot.
      *
-     * @param address the name of a serial port, {@code tcp://host:port} or {@code //host:port}
+     * @param address of the type {@code hemisson}; behind the colon the name of a serial port, {@code tcp://host:port} or
+     *     {@code //host:port}
      * @param environment its clock, and the settings that keep its calibration
      * @throws BotException if the address is not valid; the message shows the valid forms
      */
-    public MajicHemisson(String address, BotEnvironment environment) {
+    public MajicHemisson(BotAddress address, BotEnvironment environment) {
+        this(place(address), environment);
+    }
+
+    private MajicHemisson(String address, BotEnvironment environment) {
         super(new HemissonType(), HemissonProfile.of(SpeedTable.USUAL), environment);
         this.sessions = new CurrentSession(address, time());
         this.calibration = new SpeedCalibration(settings(), address, this::use);
@@ -90,6 +96,15 @@ public final class MajicHemisson extends MajicBot {
         parameters.describe(Modules.NONE);
         add(CalibrateCommand.of(new SpeedCalibrationRun(calibration, motions, new Cruise())));
         new I2cCommands(access).all().forEach(this::add);
+    }
+
+    private static String place(BotAddress address) {
+        if (!address.type().equals("hemisson")) {
+            throw new BotException(
+                    address + ": not a Hemisson's address; it looks like hemisson:COM3 or hemisson://host:port");
+        }
+        address.libraryAmong(List.of());
+        return address.rest();
     }
 
     private void use(SpeedTable better) {

@@ -81,17 +81,6 @@ public final class MajicPioneer extends MajicBot {
     /**
      * Creates the driver of a robot.
      *
-     * @param address what follows {@code pioneer:} — {@code //host}, {@code //host:port}, or a serial port
-     * @param environment the clock and settings to use
-     * @throws BotException if it is no such address
-     */
-    public MajicPioneer(String address, BotEnvironment environment) {
-        this(new BotAddress("pioneer", address), environment);
-    }
-
-    /**
-     * Creates the driver of a robot.
-     *
      * @param address may name a library
      * @param environment the clock and settings to use
      * @throws BotException if it is no such address, or the library is missing; the message says what is right

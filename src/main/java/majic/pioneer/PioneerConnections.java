@@ -37,6 +37,10 @@ final class PioneerConnections {
     }
 
     private static Link link(BotAddress address) {
+        if (!address.type().equals("pioneer")) {
+            throw new BotException(
+                    address + ": not a Pioneer's address; it looks like pioneer://10.0.0.5 or pioneer:/dev/ttyS0");
+        }
         try {
             return Links.of(address.rest(), PioneerType.PORT, BaudRates.POWER_UP);
         } catch (IllegalArgumentException e) {

@@ -41,7 +41,7 @@ public final class PioneerType implements BotType {
 
     @Override
     public MajicBot create(String address, BotEnvironment environment) {
-        return new MajicPioneer(address, environment);
+        return new MajicPioneer(new BotAddress(name(), address), environment);
     }
 
     @Override

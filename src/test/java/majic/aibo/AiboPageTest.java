@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import majic.bot.BotEnvironment;
 import majic.bot.RobotPage;
 import org.junit.jupiter.api.Test;
 
@@ -15,14 +14,14 @@ class AiboPageTest {
 
     @Test
     void listsEveryParameter() throws IOException {
-        try (MajicAibo dog = new MajicAibo("//127.0.0.1:1", BotEnvironment.plain())) {
+        try (MajicAibo dog = new MajicAibo("aibo://127.0.0.1:1")) {
             assertThat(Files.readString(PAGE)).contains(RobotPage.parameters(dog));
         }
     }
 
     @Test
     void listsEveryCommand() throws IOException {
-        try (MajicAibo dog = new MajicAibo("//127.0.0.1:1", BotEnvironment.plain())) {
+        try (MajicAibo dog = new MajicAibo("aibo://127.0.0.1:1")) {
             assertThat(Files.readString(PAGE)).contains(RobotPage.commands(dog));
         }
     }

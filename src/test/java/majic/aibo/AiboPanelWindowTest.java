@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
+import majic.bot.BotAddress;
 import majic.gui.WindowWait;
 import majic.panel.PictureView;
 import majic.team.Member;
@@ -45,7 +46,7 @@ class AiboPanelWindowTest {
     void open() throws Exception {
         dog = ScriptedDog.inRealTime();
         dog.set(ASKED, "BIN 12 YCbCr 2 2\nabcdefghijkl");
-        MajicAibo aibo = new MajicAibo(dog.address(), dog.environment());
+        MajicAibo aibo = new MajicAibo(new BotAddress("aibo", dog.address()), dog.environment());
         aibo.connect();
         member = team.add(aibo, OptionalInt.empty());
         team.addListener(new TeamListener() {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
+import majic.bot.BotAddress;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
@@ -18,7 +19,7 @@ final class DrivenAibo implements AutoCloseable {
 
     private DrivenAibo(ScriptedDog dog) {
         this.dog = dog;
-        this.aibo = new MajicAibo(dog.address(), dog.environment(settings));
+        this.aibo = new MajicAibo(new BotAddress("aibo", dog.address()), dog.environment(settings));
         aibo.addListener(new BotListener() {
             @Override
             public void notice(MajicBot bot, String message) {

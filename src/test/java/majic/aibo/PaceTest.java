@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
@@ -95,7 +96,7 @@ class PaceTest {
     void aFallenDogIsNotDriven() {
         aibo.close();
         dog.set("robot.MyguessPosition()", "\"side\"");
-        try (MajicAibo fallen = new MajicAibo(dog.address(), dog.environment())) {
+        try (MajicAibo fallen = new MajicAibo(new BotAddress("aibo", dog.address()), dog.environment())) {
             fallen.connect();
 
             assertThatThrownBy(() -> fallen.drive(50, 0)).hasMessageContaining("put it on its feet");

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
+import majic.bot.BotAddress;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
 
@@ -27,7 +28,7 @@ final class DrivenHemisson implements AutoCloseable {
 
     DrivenHemisson() {
         robot = new ScriptedHemisson();
-        bot = new MajicHemisson(robot.address(), robot.environment());
+        bot = new MajicHemisson(new BotAddress("hemisson", robot.address()), robot.environment());
         bot.addListener(new BotListener() {
             @Override
             public void notice(MajicBot source, String message) {

@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
-import majic.bot.BotEnvironment;
 import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
 import majic.bot.Range;
@@ -48,7 +47,7 @@ class HemissonPageTest {
     }
 
     static MajicHemisson wellEquipped(boolean roadNarrows) {
-        MajicHemisson bot = new MajicHemisson("//127.0.0.1:1", BotEnvironment.plain());
+        MajicHemisson bot = new MajicHemisson("hemisson://127.0.0.1:1");
         bot.equip(Modules.of(
                 Reply.of(roadNarrows ? "j,L,C0,01,U,E0,06,T,C4,01,D,A0,01,G,D0,01,2,00,01" : "j,C0,E0,C4,A0,D0")));
         return bot;

@@ -7,6 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.function.BooleanSupplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import majic.bot.BotAddress;
 import majic.gui.WindowWait;
 import majic.hemisson.panel.LedButton;
 import majic.panel.Banner;
@@ -31,7 +32,7 @@ class HemissonPanelWindowTest {
     @BeforeEach
     void open() throws Exception {
         peer = ScriptedHemisson.inRealTime();
-        bot = new MajicHemisson(peer.address(), peer.environment());
+        bot = new MajicHemisson(new BotAddress("hemisson", peer.address()), peer.environment());
         bot.connect();
         frame = GuiActionRunner.execute(() -> {
             JFrame made = new JFrame("Hemisson");

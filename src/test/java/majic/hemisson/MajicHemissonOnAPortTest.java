@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
@@ -19,7 +20,8 @@ import org.junit.jupiter.api.condition.OS;
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has no pseudo-terminals that are serial ports")
 class MajicHemissonOnAPortTest {
     private final PortHemisson robot = PortHemisson.roadNarrows();
-    private final MajicHemisson bot = new MajicHemisson(robot.name(), BotEnvironment.plain());
+    private final MajicHemisson bot =
+            new MajicHemisson(new BotAddress("hemisson", robot.name()), BotEnvironment.plain());
 
     @BeforeEach
     void plugIn() {

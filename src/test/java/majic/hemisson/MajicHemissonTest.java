@@ -166,4 +166,15 @@ class MajicHemissonTest {
         assertThat(bot.get("ledLeft").isYes()).isTrue();
         assertThat(bot.get("light").isYes()).isFalse();
     }
+
+    @Test
+    void theAddressOfAnotherTypeIsRefused() {
+        assertThatThrownBy(() -> new MajicHemisson("pioneer://10.0.0.5"))
+                .isInstanceOf(BotException.class)
+                .hasMessage("pioneer://10.0.0.5: not a Hemisson's address; it looks like hemisson:COM3 or"
+                        + " hemisson://host:port");
+        assertThatThrownBy(() -> new MajicHemisson("hemisson+aria:COM3"))
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("there is no library aria for it");
+    }
 }

@@ -44,6 +44,14 @@ class PioneerConnectionsTest {
     }
 
     @Test
+    void theAddressOfAnotherTypeIsRefused() {
+        assertThatThrownBy(() -> new MajicPioneer("hemisson:/dev/ttyS0"))
+                .isInstanceOf(BotException.class)
+                .hasMessage("hemisson:/dev/ttyS0: not a Pioneer's address; it looks like pioneer://10.0.0.5 or"
+                        + " pioneer:/dev/ttyS0");
+    }
+
+    @Test
     void withoutALibraryNoneIsLookedFor() {
         settings.put("aria.home", "/nowhere");
 

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import majic.bot.BotEnvironment;
 import majic.bot.RobotPage;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Equipment;
@@ -32,7 +31,7 @@ class PioneerPageTest {
     }
 
     private static MajicPioneer wellEquipped() {
-        MajicPioneer bot = new MajicPioneer("//127.0.0.1:1", BotEnvironment.plain());
+        MajicPioneer bot = new MajicPioneer("pioneer://127.0.0.1:1");
         bot.describe(new Equipment(Models.USUAL, new Bumpers(5, 5), true, true, true, Limits.of(Models.USUAL, null)));
         return bot;
     }

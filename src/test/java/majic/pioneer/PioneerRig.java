@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotListener;
 import majic.bot.BotState;
@@ -31,7 +32,8 @@ public final class PioneerRig implements AutoCloseable {
     PioneerRig(ScriptedPioneer robot, SteppedPeer.Robot peer, int latencyMs) {
         this.robot = robot;
         this.line = new SteppedPeer(peer, latencyMs);
-        this.bot = new MajicPioneer(line.address(), new BotEnvironment(line.time(), Settings.inMemory()));
+        this.bot = new MajicPioneer(
+                new BotAddress("pioneer", line.address()), new BotEnvironment(line.time(), Settings.inMemory()));
         bot.addListener(new BotListener() {
             @Override
             public void notice(MajicBot from, String message) {

@@ -9,6 +9,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.link.PseudoTerminal;
 import majic.pioneer.arcos.Bytes;
@@ -34,7 +35,7 @@ class SerialSpeedTest {
     private final PseudoTerminal plug = new PseudoTerminal();
     private final List<Integer> heard = new CopyOnWriteArrayList<>();
     private final ScheduledExecutorService cycle = Executors.newSingleThreadScheduledExecutor();
-    private final MajicPioneer bot = new MajicPioneer(plug.name(), BotEnvironment.plain());
+    private final MajicPioneer bot = new MajicPioneer(new BotAddress("pioneer", plug.name()), BotEnvironment.plain());
     private volatile int speed = B9600;
     private volatile boolean changesSpeed = true;
     private volatile boolean open;

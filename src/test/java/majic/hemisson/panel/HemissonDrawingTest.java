@@ -8,7 +8,6 @@ import java.awt.image.BufferedImage;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
-import majic.bot.BotEnvironment;
 import majic.hemisson.MajicHemisson;
 import majic.hemisson.line.MotorValues;
 import majic.hemisson.readings.Proximity;
@@ -25,7 +24,7 @@ class HemissonDrawingTest {
     private static final List<Integer> DARK = Collections.nCopies(8, 255);
 
     @AutoClose
-    private final MajicHemisson bot = new MajicHemisson("//127.0.0.1:1", BotEnvironment.plain());
+    private final MajicHemisson bot = new MajicHemisson("hemisson://127.0.0.1:1");
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6, 7})
