@@ -24,7 +24,7 @@ import majic.script.record.SessionRecord;
 import majic.script.run.ActRunner;
 import majic.script.run.ActionLookup;
 import majic.script.run.Execution;
-import majic.script.run.RobotCheck;
+import majic.script.run.RobotAction;
 import majic.script.run.SessionState;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
@@ -86,7 +86,7 @@ final class SessionActs implements ActRunner {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(RobotAction.Check check) {
             act.name().at().check(() -> {
                 Map<String, List<Member>> robots =
                         assign(check.robot(), check.selection().members(act.others()));

@@ -12,10 +12,8 @@ import majic.script.run.ActionLookup;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.RobotCheck;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
-import majic.script.run.SessionCheck;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.SessionCommand;
@@ -41,7 +39,7 @@ final class ActActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             if (check.readsFiles()) {
                 checkedAct().check(check);
             } else {
@@ -88,7 +86,7 @@ final class ActActions {
         }
 
         @Override
-        public void check(RobotCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution, List<Member> robots) {
@@ -114,7 +112,7 @@ final class ActActions {
         }
 
         @Override
-        public void check(SessionCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution) {
@@ -133,7 +131,7 @@ final class ActActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             trust.act().at().check(() -> acts.checkNamed(trust.act().unquoted()));
         }
 
@@ -159,7 +157,7 @@ final class ActActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             fileOrHash.at().check(() -> acts.checkHash(fileOrHash.unquoted()));
         }
 

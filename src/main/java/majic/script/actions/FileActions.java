@@ -11,7 +11,6 @@ import majic.script.run.Execution;
 import majic.script.run.Scheduling;
 import majic.script.run.ScriptFiles;
 import majic.script.run.SessionAction;
-import majic.script.run.SessionCheck;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
@@ -32,7 +31,7 @@ final class FileActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             if (check.filesMayAppear()) {
                 return;
             }
@@ -62,7 +61,7 @@ final class FileActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             file.path();
         }
 
@@ -84,7 +83,7 @@ final class FileActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             file.path();
         }
 

@@ -5,10 +5,8 @@ import java.util.Locale;
 import majic.script.help.Help;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.RobotCheck;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
-import majic.script.run.SessionCheck;
 import majic.script.syntax.Command;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
@@ -33,7 +31,7 @@ final class HelpActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             if (topic != null && !check.isCommand(topic.text())) {
                 check.parameter(topic);
             }
@@ -64,7 +62,7 @@ final class HelpActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             if (topic != null && !Help.topics().contains(topic.text().toLowerCase(Locale.ROOT))) {
                 throw new ScriptException(
                         topic, topic.text() + ": no help on that" + Suggestion.didYouMean(topic.text(), Help.topics()));
@@ -86,7 +84,7 @@ final class HelpActions {
         }
 
         @Override
-        public void check(SessionCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution) {

@@ -9,7 +9,6 @@ import majic.script.record.SessionRecord;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.RobotCheck;
 import majic.script.run.Scheduling;
 import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
@@ -44,7 +43,7 @@ final class MotionActions {
             return new QueuedCommand(text(), true, robot -> List.of(text() + ": done (" + move(robot, guard) + ")"));
         }
 
-        final void checkUntil(RobotCheck check) {
+        final void checkUntil(Check check) {
             check.until(until);
         }
     }
@@ -58,7 +57,7 @@ final class MotionActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             checkUntil(check);
             if (!check.limitMayChange()) {
                 distance.at().check(() -> check.bot().limits().checkMove(number(distance)));
@@ -80,7 +79,7 @@ final class MotionActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             angle.at().check(() -> check.bot().limits().checkTurn(number(angle)));
             checkUntil(check);
         }
@@ -106,7 +105,7 @@ final class MotionActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             double seconds = drive.seconds().orElse(DRIVE_S);
             drive.speed()
                     .at()
@@ -127,7 +126,7 @@ final class MotionActions {
         }
 
         @Override
-        public void check(RobotCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution, List<Member> robots) {

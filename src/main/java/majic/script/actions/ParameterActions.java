@@ -12,7 +12,6 @@ import majic.script.help.Help;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.RobotCheck;
 import majic.script.run.Scheduling;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
@@ -36,7 +35,7 @@ final class ParameterActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             get.parameters().forEach(check::readable);
         }
 
@@ -83,7 +82,7 @@ final class ParameterActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             if (!check.parameter(parameter).writable()) {
                 throw new ScriptException(parameter, parameter.text() + ": can be read but not set");
             }
@@ -119,7 +118,7 @@ final class ParameterActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             log.parameters().forEach(check::readable);
             double seconds = log.period().value().number();
             if (seconds < SHORTEST_PERIOD_S || seconds > LONGEST_PERIOD_S) {
@@ -158,7 +157,7 @@ final class ParameterActions {
         }
 
         @Override
-        public void check(RobotCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution, List<Member> robots) {
@@ -182,7 +181,7 @@ final class ParameterActions {
         }
 
         @Override
-        public void check(RobotCheck check) {
+        public void check(Check check) {
             if (!check.isCommand(word.text())) {
                 throw new ScriptException(word, Help.noSuchCommand(word.text(), check.bot()));
             }

@@ -10,7 +10,6 @@ import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
-import majic.script.run.SessionCheck;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
 import majic.script.syntax.SessionCommand;
@@ -35,7 +34,7 @@ final class TeamActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             checkAddress(add.address(), factory);
             add.address().at().check(() -> connector.checkRoom(add.address().unquoted(), add.number()));
         }
@@ -60,7 +59,7 @@ final class TeamActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             check.selection().members(robots);
         }
 
@@ -85,7 +84,7 @@ final class TeamActions {
         }
 
         @Override
-        public void check(SessionCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution) {
@@ -104,7 +103,7 @@ final class TeamActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             checkAddress(address, factory);
         }
 
@@ -124,7 +123,7 @@ final class TeamActions {
         }
 
         @Override
-        public void check(SessionCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution) {
@@ -139,7 +138,7 @@ final class TeamActions {
         }
 
         @Override
-        public void check(SessionCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution) {
@@ -156,7 +155,7 @@ final class TeamActions {
         }
 
         @Override
-        public void check(SessionCheck check) {
+        public void check(Check check) {
             if (factory.lab().isEmpty()) {
                 throw new BotException("lab: no simulated lab runs here; start MAJIC with --lab");
             }

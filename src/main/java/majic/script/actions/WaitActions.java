@@ -3,14 +3,11 @@ package majic.script.actions;
 import java.util.List;
 import java.util.Set;
 import majic.script.record.RecordedBlock;
-import majic.script.record.RecordedEvent;
 import majic.script.record.SessionRecord;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.RobotCheck;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
-import majic.script.run.SessionCheck;
 import majic.script.syntax.Command;
 import majic.script.syntax.SessionCommand;
 import majic.team.Member;
@@ -27,7 +24,7 @@ final class WaitActions {
         }
 
         @Override
-        public void check(RobotCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution, List<Member> robots) {
@@ -40,7 +37,7 @@ final class WaitActions {
                 Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
             run(execution, robots);
             Set<Integer> numbers = SessionRecord.numbers(robots);
-            record.waited(RecordedEvent.names(numbers) + " " + text(), numbers, block);
+            record.waited(SessionRecord.names(numbers) + " " + text(), numbers, block);
         }
     }
 
@@ -51,7 +48,7 @@ final class WaitActions {
         }
 
         @Override
-        public void check(SessionCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution) {
@@ -69,7 +66,7 @@ final class WaitActions {
         }
 
         @Override
-        public void check(SessionCheck check) {}
+        public void check(Check check) {}
 
         @Override
         public void run(Execution execution) {

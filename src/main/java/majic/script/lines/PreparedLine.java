@@ -17,12 +17,10 @@ import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.Interpreter;
 import majic.script.run.RobotAction;
-import majic.script.run.RobotCheck;
 import majic.script.run.RobotsIn;
 import majic.script.run.Scheduling;
 import majic.script.run.ScriptRun;
 import majic.script.run.SessionAction;
-import majic.script.run.SessionCheck;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
 import majic.team.Member;
@@ -61,8 +59,7 @@ public abstract class PreparedLine {
      *     not there
      * @throws majic.script.syntax.ScriptException if robots have to be there and are not
      */
-    static PreparedLine of(
-            Statement statement, String text, ActionLookup actions, Selection selection, boolean complete) {
+    static PreparedLine of(Statement statement, String text, ActionLookup actions, Selection selection, boolean complete) {
         if (statement instanceof Statement.ForRobots line) {
             List<Member> robots = complete ? selection.members(line.robots()) : selection.present(line.robots());
             return new RobotLine(line, text, actions.of(line.command()), robots, selection);
@@ -210,7 +207,7 @@ public abstract class PreparedLine {
 
         @Override
         void check(ActionLookup actions, Selection selection) {
-            robots().forEach(robot -> action.check(new RobotCheck(selection, robot, false, false)));
+            robots().forEach(robot -> action.check(new RobotAction.Check(selection, robot, false, false)));
             if (!has(CommandTrait.READS_FILES)) {
                 markChecked();
             }
@@ -219,7 +216,7 @@ public abstract class PreparedLine {
         @Override
         void checkWithFiles(ActionLookup actions, Selection selection) {
             useRobots(selection.members(line.robots()));
-            robots().forEach(robot -> action.check(new RobotCheck(selection, robot, false, true)));
+            robots().forEach(robot -> action.check(new RobotAction.Check(selection, robot, false, true)));
             markChecked();
         }
 
@@ -254,7 +251,7 @@ public abstract class PreparedLine {
 
         @Override
         void checkWithFiles(ActionLookup actions, Selection selection) {
-            action.check(new SessionCheck(selection, false));
+            action.check(new SessionAction.Check(selection, false));
             markChecked();
         }
 

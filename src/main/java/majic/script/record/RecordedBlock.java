@@ -53,23 +53,24 @@ public final class RecordedBlock {
     }
 
     /** Whether its own text does again what it did. */
-    boolean standsForItself(List<RecordedEvent> all) {
+    boolean standsForItself(List<SessionRecord.Event> all) {
         return completed && all.stream().noneMatch(this::isBeside);
     }
 
-    private boolean isBeside(RecordedEvent other) {
+    private boolean isBeside(SessionRecord.Event other) {
         return other.block() != this
-                && other.kind() != RecordedEvent.Kind.WAIT
+                && other.kind() != SessionRecord.Event.Kind.WAIT
                 && !other.robots().isEmpty()
                 && other.atNanos() > beganNanos
                 && other.atNanos() < endedNanos;
     }
 
     /** The block as one event, in place of its commands, of which there is at least one. */
-    RecordedEvent inPlaceOf(List<RecordedEvent> its) {
+    SessionRecord.Event inPlaceOf(List<SessionRecord.Event> its) {
         Set<Integer> robots = new LinkedHashSet<>();
         its.forEach(event -> robots.addAll(event.robots()));
         Map<Integer, Long> finished = its.get(0).finished();
-        return new RecordedEvent(RecordedEvent.Kind.BLOCK, beganNanos, text, robots, robots, finished, this);
+        return new SessionRecord.Event(
+                SessionRecord.Event.Kind.BLOCK, beganNanos, text, robots, robots, finished, this);
     }
 }

@@ -29,8 +29,8 @@ final class ReplayScript {
      * @param events in the order of their times
      * @return its lines
      */
-    static List<String> of(List<RecordedEvent> events) {
-        List<RecordedEvent> folded = fold(events);
+    static List<String> of(List<SessionRecord.Event> events) {
+        List<SessionRecord.Event> folded = fold(events);
         List<Set<Integer>> stopped = stoppedLater(folded);
         ReplayScript script = new ReplayScript();
         for (int index = 0; index < folded.size(); index++) {
@@ -39,18 +39,18 @@ final class ReplayScript {
         return script.lines;
     }
 
-    private static List<RecordedEvent> fold(List<RecordedEvent> events) {
-        Map<RecordedBlock, List<RecordedEvent>> blocks = new LinkedHashMap<>();
-        for (RecordedEvent event : events) {
+    private static List<SessionRecord.Event> fold(List<SessionRecord.Event> events) {
+        Map<RecordedBlock, List<SessionRecord.Event>> blocks = new LinkedHashMap<>();
+        for (SessionRecord.Event event : events) {
             if (event.block() != null) {
                 blocks.computeIfAbsent(event.block(), block -> new ArrayList<>())
                         .add(event);
             }
         }
         blocks.keySet().removeIf(block -> !block.standsForItself(events));
-        List<RecordedEvent> folded = new ArrayList<>();
-        for (RecordedEvent event : events) {
-            List<RecordedEvent> its = event.block() == null ? null : blocks.get(event.block());
+        List<SessionRecord.Event> folded = new ArrayList<>();
+        for (SessionRecord.Event event : events) {
+            List<SessionRecord.Event> its = event.block() == null ? null : blocks.get(event.block());
             if (its == null) {
                 folded.add(event);
             } else if (its.get(0) == event) {
@@ -61,25 +61,25 @@ final class ReplayScript {
     }
 
     /** For each event the robots that have something to do when it has been done, and are stopped before they end. */
-    private static List<Set<Integer>> stoppedLater(List<RecordedEvent> events) {
+    private static List<Set<Integer>> stoppedLater(List<SessionRecord.Event> events) {
         List<Set<Integer>> all = new ArrayList<>();
         Set<Integer> stopped = new HashSet<>();
         for (int index = events.size() - 1; index >= 0; index--) {
-            RecordedEvent event = events.get(index);
+            SessionRecord.Event event = events.get(index);
             all.add(0, Set.copyOf(stopped));
-            if (event.kind() == RecordedEvent.Kind.STOP) {
+            if (event.kind() == SessionRecord.Event.Kind.STOP) {
                 stopped.addAll(event.begins());
             } else {
-                stopped.removeAll(event.kind() == RecordedEvent.Kind.WAIT ? event.robots() : event.begins());
+                stopped.removeAll(event.kind() == SessionRecord.Event.Kind.WAIT ? event.robots() : event.begins());
                 stopped.removeAll(event.finished().keySet());
             }
         }
         return all;
     }
 
-    private void add(RecordedEvent event, Set<Integer> stoppedLater) {
-        boolean untimed = event.begins().containsAll(stoppedLater) && event.kind() != RecordedEvent.Kind.STOP;
-        if (event.kind() == RecordedEvent.Kind.WAIT) {
+    private void add(SessionRecord.Event event, Set<Integer> stoppedLater) {
+        boolean untimed = event.begins().containsAll(stoppedLater) && event.kind() != SessionRecord.Event.Kind.STOP;
+        if (event.kind() == SessionRecord.Event.Kind.WAIT) {
             if (stoppedLater.isEmpty()) {
                 await(event.text(), event.atNanos());
             }
@@ -90,27 +90,27 @@ final class ReplayScript {
                     .mapToLong(Long::longValue)
                     .max()
                     .orElseThrow();
-            await(RecordedEvent.names(event.finished().keySet()) + " wait", last);
+            await(SessionRecord.names(event.finished().keySet()) + " wait", last);
         }
-        if (event.kind() == RecordedEvent.Kind.ADD) {
+        if (event.kind() == SessionRecord.Event.Kind.ADD) {
             reachedNanos = Math.max(reachedNanos, event.atNanos());
         } else {
             pause(event, stoppedLater.isEmpty() && untimed ? SHORTEST_PAUSE_MS : 1);
         }
         lines.addAll(event.text().lines().toList());
-        if (event.kind() == RecordedEvent.Kind.BLOCK) {
+        if (event.kind() == SessionRecord.Event.Kind.BLOCK) {
             end(event);
         }
     }
 
-    private void end(RecordedEvent event) {
+    private void end(SessionRecord.Event event) {
         RecordedBlock block = event.block();
         if (block == null) {
             return;
         }
         reachedNanos = Math.max(reachedNanos, block.endedNanos());
         if (block.hasFinished() && !event.robots().isEmpty()) {
-            lines.add(RecordedEvent.names(event.robots()) + " wait");
+            lines.add(SessionRecord.names(event.robots()) + " wait");
         }
     }
 
@@ -120,7 +120,7 @@ final class ReplayScript {
     }
 
     /** Pauses that are too short are made up for by the next. What was done before anything else begins at once. */
-    private void pause(RecordedEvent event, long shortestMs) {
+    private void pause(SessionRecord.Event event, long shortestMs) {
         long pauseMs = (event.atNanos() - reachedNanos) / NANOS_PER_MS;
         if (!begun) {
             begun = true;

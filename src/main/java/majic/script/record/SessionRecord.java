@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class SessionRecord {
     private final Team team;
-    private final List<RecordedEvent> events = new ArrayList<>();
+    private final List<Event> events = new ArrayList<>();
     private final Map<Integer, Long> lastAnswerNanos = new HashMap<>();
 
     /** For each robot under manual control, the others that had finished before, and when. */
@@ -48,7 +48,7 @@ public final class SessionRecord {
     /** Keeps that a robot joined. */
     public synchronized void added(String address, int number) {
         String line = "add " + quoted(address) + " as " + number;
-        keep(new RecordedEvent(RecordedEvent.Kind.ADD, nanos(), line, Set.of(number), Set.of(), Map.of(), null));
+        keep(new Event(Event.Kind.ADD, nanos(), line, Set.of(number), Set.of(), Map.of(), null));
     }
 
     /** Keeps that a robot was removed at a time, and stopped by that if it was busy. */
@@ -56,7 +56,7 @@ public final class SessionRecord {
         if (wasBusy) {
             stopped(Set.of(number), atNanos, null);
         }
-        keep(event(RecordedEvent.Kind.COMMAND, atNanos, "remove " + number, Set.of(number), null));
+        keep(event(Event.Kind.COMMAND, atNanos, "remove " + number, Set.of(number), null));
         started.remove(number);
     }
 
@@ -68,40 +68,40 @@ public final class SessionRecord {
      * @param by the script that runs it; null for a line
      * @param block the block it stands in; null for a line of its own
      */
-    public synchronized RecordedEvent command(
+    public synchronized Event command(
             String text, Set<Integer> robots, @Nullable Owner by, @Nullable RecordedBlock block) {
         Set<Integer> begins =
                 robots.stream().filter(number -> hasFinished(number, by)).collect(Collectors.toSet());
         Map<Integer, Long> finished = robots.isEmpty() ? Map.of() : finishedOthers(robots, by);
-        return new RecordedEvent(RecordedEvent.Kind.COMMAND, nanos(), text, robots, begins, finished, block);
+        return new Event(Event.Kind.COMMAND, nanos(), text, robots, begins, finished, block);
     }
 
     /** Keeps that robots were waited for. */
     public synchronized void waited(String text, Set<Integer> robots, @Nullable RecordedBlock block) {
-        keep(event(RecordedEvent.Kind.WAIT, nanos(), text, robots, block));
+        keep(event(Event.Kind.WAIT, nanos(), text, robots, block));
     }
 
     /** Keeps that robots were stopped, unless nothing has moved them since they were stopped before. */
     public synchronized void stopped(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
-        RecordedEvent last = events.isEmpty() ? null : events.get(events.size() - 1);
+        Event last = events.isEmpty() ? null : events.get(events.size() - 1);
         boolean again = last != null
-                && last.kind() == RecordedEvent.Kind.STOP
+                && last.kind() == Event.Kind.STOP
                 && last.robots().containsAll(robots)
                 && robots.stream().noneMatch(finishedBeforeManual::containsKey);
         if (!robots.isEmpty() && !again) {
-            keep(stop(atNanos, RecordedEvent.names(robots) + " stop", robots, block));
+            keep(stop(atNanos, names(robots) + " stop", robots, block));
         }
     }
 
     /** Keeps that the act of robots was ended. */
     public synchronized void calledOff(Set<Integer> robots, long atNanos, @Nullable RecordedBlock block) {
-        keep(stop(atNanos, RecordedEvent.names(robots) + " act off", robots, block));
+        keep(stop(atNanos, names(robots) + " act off", robots, block));
     }
 
-    private RecordedEvent stop(long atNanos, String text, Set<Integer> robots, @Nullable RecordedBlock block) {
+    private Event stop(long atNanos, String text, Set<Integer> robots, @Nullable RecordedBlock block) {
         Set<Integer> moving = new TreeSet<>(robots);
         moving.removeIf(number -> !started.contains(number) && !finishedBeforeManual.containsKey(number));
-        return new RecordedEvent(RecordedEvent.Kind.STOP, atNanos, text, robots, moving, Map.of(), block);
+        return new Event(Event.Kind.STOP, atNanos, text, robots, moving, Map.of(), block);
     }
 
     /** Begins a block or a file that is run as a script. */
@@ -114,13 +114,13 @@ public final class SessionRecord {
         block.end(nanos(), completed);
     }
 
-    private static RecordedEvent event(
-            RecordedEvent.Kind kind, long atNanos, String text, Set<Integer> robots, @Nullable RecordedBlock block) {
-        return new RecordedEvent(kind, atNanos, text, robots, Set.of(), Map.of(), block);
+    private static Event event(
+            Event.Kind kind, long atNanos, String text, Set<Integer> robots, @Nullable RecordedBlock block) {
+        return new Event(kind, atNanos, text, robots, Set.of(), Map.of(), block);
     }
 
     /** Keeps an event in the order of times. Of a block that goes on for ever only the first commands are kept. */
-    public synchronized void keep(RecordedEvent event) {
+    public synchronized void keep(Event event) {
         if (event.text().isEmpty() || (event.block() != null && !event.block().hasRoom())) {
             return;
         }
@@ -130,9 +130,9 @@ public final class SessionRecord {
         }
         events.add(place, event);
         started.removeAll(event.finished().keySet());
-        if (event.kind() == RecordedEvent.Kind.STOP) {
+        if (event.kind() == Event.Kind.STOP) {
             started.removeAll(event.robots());
-        } else if (event.kind() == RecordedEvent.Kind.COMMAND) {
+        } else if (event.kind() == Event.Kind.COMMAND) {
             started.addAll(event.robots());
         }
     }
@@ -156,7 +156,7 @@ public final class SessionRecord {
 
     /** Everything so far, as a script. */
     public List<String> lines() {
-        List<RecordedEvent> all;
+        List<Event> all;
         synchronized (this) {
             all = List.copyOf(events);
         }
@@ -178,6 +178,11 @@ public final class SessionRecord {
     /** The numbers of robots. */
     public static Set<Integer> numbers(Collection<Member> members) {
         return members.stream().map(Member::number).collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    /** Robots as a line names them: {@code 1,3}. */
+    public static String names(Collection<Integer> robots) {
+        return robots.stream().sorted().map(String::valueOf).collect(Collectors.joining(","));
     }
 
     /** Records from the team what was done without a command. */
@@ -214,13 +219,46 @@ public final class SessionRecord {
                 Set<Integer> begins = robot;
                 for (ManualCommand command : commands) {
                     String line = member.number() + " " + command.text();
-                    keep(new RecordedEvent(
-                            RecordedEvent.Kind.COMMAND, command.atNanos(), line, robot, begins, finished, null));
+                    keep(new Event(Event.Kind.COMMAND, command.atNanos(), line, robot, begins, finished, null));
                     finished = Map.of();
                     begins = Set.of();
                 }
                 lastAnswerNanos.put(member.number(), nanos());
             }
+        }
+    }
+
+    /**
+     * Something that was done in a session. Immutable.
+     *
+     * @param kind what it is
+     * @param atNanos when it was done, on the clock of the team; of a wait, when it was over
+     * @param text the lines that do it again
+     * @param robots those that it makes do something, stops or waits for
+     * @param begins those of them that had nothing to do before it; of a stop, those that may have been moving
+     * @param finished others that had finished their commands by then, and when
+     * @param block the block it was done by; null for a line of its own
+     */
+    public record Event(
+            Kind kind,
+            long atNanos,
+            String text,
+            Set<Integer> robots,
+            Set<Integer> begins,
+            Map<Integer, Long> finished,
+            @Nullable RecordedBlock block) {
+        /** What can be recorded. */
+        enum Kind {
+            /** A robot was connected, which takes its own time when it is done again. */
+            ADD,
+            /** A command. */
+            COMMAND,
+            /** Robots were waited for. */
+            WAIT,
+            /** Robots were stopped, or their act was ended. */
+            STOP,
+            /** A whole block, from its beginning on. */
+            BLOCK
         }
     }
 }

@@ -24,7 +24,7 @@ public interface ActRunner {
          *
          * @throws majic.script.syntax.ScriptException if not
          */
-        void check(RobotCheck check);
+        void check(RobotAction.Check check);
 
         /**
          * Takes the permissions to move its further robots: a stop of one of them from now on prevents or ends it.

@@ -56,7 +56,7 @@ public final class Checker extends Inspection {
         if (!teamMayChange) {
             RobotAction action = actions.of(line.command());
             for (Member robot : selection.members(line.robots())) {
-                action.check(new RobotCheck(selection, robot, limitsSet.contains(robot), readsFiles));
+                action.check(new RobotAction.Check(selection, robot, limitsSet.contains(robot), readsFiles));
                 if (action.has(CommandTrait.CHANGES_LIMIT)) {
                     limitsSet.add(robot);
                 }
@@ -69,7 +69,7 @@ public final class Checker extends Inspection {
     public @Nullable Void forSession(Statement.ForSession line) {
         SessionAction action = actions.of(line.command());
         if (!teamMayChange && (readsFiles || !action.has(CommandTrait.READS_FILES))) {
-            action.check(new SessionCheck(selection, filesMayAppear));
+            action.check(new SessionAction.Check(selection, filesMayAppear));
         }
         filesMayAppear |= action.has(CommandTrait.WRITES_FILE);
         teamMayChange |= action.has(CommandTrait.CHANGES_TEAM);

@@ -62,7 +62,7 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
     public @Nullable Void forRobots(Statement.ForRobots line) {
         RobotAction action = actions.of(line.command());
         List<Member> robots = execution.selection().members(line.robots());
-        robots.forEach(robot -> action.check(new RobotCheck(execution.selection(), robot, false, true)));
+        robots.forEach(robot -> action.check(new RobotAction.Check(execution.selection(), robot, false, true)));
         execution.run(action, robots);
         return null;
     }
@@ -70,7 +70,7 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
         SessionAction action = actions.of(line.command());
-        action.check(new SessionCheck(execution.selection(), false));
+        action.check(new SessionAction.Check(execution.selection(), false));
         action.run(execution);
         return null;
     }

@@ -1,12 +1,19 @@
 package majic.script.run;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
+import majic.bot.MajicBot;
+import majic.bot.Parameter;
+import majic.script.conditions.Comparisons;
 import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
-import majic.script.record.RecordedEvent;
 import majic.script.record.SessionRecord;
 import majic.script.syntax.Command;
+import majic.script.syntax.Condition;
+import majic.script.syntax.LineParser;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
@@ -44,7 +51,7 @@ public abstract class RobotAction {
      *
      * @throws majic.script.syntax.ScriptException if not
      */
-    public abstract void check(RobotCheck check);
+    public abstract void check(Check check);
 
     /** Further robots that it makes do something, as far as they are there; none for most commands. */
     public List<Member> others(Selection selection) {
@@ -63,8 +70,8 @@ public abstract class RobotAction {
             Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
         Set<Integer> numbers = SessionRecord.numbers(robots);
         String text = replayText(execution.isTyped());
-        RecordedEvent event = record.command(
-                text.isEmpty() ? "" : RecordedEvent.names(numbers) + " " + text,
+        SessionRecord.Event event = record.command(
+                text.isEmpty() ? "" : SessionRecord.names(numbers) + " " + text,
                 has(CommandTrait.COMMANDS_ROBOTS) ? numbers : Set.of(),
                 execution.owner(),
                 block);
@@ -75,5 +82,46 @@ public abstract class RobotAction {
     /** The words with which a saved session repeats it; empty if there is nothing to repeat. */
     public String replayText(boolean typed) {
         return text();
+    }
+
+    /**
+     * What a command for a robot is checked against. Its methods throw a {@link ScriptException} for what is wrong.
+     *
+     * @param selection finds the robots that conditions and roles name
+     * @param robot the robot
+     * @param limitMayChange whether {@code maxMove} may be another one when the command's turn comes; always true for a robot
+     *     that is busy, since what it has queued is unknown here
+     * @param readsFiles whether files may be read for the check, which may block
+     */
+    public record Check(Selection selection, Member robot, boolean limitMayChange, boolean readsFiles) {
+        public Check {
+            limitMayChange |= !robot.isIdle();
+        }
+
+        public MajicBot bot() {
+            return robot.bot();
+        }
+
+        public void until(@Nullable Condition condition) {
+            if (condition != null) {
+                Comparisons.check(condition, selection, robot);
+            }
+        }
+
+        public Parameter parameter(Token name) {
+            return name.resolve(() -> bot().parameter(name.text()));
+        }
+
+        public void readable(Token name) {
+            if (!parameter(name).readable()) {
+                throw new ScriptException(name, name.text() + ": can be set but not read");
+            }
+        }
+
+        /** Whether the robot has a command of that name. */
+        public boolean isCommand(String word) {
+            return LineParser.COMMAND_WORDS.contains(word.toLowerCase(Locale.ROOT))
+                    || bot().commands().stream().anyMatch(own -> own.name().equalsIgnoreCase(word));
+        }
     }
 }

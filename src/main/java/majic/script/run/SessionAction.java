@@ -1,6 +1,7 @@
 package majic.script.run;
 
 import java.util.Set;
+import majic.script.conditions.Selection;
 
 /**
  * How a command for the session is scheduled, checked and run; one subclass for each kind of
@@ -32,8 +33,16 @@ public abstract class SessionAction {
      *
      * @throws majic.script.syntax.ScriptException if not
      */
-    public abstract void check(SessionCheck check);
+    public abstract void check(Check check);
 
     /** Runs it. */
     public abstract void run(Execution execution);
+
+    /**
+     * What a command for the session is checked against.
+     *
+     * @param selection finds the robots it names
+     * @param filesMayAppear whether an earlier command of the same script writes files
+     */
+    public record Check(Selection selection, boolean filesMayAppear) {}
 }

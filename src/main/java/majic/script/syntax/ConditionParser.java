@@ -2,6 +2,7 @@ package majic.script.syntax;
 
 import java.util.List;
 import majic.bot.Value;
+import majic.script.syntax.Literal.Quantity;
 import majic.script.syntax.Token.Kind;
 import org.jspecify.annotations.Nullable;
 

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.TreeSet;
+import majic.script.syntax.Literal.Quantity;
 import majic.script.syntax.Token.Kind;
 import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;

@@ -3,6 +3,7 @@ package majic.script.syntax;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
+import majic.script.syntax.Literal.Quantity;
 import majic.script.syntax.Token.Kind;
 
 /** The rules for commands that are for the session and not for a robot. */
