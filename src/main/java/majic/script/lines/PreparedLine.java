@@ -1,6 +1,5 @@
 package majic.script.lines;
 
-import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,16 +11,12 @@ import majic.bot.BotException;
 import majic.bot.Permit;
 import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
-import majic.script.run.Checker;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.Interpreter;
 import majic.script.run.RobotAction;
 import majic.script.run.RobotsIn;
 import majic.script.run.Scheduling;
-import majic.script.run.ScriptRun;
-import majic.script.run.SessionAction;
-import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
 import majic.team.Member;
 
@@ -41,8 +36,13 @@ public abstract class PreparedLine {
     private Consumer<String> refused = why -> {};
     private Consumer<String> failed = why -> {};
 
-    private PreparedLine(
-            String text, Scheduling scheduling, Set<CommandTrait> traits, List<Member> robots, List<Member> others) {
+    /**
+     * A line; takes the permissions to move its robots if it commands them.
+     *
+     * @param robots those it is for; of a block those that it commands
+     * @param others further robots that it commands
+     */
+    PreparedLine(String text, Scheduling scheduling, Set<CommandTrait> traits, List<Member> robots, List<Member> others) {
         this.text = text;
         this.scheduling = scheduling;
         this.traits = traits;
@@ -66,7 +66,7 @@ public abstract class PreparedLine {
         }
         return statement instanceof Statement.ForSession line
                 ? new SessionLine(line, text, actions.of(line.command()))
-                : new Block(statement, text, RobotsIn.of(List.of(statement), actions, selection));
+                : new BlockLine(statement, text, RobotsIn.of(List.of(statement), actions, selection));
     }
 
     /**
@@ -183,12 +183,6 @@ public abstract class PreparedLine {
         return text.strip().lines().findFirst().orElse("").replaceAll("\\s+", " ");
     }
 
-    private static void requireNone(List<Mistake> mistakes) {
-        if (!mistakes.isEmpty()) {
-            throw new BotException(mistakes.get(0).message());
-        }
-    }
-
     /** A command for robots. */
     private static final class RobotLine extends PreparedLine {
         private final Statement.ForRobots line;
@@ -224,87 +218,5 @@ public abstract class PreparedLine {
         void run(Execution execution, ActionLookup actions) {
             execution.run(action, robots());
         }
-    }
-
-    /** A command for the session. */
-    private static final class SessionLine extends PreparedLine {
-        private final Statement.ForSession line;
-        private final SessionAction action;
-
-        SessionLine(Statement.ForSession line, String text, SessionAction action) {
-            super(text, action.scheduling(), action.traits(), List.of(), List.of());
-            this.line = line;
-            this.action = action;
-        }
-
-        @Override
-        Statement statement() {
-            return line;
-        }
-
-        @Override
-        void check(ActionLookup actions, Selection selection) {
-            if (!has(CommandTrait.READS_FILES)) {
-                checkWithFiles(actions, selection);
-            }
-        }
-
-        @Override
-        void checkWithFiles(ActionLookup actions, Selection selection) {
-            action.check(new SessionAction.Check(selection, false));
-            markChecked();
-        }
-
-        @Override
-        void run(Execution execution, ActionLookup actions) {
-            action.run(execution);
-        }
-    }
-
-    /** A block; its commands are checked again when they run, since a loop or a condition may change what is true now. */
-    private static final class Block extends PreparedLine {
-        private final Statement block;
-
-        Block(Statement block, String text, RobotsIn robots) {
-            super(text, Scheduling.BESIDE, traits(robots), List.copyOf(robots.commanded()), List.of());
-            this.block = block;
-            markChecked();
-        }
-
-        private static Set<CommandTrait> traits(RobotsIn robots) {
-            Set<CommandTrait> traits = EnumSet.of(CommandTrait.COMMANDS_ROBOTS, CommandTrait.CHANGES_TEAM);
-            if (robots.readsFiles()) {
-                traits.add(CommandTrait.READS_FILES);
-            }
-            return traits;
-        }
-
-        @Override
-        Statement statement() {
-            return block;
-        }
-
-        @Override
-        void check(ActionLookup actions, Selection selection) {
-            requireNone(Checker.checkWithoutFiles(List.of(block), actions, selection));
-        }
-
-        @Override
-        void checkWithFiles(ActionLookup actions, Selection selection) {
-            requireNone(Checker.check(List.of(block), actions, selection));
-        }
-
-        @Override
-        void run(Execution execution, ActionLookup actions) {
-            boolean waits = execution.isTyped();
-            ScriptRun script =
-                    new ScriptRun(execution.asScript(title(), text().strip(), waits), actions, title(), "", waits);
-            if (!script.run(List.of(block))) {
-                execution.fail(title());
-            }
-        }
-
-        @Override
-        void waits() {}
     }
 }
