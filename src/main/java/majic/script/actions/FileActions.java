@@ -50,67 +50,78 @@ final class FileActions {
         }
     }
 
-    static final class SaveSessionAction extends SessionAction {
+    /** Writes a file. */
+    private abstract static class SaveAction extends SessionAction {
+        private final String what;
         private final Literal file;
+
+        SaveAction(String what, Literal file, CommandTrait... traits) {
+            super(Scheduling.BESIDE, traits);
+            this.what = what;
+            this.file = file;
+        }
+
+        /** Waits until there is all that is to be written. */
+        abstract void prepare(Execution execution);
+
+        abstract void write(Path path) throws IOException;
+
+        @Override
+        public final void check(Check check) {
+            file.path();
+        }
+
+        @Override
+        public final void run(Execution execution) {
+            prepare(execution);
+            Path path = file.path();
+            try {
+                write(path);
+            } catch (IOException e) {
+                throw new BotException(path + ": cannot be written (" + IoReason.of(e) + ")", e);
+            }
+            execution.answer(what + " " + file.text() + ": done");
+        }
+    }
+
+    static final class SaveSessionAction extends SaveAction {
         private final SessionRecord record;
 
         SaveSessionAction(SessionCommand.SaveSession save, SessionRecord record) {
-            super(Scheduling.BESIDE, CommandTrait.WRITES_FILE);
-            this.file = save.file();
+            super("save session", save.file(), CommandTrait.WRITES_FILE);
             this.record = record;
         }
 
         @Override
-        public void check(Check check) {
-            file.path();
-        }
+        void prepare(Execution execution) {}
 
         @Override
-        public void run(Execution execution) {
-            save(file, record::save);
-            execution.answer("save session " + file.text() + ": done");
+        void write(Path path) throws IOException {
+            record.save(path);
         }
     }
 
-    static final class SaveLogAction extends SessionAction {
-        private final Literal file;
+    static final class SaveLogAction extends SaveAction {
         private final ParameterLog log;
 
         SaveLogAction(SessionCommand.SaveLog save, ParameterLog log) {
-            super(Scheduling.BESIDE);
-            this.file = save.file();
+            super("save log", save.file());
             this.log = log;
         }
 
         @Override
-        public void check(Check check) {
-            file.path();
-        }
-
-        @Override
-        public void run(Execution execution) {
+        void prepare(Execution execution) {
             if (!execution.isTyped()) {
-                execution.awaitCommands(ParameterActions.LogAction::isLogging);
+                execution.waits().awaitCommands(ParameterActions.LogAction::isLogging);
             }
             if (log.isEmpty()) {
                 throw new BotException("save log: there are no readings yet; \"1 log x every 100ms\" takes some");
             }
-            save(file, log::save);
-            execution.answer("save log " + file.text() + ": done");
         }
-    }
 
-    /** Writes a file. */
-    private interface Saving {
-        void to(Path path) throws IOException;
-    }
-
-    private static void save(Literal file, Saving saving) {
-        Path path = file.path();
-        try {
-            saving.to(path);
-        } catch (IOException e) {
-            throw new BotException(path + ": cannot be written (" + IoReason.of(e) + ")", e);
+        @Override
+        void write(Path path) throws IOException {
+            log.save(path);
         }
     }
 }

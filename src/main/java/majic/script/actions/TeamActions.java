@@ -67,7 +67,7 @@ final class TeamActions {
         public void run(Execution execution) {
             List<Member> members = execution.selection().members(robots);
             if (!execution.isTyped()) {
-                execution.awaitFinished(members);
+                execution.waits().awaitFinished(members);
             }
             members.forEach(connector::remove);
         }

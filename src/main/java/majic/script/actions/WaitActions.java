@@ -28,7 +28,7 @@ final class WaitActions {
 
         @Override
         public void run(Execution execution, List<Member> robots) {
-            execution.awaitFinished(robots);
+            execution.waits().awaitFinished(robots);
         }
 
         /** Is recorded with the time at which the robots had finished. */
@@ -52,7 +52,7 @@ final class WaitActions {
 
         @Override
         public void run(Execution execution) {
-            execution.awaitAll();
+            execution.waits().awaitAll();
         }
     }
 
@@ -70,7 +70,7 @@ final class WaitActions {
 
         @Override
         public void run(Execution execution) {
-            execution.pause(seconds);
+            execution.waits().pause(seconds);
         }
     }
 }

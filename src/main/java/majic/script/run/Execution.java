@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
-import java.util.function.Predicate;
 import majic.bot.Permit;
 import majic.log.Line;
 import majic.log.SessionOutput;
@@ -311,46 +310,14 @@ public class Execution {
         return member.isStopping() || member.hasDismissedOwner();
     }
 
-    /** Waits until the commands of some kind that were submitted before have had their turn. */
-    public final void awaitCommands(Predicate<QueuedCommand> kind) {
-        await(() -> !origin.commands.hasOpen(kind), Double.POSITIVE_INFINITY);
+    /** The waits that its commands may use. */
+    public final Waits waits() {
+        return new Waits(this, origin.commands);
     }
 
-    /** Waits for a time. */
-    public final void pause(double seconds) {
-        await(() -> false, seconds);
-    }
-
-    /** Waits until robots are idle and have no other owner. */
-    public final void awaitFinished(Collection<Member> members) {
-        await(() -> members.stream().allMatch(this::isFinished), Double.POSITIVE_INFINITY);
-    }
-
-    /** Waits for all robots of the line or script, and records that. */
-    public final void awaitAll() {
-        Collection<Member> all = allRobots();
-        awaitFinished(all);
-        SessionRecord record = record();
-        if (record != null) {
-            record.waited("wait", SessionRecord.numbers(all), block());
-        }
-    }
-
+    /** The robots of the line or script. */
     Collection<Member> allRobots() {
         return team().members();
-    }
-
-    private boolean isFinished(Member member) {
-        return member.isIdle(owner()) && (member.owner() == null || member.owner() == owner());
-    }
-
-    /** Waits until robots have finished their commands, unless they have another owner. */
-    final void awaitReadable(Collection<Member> members) {
-        await(() -> members.stream().allMatch(this::isReadable), Double.POSITIVE_INFINITY);
-    }
-
-    private boolean isReadable(Member member) {
-        return member.isIdle(owner()) || (member.owner() != null && member.owner() != owner());
     }
 
     /** Waits for a condition, unless this has to end before. */

@@ -80,13 +80,13 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
         long began = time.nanos();
         run(body);
         if (execution.motions() == motionsBefore && time.secondsSince(began) < SHORTEST_ROUND_S) {
-            execution.await(() -> false, SHORTEST_ROUND_S);
+            execution.waits().pause(SHORTEST_ROUND_S);
         }
     }
 
     private boolean holds(Condition condition, Token at) {
         Collection<Member> asked = new ArrayList<>(ConditionEvaluator.allAsked(condition, execution.selection(), null));
-        execution.awaitReadable(asked);
+        execution.waits().awaitReadable(asked);
         Comparisons.check(condition, execution.selection(), null);
         Truth truth = condition.accept(new ConditionEvaluator(execution.selection(), null));
         if (truth.undecided() != null) {
