@@ -147,17 +147,17 @@ public final class Team implements AutoCloseable {
      *
      * @return for instance {@code robots: 1 Aibo, 2 Pioneer}
      */
-    public String roll() {
-        return roll(members());
+    public String listing() {
+        return listing(members());
     }
 
     /**
      * Lists some robots as text.
      *
      * @param all the robots
-     * @return as {@link #roll()} for the whole team
+     * @return as {@link #listing()} for the whole team
      */
-    public static String roll(List<Member> all) {
+    public static String listing(List<Member> all) {
         return Roster.words(all);
     }
 

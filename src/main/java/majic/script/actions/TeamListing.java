@@ -20,7 +20,7 @@ final class TeamListing {
             lines.add(member.number() + ": " + member.bot().type().label() + where + " " + state(member));
         }
         if (lines.isEmpty()) {
-            lines.add("bots: " + team.roll());
+            lines.add("bots: " + team.listing());
         }
         if (team.isLatched()) {
             lines.add("bots: STOP is latched; \"release\" allows motion again");

@@ -23,8 +23,8 @@ import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds out which robots a behaviour means, what each of them must have, and whether it has commands that only a session
- * may have.
+ * Collects which robots a behaviour names, what each of them must have, and the commands in it that only a session may
+ * contain.
  */
 final class ScriptActInspection extends Inspection {
     private static final ScriptActRules RULES = new ScriptActRules();
@@ -43,17 +43,17 @@ final class ScriptActInspection extends Inspection {
     private final List<Statement.ForRobots> ownCommands = new ArrayList<>();
     private boolean hasMe;
 
-    /** Whether it speaks of {@code me}. */
+    /** Whether {@code me} occurs in it. */
     boolean hasMe() {
         return hasMe;
     }
 
-    /** The robots it names by number, in the order it does. */
+    /** The numbers of robots in it, in the order of their first use. */
     Set<Integer> numbers() {
         return numbers;
     }
 
-    /** Of which type some of them are. */
+    /** The types of robots, where the behaviour shows them. */
     Map<Integer, String> types() {
         return types;
     }
@@ -64,8 +64,8 @@ final class ScriptActInspection extends Inspection {
     }
 
     /**
-     * The parameters that a robot must have, as far as the script alone shows: a word that is held against another
-     * may be a choice.
+     * The parameters that a robot must have, as far as the script alone shows: a word that is compared with another
+     * word may be a choice.
      *
      * @param number the robot's in the script, or {@link #ME}
      */
@@ -73,7 +73,7 @@ final class ScriptActInspection extends Inspection {
         return ofBoth(parameters, number);
     }
 
-    /** The commands that a robot must have beside those that all have. */
+    /** The commands that a robot must have in addition to those of every robot. */
     List<String> commands(int number) {
         return ofBoth(commands, number);
     }
@@ -100,7 +100,7 @@ final class ScriptActInspection extends Inspection {
         }));
     }
 
-    /** "Any" passes over robots that have no such parameter. */
+    /** A condition with {@code any} skips robots without the parameter. */
     private void compare(Condition.Comparison comparison, @Nullable Robots asked) {
         if (asked == null || asked.isAny()) {
             return;
@@ -113,7 +113,7 @@ final class ScriptActInspection extends Inspection {
         }
     }
 
-    /** A word that no parameter or command can be called by is left to the check with the robot. */
+    /** A word that cannot be the name of a parameter or command is left to the check against the robot. */
     private static void need(Map<Integer, Set<String>> needs, Robots robots, String name) {
         if (NAME.matcher(name).matches()) {
             for (Robots.Item item : robots.items()) {
@@ -168,7 +168,7 @@ final class ScriptActInspection extends Inspection {
         types.put(add.number().getAsInt(), type(address));
     }
 
-    /** Where a lab has several robots of a type, they have numbers: {@code sim:pioneer2}. */
+    /** Several robots of one type in a lab have numbers: {@code sim:pioneer2}. */
     private static String type(BotAddress address) {
         return address.scheme().equals(BotAddress.SIMULATED)
                 ? address.rest().replaceFirst("\\d+$", "")

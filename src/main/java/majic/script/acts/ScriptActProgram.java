@@ -19,7 +19,7 @@ import majic.team.Member;
 
 /**
  * MAJIC Script as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a
- * saved session the lines that add robots count as saying of which type they are. Everything else of a session is refused.
+ * saved session the lines that add robots show the types of the robots. All other commands for a session are refused.
  */
 public final class ScriptActProgram {
     private final List<Statement> statements;
@@ -86,12 +86,12 @@ public final class ScriptActProgram {
         return statements;
     }
 
-    /** Without {@code me} in it, the robot named first is the one it runs on. */
+    /** Without {@code me} in the script, it runs on the robot named first. */
     public List<Role> roles() {
         return List.copyOf(roleByNumber().values());
     }
 
-    /** The robots it means, among those it was given by role. */
+    /** Finds the robots that it names among those assigned to its roles. */
     public Selection among(Map<String, Member> byRole) {
         Map<Integer, Member> byNumber = new LinkedHashMap<>();
         roleByNumber().forEach((number, role) -> byNumber.put(number, byRole.get(role.name())));
@@ -99,7 +99,7 @@ public final class ScriptActProgram {
         return new Selection(byRole.get(Role.ME), byNumber);
     }
 
-    /** Under 0 stands {@code me}, where it is not one of the numbers. */
+    /** The key 0 is {@code me}, if it occurs in the script. */
     private Map<Integer, Role> roleByNumber() {
         Map<Integer, Role> roles = new LinkedHashMap<>();
         if (found.hasMe()) {
@@ -119,7 +119,7 @@ public final class ScriptActProgram {
                 .calling(found.commands(number).toArray(String[]::new));
     }
 
-    /** Which of its own commands are raw depends on the robot. */
+    /** Which commands of a robot are raw depends on the robot. */
     private List<Mistake> rawCommands(Selection robots) {
         return found.ownCommands().stream()
                 .filter(line ->

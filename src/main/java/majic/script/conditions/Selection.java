@@ -87,7 +87,7 @@ public final class Selection {
         chosen.removeIf(member -> !isChosen(item, member));
         if (chosen.isEmpty()) {
             throw new ScriptException(
-                    item.at(), item.at().text() + ": there is no such robot (" + Team.roll(all.get()) + ")");
+                    item.at(), item.at().text() + ": there is no such robot (" + Team.listing(all.get()) + ")");
         }
         return chosen;
     }

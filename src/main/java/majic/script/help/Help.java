@@ -103,7 +103,7 @@ public final class Help {
         factory.types()
                 .forEach(type ->
                         lines.add(type.name() + ": " + type.make() + ", added with \"add " + addresses(type) + "\""));
-        lines.add(team.roll());
+        lines.add(team.listing());
         return lines;
     }
 
