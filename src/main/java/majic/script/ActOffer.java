@@ -9,7 +9,7 @@ import majic.script.record.SessionRecord;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A behaviour that could be given to a robot, with what is known before any of its code is loaded. Immutable.
+ * A behaviour that can be loaded onto a robot, with what is known before any of its code is loaded. Immutable.
  *
  * @param called what a line calls it: its name, or the path of its file
  * @param details its description
@@ -27,7 +27,7 @@ public record ActOffer(
     }
 
     /**
-     * The line that gives it to a robot.
+     * The line that loads it onto a robot.
      *
      * @param me the number of the robot it is loaded onto
      * @param others the numbers of the further robots, in the order of the roles

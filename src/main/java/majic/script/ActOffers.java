@@ -99,7 +99,7 @@ public final class ActOffers implements Completion.ActNames {
     }
 
     /**
-     * The behaviours that need no path and can be given to each of some robots, as far as one robot shows.
+     * The behaviours that need no path and can be loaded onto each of some robots, as far as one robot shows.
      *
      * @return their names, sorted
      */

@@ -137,7 +137,7 @@ public final class MajicParser {
             Accepted accepted = accept(line);
             remember(line);
             Consumer<String> failed = why -> refuse(accepted.text(), place, why);
-            give(accepted, line, why -> refusedLater.accept(refuse(accepted.text(), place, why)), failed);
+            submit(accepted, line, why -> refusedLater.accept(refuse(accepted.text(), place, why)), failed);
             return Optional.empty();
         } catch (ScriptException | BotException e) {
             return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
@@ -146,7 +146,7 @@ public final class MajicParser {
         }
     }
 
-    private void give(Accepted accepted, String line, Consumer<String> refused, Consumer<String> failed) {
+    private void submit(Accepted accepted, String line, Consumer<String> refused, Consumer<String> failed) {
         Consumer<String> forgotten = why -> {
             forget(line);
             refused.accept(why);

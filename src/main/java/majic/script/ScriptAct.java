@@ -61,7 +61,7 @@ public final class ScriptAct extends MajicAct {
      * A behaviour from a file.
      *
      * @param file a script or a saved session
-     * @return the act, called like the file
+     * @return the act, named after the file
      * @throws BotException if it cannot be read, or is no behaviour
      */
     public static ScriptAct read(Path file) {
@@ -144,7 +144,7 @@ public final class ScriptAct extends MajicAct {
         }
     }
 
-    /** As of a script that is run, each mistake is said once and the answer counts them. */
+    /** Reports each mistake once, as for a script; the answer contains their number. */
     private void refuse(List<Mistake> mistakes, Stage here) {
         Mistake.inOrder(mistakes, title).forEach(mistake -> here.line.send(Line.Kind.ERROR, mistake));
         if (!mistakes.isEmpty()) {

@@ -104,7 +104,7 @@ final class SessionActs implements ActRunner {
         private QueuedCommand command(Member me, List<Member> others, Permit permit, Execution execution) {
             QueuedCommand command = new QueuedCommand(act.text(), true, robot -> {
                 Map<String, List<Member>> robots = assign(me, others);
-                sayIfOwn(act.name().unquoted(), me);
+                noticeIfOwn(act.name().unquoted(), me);
                 long began = me.time().nanos();
                 ActRun run = run(found, robots, permit, execution, actions);
                 String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
@@ -120,7 +120,7 @@ final class SessionActs implements ActRunner {
         }
     }
 
-    private void sayIfOwn(String name, Member me) {
+    private void noticeIfOwn(String name, Member me) {
         if (acts.replacesShipped(name)) {
             state.output()
                     .send(
@@ -241,7 +241,7 @@ final class SessionActs implements ActRunner {
                 : name.text();
     }
 
-    /** The hash that was given, or that of the file. */
+    /** The hash that was typed, or that of the file. */
     private String hashOf(String nameOrHash) {
         return nameOrHash.matches("[0-9a-fA-F]{64}")
                 ? nameOrHash.toLowerCase(Locale.ROOT)

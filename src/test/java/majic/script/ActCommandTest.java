@@ -17,14 +17,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A script as a behaviour: given to a robot, run as an act, ended by a stop. */
+/** Tests a script as a behaviour: loaded onto a robot, run as an act, ended by a stop. */
 @Timeout(30)
 class ActCommandTest {
     @TempDir
     private Path folder;
 
     @AutoClose
-    private final Desk desk = Desk.withTwo();
+    private final ScriptFixture fixture = ScriptFixture.withTwo();
 
     private String file(String name, String... lines) throws IOException {
         Path path = Files.write(folder.resolve(name), List.of(lines));
@@ -32,31 +32,31 @@ class ActCommandTest {
     }
 
     @Test
-    void theRobotThatItIsGivenIsMe() throws Exception {
+    void theRobotItRunsOnIsMe() throws Exception {
         String square = file("square.majic", "repeat 2", "  me move 300", "  me turn 90", "end");
-        assertThat(desk.runPipe("2 act " + square))
+        assertThat(fixture.runPipe("2 act " + square))
                 .anyMatch(line -> line.startsWith("2 act ") && line.contains("done"));
-        assertThat(desk.bot(2).sent()).startsWith("move 300", "turn 90", "move 300", "turn 90");
-        assertThat(desk.bot(1).sent()).doesNotContain("move 300");
+        assertThat(fixture.bot(2).sent()).startsWith("move 300", "turn 90", "move 300", "turn 90");
+        assertThat(fixture.bot(1).sent()).doesNotContain("move 300");
     }
 
     @Test
     void numbersInItAreRolesThatRobotsAreAssignedTo() throws Exception {
         String both = file("both.majic", "7 move 100", "8 move 200", "wait");
-        assertThat(desk.refusal("1 act " + both))
+        assertThat(fixture.refusal("1 act " + both))
                 .get()
                 .asString()
                 .contains("needs 1 more (robot8): 1 act " + both.replace("\"", "") + " with N");
-        desk.runPipe("2 act " + both + " with 1");
-        assertThat(desk.bot(2).sent()).startsWith("move 100");
-        assertThat(desk.bot(1).sent()).startsWith("move 200");
+        fixture.runPipe("2 act " + both + " with 1");
+        assertThat(fixture.bot(2).sent()).startsWith("move 100");
+        assertThat(fixture.bot(1).sent()).startsWith("move 200");
     }
 
     @Test
     void tooManyRobotsAreRefusedAsTooMany() throws Exception {
-        desk.add(desk.pioneer);
+        fixture.add(fixture.pioneer);
         String both = file("both.majic", "7 move 100", "8 move 200");
-        assertThat(desk.refusal("1 act " + both + " with 2,3"))
+        assertThat(fixture.refusal("1 act " + both + " with 2,3"))
                 .get()
                 .asString()
                 .contains("takes 1 more (robot8), not 2: 1 act " + both.replace("\"", "") + " with N");
@@ -67,7 +67,7 @@ class ActCommandTest {
         Path folders = Files.createDirectories(folder.resolve("some/folder"));
         Path both = Files.write(folders.resolve("both.majic"), List.of("7 move 100", "8 move 200"));
         Path typed = Path.of("").toAbsolutePath().relativize(both);
-        assertThat(desk.refusal("1 act " + typed)).get().asString().startsWith(typed + ": needs 1 more");
+        assertThat(fixture.refusal("1 act " + typed)).get().asString().startsWith(typed + ": needs 1 more");
     }
 
     @ParameterizedTest
@@ -82,42 +82,45 @@ class ActCommandTest {
         "me wag, lacking.majic:1:4: wag",
         "me drive 5000 0, lacking.majic:1:10: ",
     })
-    void whatItSaysIsHeldAgainstTheRobotBeforeItIsLoaded(String line, String why) throws Exception {
+    void whatItCommandsIsCheckedAgainstTheRobotBeforeItIsLoaded(String line, String why) throws Exception {
         String lacking = file("lacking.majic", line, "me move 10");
-        assertThat(desk.refusal("1 act " + lacking)).get().asString().contains(why);
-        assertThat(desk.bot(1).sent()).isEmpty();
+        assertThat(fixture.refusal("1 act " + lacking)).get().asString().contains(why);
+        assertThat(fixture.bot(1).sent()).isEmpty();
     }
 
     @Test
-    void aSavedScriptIsHeldAgainstTheRobotToo() throws Exception {
+    void aSavedScriptIsCheckedAgainstTheRobotToo() throws Exception {
         byte[] saved = ActMaker.save(new ScriptAct("there", "me get sonar"), ActDetails.named("There"));
         Path file = Files.write(folder.resolve("there.act"), saved);
         assertThat(ActFile.read(file).roles()).hasToString("[me (sonar)]");
-        assertThat(desk.refusal("1 act \"" + file + '"')).get().asString().contains("robot 1 has no parameter sonar");
-        assertThat(desk.session.offers().find(file.toString()).roles().get(0).unfit(desk.bot(1)))
+        assertThat(fixture.refusal("1 act \"" + file + '"'))
+                .get()
+                .asString()
+                .contains("robot 1 has no parameter sonar");
+        assertThat(fixture.session.offers().find(file.toString()).roles().get(0).unfit(fixture.bot(1)))
                 .contains("has no parameter sonar");
     }
 
     @Test
-    void aShippedScriptIsHeldAgainstTheRobotToo() throws Exception {
-        assertThat(desk.refusal("1 act PioneerWander"))
+    void aShippedScriptIsCheckedAgainstTheRobotToo() throws Exception {
+        assertThat(fixture.refusal("1 act PioneerWander"))
                 .contains("PioneerWander: robot 1 has no parameter distanceLeft");
     }
 
     @Test
     void whatTheRobotCannotRunIsNotOffered() throws Exception {
-        assertThat(desk.prompt.complete("1 act ", 6))
+        assertThat(fixture.prompt.complete("1 act ", 6))
                 .contains("AiboSquare", "off")
                 .doesNotContain("PioneerWander", "WallFollow");
-        assertThat(desk.runPipe("acts"))
+        assertThat(fixture.runPipe("acts"))
                 .anyMatch(line -> line.startsWith(
                         "acts: PioneerWander (me (distanceFront,distanceLeft,distanceRight,near)): A Pioneer drives"));
     }
 
     @Test
-    void aMistakeThatOnlyTheRobotShowsIsToldOnce() throws Exception {
+    void aMistakeThatOnlyTheRobotShowsIsReportedOnce() throws Exception {
         String lacking = file("lacking.majic", "me set voltage 5");
-        List<String> said = desk.runPipe("add sim:aibo as 5", "5 act " + lacking);
+        List<String> said = fixture.runPipe("add sim:aibo as 5", "5 act " + lacking);
         assertThat(said.stream().filter(line -> line.contains("can be read but not set")))
                 .hasSize(1);
     }
@@ -125,17 +128,17 @@ class ActCommandTest {
     @Test
     void aSavedSessionBecomesOneWithItsTypesOfRobots() throws Exception {
         String saved = file("saved.majic", "add sim:aibo as 1", "add sim:pioneer as 2", "1 move 100", "2 move 100");
-        assertThat(desk.refusal("2 act " + saved + " with 1"))
+        assertThat(fixture.refusal("2 act " + saved + " with 1"))
                 .get()
                 .asString()
                 .contains("robot 2 is of type pioneer, not aibo");
-        assertThat(desk.runPipe("1 act " + saved + " with 2")).noneMatch(line -> line.contains("failed"));
+        assertThat(fixture.runPipe("1 act " + saved + " with 2")).noneMatch(line -> line.contains("failed"));
     }
 
     @Test
-    void whatOnlyASessionMaySayIsRefusedWithItsPlace() throws Exception {
+    void commandsOfASessionAreRefusedWithTheirPlace() throws Exception {
         String bad = file("bad.majic", "me move 100", "quit", "1-3 move 5", "me act Other");
-        assertThat(desk.refusal("1 act " + bad))
+        assertThat(fixture.refusal("1 act " + bad))
                 .get()
                 .asString()
                 .contains(
@@ -145,48 +148,49 @@ class ActCommandTest {
     }
 
     @Test
-    void ofVeryManyMistakesTheFirstAreToldAndTheOthersCounted() throws Exception {
+    void ofVeryManyMistakesTheFirstAreReportedAndTheOthersCounted() throws Exception {
         String bad = file("bad.majic", Collections.nCopies(5000, "quit").toArray(String[]::new));
-        assertThat(String.join("\n", desk.runPipe("1 act " + bad)))
+        assertThat(String.join("\n", fixture.runPipe("1 act " + bad)))
                 .contains("bad.majic:20:1: quit:", "bad.majic: and 4980 more mistakes")
                 .doesNotContain("bad.majic:21:1:");
     }
 
     @Test
-    void aMistakeThatTheRobotShowsIsToldOnce() throws Exception {
+    void aMistakeThatTheRobotShowsIsReportedOnce() throws Exception {
         String bad = file("bad.majic", "me set headPam 3");
-        assertThat(desk.runPipe("1 act " + bad))
+        assertThat(fixture.runPipe("1 act " + bad))
                 .filteredOn(line -> line.contains("headPam"))
                 .hasSize(1);
     }
 
     @Test
-    void whileItRunsTheRobotIsItsOwnUntilItIsStopped() throws Exception {
+    void ownsTheRobotUntilItEndsOrIsStopped() throws Exception {
         String ahead = file("ahead.majic", "repeat", "me move 100", "end");
-        desk.prompt.parseText("1 act " + ahead);
-        desk.pause(3);
-        assertThat(desk.prompt.parseText("1 move 50"))
+        fixture.prompt.parseText("1 act " + ahead);
+        fixture.pause(3);
+        assertThat(fixture.prompt.parseText("1 move 50"))
                 .get()
                 .asString()
                 .contains("1 is running ahead; \"1 stop\" ends it");
-        desk.prompt.parseText("1 stop");
-        desk.prompt.awaitAll();
-        assertThat(desk.team.member(1).owner()).isNull();
-        assertThat(desk.said()).anyMatch(line -> line.startsWith("1 act") && line.endsWith("stopped"));
+        fixture.prompt.parseText("1 stop");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.team.member(1).owner()).isNull();
+        assertThat(fixture.answers()).anyMatch(line -> line.startsWith("1 act") && line.endsWith("stopped"));
     }
 
     @Test
     void inAScriptItTakesItsTurnAndCanBeCalledOff() throws Exception {
         String ahead = file("ahead.majic", "repeat", "me move 100", "end");
-        assertThat(desk.runPipe("repeat 1", "1 act " + ahead, "1 turn 90", "2 move 500", "wait 3s", "1 act off", "end"))
+        assertThat(fixture.runPipe(
+                        "repeat 1", "1 act " + ahead, "1 turn 90", "2 move 500", "wait 3s", "1 act off", "end"))
                 .noneMatch(line -> line.contains("failed") || line.contains("not run"))
                 .contains("1 act off: done");
-        assertThat(desk.bot(1).sent()).containsSubsequence("move 100", "halt", "turn 90");
+        assertThat(fixture.bot(1).sent()).containsSubsequence("move 100", "halt", "turn 90");
     }
 
     @Test
     void anUnknownNameIsRefusedWithWhatWouldBeRight() throws Exception {
-        assertThat(desk.refusal("1 act Wandr"))
+        assertThat(fixture.refusal("1 act Wandr"))
                 .get()
                 .asString()
                 .contains("there is no behaviour Wandr")
@@ -194,7 +198,7 @@ class ActCommandTest {
     }
 
     @Test
-    void consentIsGivenAndTakenBackByALine() throws Exception {
+    void aLineAgreesToTheCodeAndALineTakesItBack() throws Exception {
         Path act = Files.write(
                 folder.resolve("nod.act"),
                 ActMaker.from(
@@ -204,30 +208,30 @@ class ActCommandTest {
                         .make("Nod", ActDetails.named("Nod")));
         String hash = ActFile.read(act).sha256();
         String name = "\"" + act + "\"";
-        assertThat(desk.runPipe("trust " + name + " \"" + hash + "\"", "1 act " + name))
+        assertThat(fixture.runPipe("trust " + name + " \"" + hash + "\"", "1 act " + name))
                 .anyMatch(line -> line.endsWith("done") && line.startsWith("trust "));
-        assertThat(desk.bot(1).sent()).startsWith("move 70");
-        assertThat(desk.runPipe("trust off " + name)).contains("trust off " + act + ": done");
-        assertThat(desk.refusal("1 act " + name)).get().asString().contains("it brings code of its own");
-        assertThat(desk.runPipe("trust off \"" + hash + "\""))
+        assertThat(fixture.bot(1).sent()).startsWith("move 70");
+        assertThat(fixture.runPipe("trust off " + name)).contains("trust off " + act + ": done");
+        assertThat(fixture.refusal("1 act " + name)).get().asString().contains("it brings code of its own");
+        assertThat(fixture.runPipe("trust off \"" + hash + "\""))
                 .anyMatch(line -> line.endsWith("nobody had agreed to that file"));
     }
 
     @Test
     void whenOneOfItsRobotsFailsItEndsForAll() throws Exception {
         String both = file("both.majic", "1 move 5000", "2 move 400", "2 move 400");
-        desk.bot(2).stallAfter(200);
-        assertThat(desk.runPipe("1 act " + both + " with 2"))
+        fixture.bot(2).stallAfter(200);
+        assertThat(fixture.runPipe("1 act " + both + " with 2"))
                 .anyMatch(line -> line.startsWith("1 act") && line.contains("failed"));
-        assertThat(desk.bot(1).sent()).contains("halt");
-        assertThat(desk.team.member(2).owner()).isNull();
+        assertThat(fixture.bot(1).sent()).contains("halt");
+        assertThat(fixture.team.member(2).owner()).isNull();
     }
 
     @Test
     void savedInAFileItRunsWithoutAQuestion() throws Exception {
         byte[] saved = ActMaker.save(new ScriptAct("there", "me move 100\nme move -100"), ActDetails.named("There"));
         Path file = Files.write(folder.resolve("there.act"), saved);
-        assertThat(desk.runPipe("1 act \"" + file + '"')).anyMatch(line -> line.contains("there.act\": done"));
-        assertThat(desk.bot(1).sent()).startsWith("move 100", "move -100");
+        assertThat(fixture.runPipe("1 act \"" + file + '"')).anyMatch(line -> line.contains("there.act\": done"));
+        assertThat(fixture.bot(1).sent()).startsWith("move 100", "move -100");
     }
 }

@@ -22,20 +22,20 @@ import org.junit.jupiter.api.io.TempDir;
 /** When a behaviour in MAJIC Script ends, all it has ordered ends with it, on each of its robots. */
 @Timeout(30)
 class ActEndTest {
-    /** Robot 1 is told again and again to drive, for half a minute. */
+    /** Drives robot 1 by repeated commands for half a minute. */
     private static final String LONG_DRIVE = "1 drive 100 0 for 30s";
 
     @TempDir
     private Path folder;
 
     @AutoClose
-    private final Desk desk = Desk.withTwo();
+    private final ScriptFixture fixture = ScriptFixture.withTwo();
 
     private FakeBot driver;
 
     @BeforeEach
     void name() {
-        driver = desk.bot(1);
+        driver = fixture.bot(1);
     }
 
     private String file(String... lines) throws IOException {
@@ -43,41 +43,41 @@ class ActEndTest {
         return '"' + path.toString() + '"';
     }
 
-    private void assertThatItStands() throws InterruptedException {
+    private void assertThatItIsStationary() throws InterruptedException {
         int sent = driver.sent().size();
-        desk.pause(5);
+        fixture.pause(5);
         assertThat(driver.sent()).hasSize(sent).endsWith("halt");
     }
 
     @Test
-    void byAFailureOfOneTheOthersStand() throws Exception {
-        desk.bot(2).stallAfter(200);
-        desk.runPipe("1 act " + file(LONG_DRIVE, "2 move 400", "wait") + " with 2");
-        assertThatItStands();
+    void theFailureOfOneRobotStopsTheOthers() throws Exception {
+        fixture.bot(2).stallAfter(200);
+        fixture.runPipe("1 act " + file(LONG_DRIVE, "2 move 400", "wait") + " with 2");
+        assertThatItIsStationary();
     }
 
     @Test
-    void byAStopOfOneTheOthersStand() throws Exception {
-        desk.prompt.parseText("1 act " + file(LONG_DRIVE, "2 move 5000", "wait") + " with 2");
-        desk.pause(1);
-        desk.prompt.parseText("2 stop");
-        desk.prompt.awaitAll();
-        assertThatItStands();
+    void theStopOfOneRobotStopsTheOthers() throws Exception {
+        fixture.prompt.parseText("1 act " + file(LONG_DRIVE, "2 move 5000", "wait") + " with 2");
+        fixture.pause(1);
+        fixture.prompt.parseText("2 stop");
+        fixture.prompt.awaitAll();
+        assertThatItIsStationary();
     }
 
     @Test
-    void calledOffItsRobotsStand() throws Exception {
-        desk.prompt.parseText("1 act " + file(LONG_DRIVE, "2 move 5000", "wait") + " with 2");
-        desk.pause(1);
-        desk.prompt.parseText("2 act off");
-        desk.prompt.awaitAll();
-        assertThatItStands();
+    void actOffStopsItsRobots() throws Exception {
+        fixture.prompt.parseText("1 act " + file(LONG_DRIVE, "2 move 5000", "wait") + " with 2");
+        fixture.pause(1);
+        fixture.prompt.parseText("2 act off");
+        fixture.prompt.awaitAll();
+        assertThatItIsStationary();
     }
 
     @Test
-    void calledOffBeforeItsTurnItNeverBegins() throws Exception {
+    void actOffBeforeItsTurnPreventsIt() throws Exception {
         String drive = file("me move 5000");
-        assertThat(desk.runPipe("1 move 300", "1 act " + drive, "1 act off", "1 turn 90"))
+        assertThat(fixture.runPipe("1 move 300", "1 act " + drive, "1 act off", "1 turn 90"))
                 .contains("1 act off: no behaviour runs on it", "1 act " + drive + ": not run: stopped");
         assertThat(driver.sent()).containsSubsequence("move 300", "turn 90").doesNotContain("move 5000");
     }
@@ -85,7 +85,7 @@ class ActEndTest {
     @Test
     void doneMeansForTheNextLineThatTheRobotIsFree() throws Exception {
         String ahead = file("repeat", "me move 100", "end");
-        assertThat(desk.runPipe("1 act " + ahead, "wait 3s", "1 act off", "1 turn 20"))
+        assertThat(fixture.runPipe("1 act " + ahead, "wait 3s", "1 act off", "1 turn 20"))
                 .contains("1 act off: done")
                 .noneMatch(line -> line.contains("is running"));
         assertThat(driver.sent()).containsSubsequence("move 100", "halt", "turn 20");
@@ -94,39 +94,39 @@ class ActEndTest {
     @Test
     void atAPromptItIsAnsweredWhenTheRobotIsFree() throws Exception {
         List<Optional<Owner>> owners = new CopyOnWriteArrayList<>();
-        desk.session.addListener(line -> {
+        fixture.session.addListener(line -> {
             if (line.text().equals("1 act off: done")) {
-                owners.add(Optional.ofNullable(desk.team.member(1).owner()));
+                owners.add(Optional.ofNullable(fixture.team.member(1).owner()));
             }
         });
         driver.standAfter(1);
-        desk.prompt.parseText("1 act " + file("repeat", "me move 100", "end"));
-        desk.pause(3);
-        desk.prompt.parseText("1 act off");
-        desk.prompt.awaitAll();
+        fixture.prompt.parseText("1 act " + file("repeat", "me move 100", "end"));
+        fixture.pause(3);
+        fixture.prompt.parseText("1 act off");
+        fixture.prompt.awaitAll();
         assertThat(owners).containsExactly(Optional.empty());
     }
 
     /** Two sources stop a robot whose act ends only after it was reported to be slow: the robot is free at each answer. */
     @Test
-    void stopIsDoneWhenAnActThatIsSlowToEndHasGivenTheRobotBack() throws Exception {
+    void stopIsDoneWhenAnActThatIsSlowToEndHasReleasedTheRobot() throws Exception {
         List<Optional<Owner>> ownersAtDone = new CopyOnWriteArrayList<>();
         List<Optional<String>> refusalsAtDone = new CopyOnWriteArrayList<>();
-        desk.session.addListener(line -> {
+        fixture.session.addListener(line -> {
             if (line.text().endsWith("Deaf: is still ending; its robots stand and obey it no more")) {
                 System.setProperty("deaf.hears", "now");
             } else if (line.text().equals("1 stop: done")) {
-                ownersAtDone.add(Optional.ofNullable(desk.team.member(1).owner()));
-                refusalsAtDone.add(desk.prompt.parseText("1 move 20"));
+                ownersAtDone.add(Optional.ofNullable(fixture.team.member(1).owner()));
+                refusalsAtDone.add(fixture.prompt.parseText("1 move 20"));
             }
         });
         startDeaf();
-        desk.prompt.parseText("1 stop");
-        MajicParser socket = MajicParser.remote(desk.session);
+        fixture.prompt.parseText("1 stop");
+        MajicParser socket = MajicParser.remote(fixture.session);
         socket.parseText("1 stop");
-        desk.prompt.awaitAll();
+        fixture.prompt.awaitAll();
         socket.awaitAll();
-        desk.session.flush();
+        fixture.session.flush();
         assertThat(ownersAtDone).containsExactly(Optional.empty(), Optional.empty());
         assertThat(refusalsAtDone).containsExactly(Optional.empty(), Optional.empty());
     }
@@ -134,28 +134,28 @@ class ActEndTest {
     /** Starts an act that ignores its end, waits until it runs and returns the name of its file. */
     private String startDeaf() throws Exception {
         CountDownLatch begun = new CountDownLatch(1);
-        desk.session.addListener(line -> {
+        fixture.session.addListener(line -> {
             if (line.text().endsWith("Deaf: deaf")) {
                 begun.countDown();
             }
         });
         String name = deaf();
-        desk.prompt.parseText("1 act " + name);
+        fixture.prompt.parseText("1 act " + name);
         begun.await();
         return name;
     }
 
     @Test
-    void oneThatIgnoresItsEndIsSaidToBeLeftBehind() throws Exception {
+    void anActThatDoesNotEndIsReportedAsLeftBehind() throws Exception {
         String name = startDeaf();
-        List<String> said = desk.runPipe("1 act off");
-        assertThat(desk.prompt.parseText("1 turn 20")).isEmpty();
+        List<String> said = fixture.runPipe("1 act off");
+        assertThat(fixture.prompt.parseText("1 turn 20")).isEmpty();
         assertThat(said)
                 .containsSubsequence(
                         "1: Deaf: is still ending; its robots stand and obey it no more",
                         "1: Deaf: does not end; it is left behind without a robot",
                         "1 act off: done");
-        assertThat(desk.said()).noneMatch(line -> line.startsWith("1 act " + name + ": done"));
+        assertThat(fixture.answers()).noneMatch(line -> line.startsWith("1 act " + name + ": done"));
         System.setProperty("deaf.hears", "now");
     }
 
@@ -172,14 +172,14 @@ class ActEndTest {
                         + "}\n");
         Path act =
                 Files.write(folder.resolve("Deaf.act"), ActMaker.from(source).make("Deaf", ActDetails.named("Deaf")));
-        desk.session.offers().agree(desk.session.offers().find(act.toString()));
+        fixture.session.offers().agree(fixture.session.offers().find(act.toString()));
         return '"' + act.toString() + '"';
     }
 
     @Test
-    void itsOwnStopEndsNothingThatSomebodyElseOrdered() throws Exception {
+    void itsOwnStopEndsNoCommandOfAnotherSource() throws Exception {
         String stops = file("me drive 100 0 for 30s", "wait 1s", "me stop", "me move 50");
-        assertThat(desk.runPipe("repeat 2", "1 act " + stops, "1 turn 90", "end"))
+        assertThat(fixture.runPipe("repeat 2", "1 act " + stops, "1 turn 90", "end"))
                 .noneMatch(line -> line.contains("not run") || line.contains("failed"))
                 .contains("1 drive 100 0 for 30s: stopped");
         assertThat(driver.sent()).containsSubsequence("move 50", "turn 90", "move 50", "turn 90");

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** What the Tab key offers. */
 class CompletionTest {
     @AutoClose
-    private final Desk desk = Desk.withTwo();
+    private final ScriptFixture fixture = ScriptFixture.withTwo();
 
     @ParameterizedTest
     @CsvSource(
@@ -38,17 +38,17 @@ class CompletionTest {
                 "help rep | repeat"
             })
     void fitsThePlace(String text, String words) {
-        assertThat(desk.prompt.complete(text, text.length())).containsExactly(words.split(" "));
+        assertThat(fixture.prompt.complete(text, text.length())).containsExactly(words.split(" "));
     }
 
     @Test
     void looksAtTheWordBeforeTheCaret() {
-        assertThat(desk.prompt.complete("1 mo 500", 4)).containsExactly("move");
+        assertThat(fixture.prompt.complete("1 mo 500", 4)).containsExactly("move");
     }
 
     @Test
-    void offersNothingWhereAnythingMayStand() {
-        assertThat(desk.prompt.complete("1 move ", 7)).isEmpty();
-        assertThat(desk.prompt.complete("9 get x", 7)).isEmpty();
+    void offersNothingWhereAnyTextIsAllowed() {
+        assertThat(fixture.prompt.complete("1 move ", 7)).isEmpty();
+        assertThat(fixture.prompt.complete("9 get x", 7)).isEmpty();
     }
 }

@@ -31,32 +31,34 @@ class DocExamplesTest {
     @ParameterizedTest
     @MethodSource("withoutMe")
     void runsWithoutAMistake(String example) throws InterruptedException {
-        try (Desk desk = Desk.withTwo()) {
-            desk.add(desk.pioneer);
-            desk.bot(1).putObstacle(3000);
+        try (ScriptFixture fixture = ScriptFixture.withTwo()) {
+            fixture.add(fixture.pioneer);
+            fixture.bot(1).putObstacle(3000);
             for (String line : example.split("\\R")) {
-                assertThat(desk.pipe.parseText(line)).as(line).isEmpty();
+                assertThat(fixture.pipe.parseText(line)).as(line).isEmpty();
             }
-            desk.pipe.awaitAll();
-            assertThat(desk.said()).noneMatch(line -> line.contains("failed")).anyMatch(line -> line.contains("done"));
+            fixture.pipe.awaitAll();
+            assertThat(fixture.answers())
+                    .noneMatch(line -> line.contains("failed"))
+                    .anyMatch(line -> line.contains("done"));
         }
     }
 
     @Test
     void theWandererTurnsAwayFromObstaclesUntilItIsStopped(@TempDir Path folder) throws Exception {
         String wanderer = examples().filter(DocExamplesTest::hasMe).findFirst().orElseThrow();
-        try (Desk desk = Desk.withTwo()) {
-            FakeBot robot = desk.bot(2);
+        try (ScriptFixture fixture = ScriptFixture.withTwo()) {
+            FakeBot robot = fixture.bot(2);
             robot.putObstacle(1000);
             Path file = Files.writeString(folder.resolve("Wander.majic"), wanderer);
-            desk.prompt.parseText("2 act \"" + file + "\"");
-            desk.pause(10);
-            desk.prompt.parseText("2 stop");
-            desk.prompt.awaitAll();
-            desk.pause(1);
+            fixture.prompt.parseText("2 act \"" + file + "\"");
+            fixture.pause(10);
+            fixture.prompt.parseText("2 stop");
+            fixture.prompt.awaitAll();
+            fixture.pause(1);
             assertThat(robot.sent()).startsWith("move 2000", "turn 100", "move 2000", "turn 100");
             assertThat(robot.state().pose().xMm()).isLessThanOrEqualTo(540);
-            assertThat(desk.said()).contains("2 act \"" + file + "\": stopped");
+            assertThat(fixture.answers()).contains("2 act \"" + file + "\": stopped");
         }
     }
 }

@@ -8,7 +8,7 @@ import majic.bot.Pose;
 import majic.lab.LabAccess;
 import majic.time.TimeSource;
 
-/** A lab that lends its clock, and has a robot of each type where nobody drove it. */
+/** A lab with the clock of the test and one robot of each type, at its start pose. */
 record FakeLab(TimeSource time) implements LabAccess {
     @Override
     public List<String> robots() {

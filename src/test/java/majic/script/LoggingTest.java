@@ -16,12 +16,12 @@ class LoggingTest {
     Path folder;
 
     @AutoClose
-    private final Desk desk = Desk.withTwo();
+    private final ScriptFixture fixture = ScriptFixture.withTwo();
 
     @Test
     void readingsAreTakenWhileTheRobotMoves() throws Exception {
         Path file = folder.resolve("log.csv");
-        assertThat(desk.runPipe(
+        assertThat(fixture.runPipe(
                         "1 log x,speed every 100ms",
                         "1 move 300",
                         "1 wait",
@@ -38,18 +38,18 @@ class LoggingTest {
     @Test
     void withoutReadingsThereIsNothingToSave() throws Exception {
         Path file = folder.resolve("empty.csv");
-        assertThat(desk.runPipe("save log " + file))
+        assertThat(fixture.runPipe("save log " + file))
                 .containsExactly("save log: there are no readings yet; \"1 log x every 100ms\" takes some");
         assertThat(file).doesNotExist();
-        assertThat(desk.pipe.allSucceeded()).isFalse();
+        assertThat(fixture.pipe.allSucceeded()).isFalse();
     }
 
     @Test
     void aRobotThatIsGoneIsNoLongerLogged() throws Exception {
-        desk.prompt.parseText("1 log x every 100ms");
-        desk.pause(0.5);
-        desk.bot(1).cut();
-        desk.pause(0.5);
-        assertThat(desk.said()).contains("1: no longer logged: connection lost");
+        fixture.prompt.parseText("1 log x every 100ms");
+        fixture.pause(0.5);
+        fixture.bot(1).cut();
+        fixture.pause(0.5);
+        assertThat(fixture.answers()).contains("1: no longer logged: connection lost");
     }
 }

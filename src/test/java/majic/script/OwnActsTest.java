@@ -27,13 +27,13 @@ class OwnActsTest {
     private Path folder;
 
     @AutoClose
-    private Desk desk;
+    private ScriptFixture fixture;
 
     @BeforeEach
     void open() {
-        desk = new Desk(new ActCatalog(folder, new ActTrust(Settings.inMemory())));
-        desk.add(desk.aibo);
-        desk.add(desk.pioneer);
+        fixture = new ScriptFixture(new ActCatalog(folder, new ActTrust(Settings.inMemory())));
+        fixture.add(fixture.aibo);
+        fixture.add(fixture.pioneer);
     }
 
     private void script(String file, String... lines) throws IOException {
@@ -48,36 +48,36 @@ class OwnActsTest {
     @ValueSource(strings = {"wander", "WANDER", "wander.majic", "\"wander\""})
     void aScriptIsFoundByItsName(String name) throws Exception {
         script("wander.majic", "me move 70");
-        desk.runPipe("2 act " + name);
-        assertThat(desk.bot(2).sent()).contains("move 70");
+        fixture.runPipe("2 act " + name);
+        assertThat(fixture.bot(2).sent()).contains("move 70");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"There", "THERE", "There.act"})
     void namesAreComparedWithoutCase(String name) throws Exception {
         act("There.act", "me move 70");
-        desk.runPipe("2 act " + name);
-        assertThat(desk.bot(2).sent()).contains("move 70");
+        fixture.runPipe("2 act " + name);
+        assertThat(fixture.bot(2).sent()).contains("move 70");
     }
 
     @Test
     void aNameMayHaveABlank() throws Exception {
         act("to the door.act", "me move 70");
-        desk.runPipe("2 act \"to the door\"");
-        assertThat(desk.bot(2).sent()).contains("move 70");
-        assertThat(desk.prompt.complete("2 act ", 6)).contains("\"to the door\"");
+        fixture.runPipe("2 act \"to the door\"");
+        assertThat(fixture.bot(2).sent()).contains("move 70");
+        assertThat(fixture.prompt.complete("2 act ", 6)).contains("\"to the door\"");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"There.act", "There.majic"})
-    void whatWasCheckedIsRunAlthoughTheFileHasChangedSince(String file) throws Exception {
+    void theCheckedFileIsRunAlthoughItHasChangedSince(String file) throws Exception {
         write(file, "me move 70");
-        desk.prompt.parseText("2 move 4000");
-        desk.prompt.parseText("2 act " + file);
-        desk.pause(1);
+        fixture.prompt.parseText("2 move 4000");
+        fixture.prompt.parseText("2 act " + file);
+        fixture.pause(1);
         write(file, "me move -70");
-        desk.prompt.awaitAll();
-        assertThat(desk.bot(2).sent()).contains("move 70").doesNotContain("move -70");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.bot(2).sent()).contains("move 70").doesNotContain("move -70");
     }
 
     private void write(String file, String line) throws IOException {
@@ -89,21 +89,21 @@ class OwnActsTest {
     }
 
     @Test
-    void oneThatTakesThePlaceOfMajicsOwnSaysSo() throws Exception {
+    void anActInPlaceOfAShippedOneIsAnnounced() throws Exception {
         act("Guard.act", "me move 70");
-        assertThat(desk.runPipe("2 act guard", "acts"))
+        assertThat(fixture.runPipe("2 act guard", "acts"))
                 .contains("2: guard from " + folder + ", in place of the one that comes with MAJIC")
                 .anyMatch(
                         line -> line.startsWith("acts: Guard") && line.contains("in place of the one that comes with"));
-        assertThat(desk.bot(2).sent()).contains("move 70");
+        assertThat(fixture.bot(2).sent()).contains("move 70");
     }
 
     @Test
-    void anActGoesBeforeTheScriptOfTheSameName() throws Exception {
+    void anActIsFoundBeforeTheScriptOfTheSameName() throws Exception {
         act("Patrol.act", "me move 70");
         script("patrol.majic", "me move 80");
-        desk.runPipe("2 act patrol", "2 wait", "2 act patrol.majic");
-        assertThat(desk.bot(2).sent()).containsSubsequence("move 70", "move 80");
+        fixture.runPipe("2 act patrol", "2 wait", "2 act patrol.majic");
+        assertThat(fixture.bot(2).sent()).containsSubsequence("move 70", "move 80");
     }
 
     @Test
@@ -111,7 +111,7 @@ class OwnActsTest {
         act("Patrol.act", "me move 70");
         assumeFalse(Files.exists(folder.resolve("PATROL.act")), "the file system itself ignores case");
         act("PATROL.act", "me move 80");
-        assertThat(desk.runPipe("2 act patrol"))
+        assertThat(fixture.runPipe("2 act patrol"))
                 .singleElement()
                 .asString()
                 .contains("there are several of that name, PATROL.act and Patrol.act in ");
@@ -121,7 +121,7 @@ class OwnActsTest {
     void allAreListed() throws Exception {
         act("Patrol.act", "me move 70");
         script("wander.majic", "me move 80");
-        assertThat(desk.runPipe("acts"))
+        assertThat(fixture.runPipe("acts"))
                 .anyMatch(line -> line.startsWith("acts: Patrol (me"))
                 .anyMatch(line -> line.startsWith("acts: wander (me"))
                 .anyMatch(line -> line.startsWith("acts: AiboSquare (me"));
@@ -130,7 +130,7 @@ class OwnActsTest {
     @Test
     void aSavedSessionNamesItsFileInFull() throws Exception {
         script("wander.majic", "me move 70");
-        desk.runPipe("2 act wander.majic", "2 wait");
-        assertThat(desk.session.state().record().lines()).contains("2 act " + folder.resolve("wander.majic"));
+        fixture.runPipe("2 act wander.majic", "2 wait");
+        assertThat(fixture.session.state().record().lines()).contains("2 act " + folder.resolve("wander.majic"));
     }
 }

@@ -20,7 +20,7 @@ class PipeOrderTest {
     private Path folder;
 
     @AutoClose
-    private final Desk desk = Desk.withTwo();
+    private final ScriptFixture fixture = ScriptFixture.withTwo();
 
     private String endless() throws IOException {
         return Files.write(folder.resolve("endless.majic"), List.of("repeat", "me move 300", "end"))
@@ -28,7 +28,7 @@ class PipeOrderTest {
     }
 
     private void assertThatItMovedAfterwards() {
-        assertThat(desk.said())
+        assertThat(fixture.answers())
                 .contains("2 move 20: done (20 mm, 0.1 s)")
                 .noneMatch(line -> line.contains("is running"));
     }
@@ -37,25 +37,25 @@ class PipeOrderTest {
     @ValueSource(strings = {"2 act off", "2 stop", "all act off"})
     void aRobotIsFreeForTheLineBehindTheOneThatEndedItsAct(String end) throws Exception {
         for (int round = 0; round < 10; round++) {
-            desk.runPipe("2 act " + endless(), "wait 1s", end, "2 move 20");
+            fixture.runPipe("2 act " + endless(), "wait 1s", end, "2 move 20");
             assertThatItMovedAfterwards();
         }
     }
 
     @Test
     void afterStopAndReleaseARobotIsFree() throws Exception {
-        desk.runPipe("2 act " + endless(), "wait 1s", "all stop", "release", "2 move 20");
+        fixture.runPipe("2 act " + endless(), "wait 1s", "all stop", "release", "2 move 20");
         assertThatItMovedAfterwards();
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"2 act off", "2 stop"})
     void theSameOverASocket(String end) throws Exception {
-        MajicParser socket = MajicParser.remote(desk.session);
+        MajicParser socket = MajicParser.remote(fixture.session);
         for (String line : List.of("2 act " + endless(), "wait 1s")) {
             socket.parseText(line);
         }
-        desk.pause(1.5);
+        fixture.pause(1.5);
         socket.parseText(end);
         socket.parseText("2 move 20");
         socket.awaitAll();
@@ -63,28 +63,28 @@ class PipeOrderTest {
     }
 
     @Test
-    void aScriptOfAnotherSourceThatAStopEndsHasGivenItsRobotsBack() throws Exception {
+    void aStopWaitsUntilAScriptOfAnotherSourceHasReleasedItsRobots() throws Exception {
         for (String line : List.of("repeat", "2 move 100", "2 wait", "end")) {
-            desk.prompt.parseText(line);
+            fixture.prompt.parseText(line);
         }
-        desk.pause(1);
-        desk.runPipe("2 stop", "2 move 20");
+        fixture.pause(1);
+        fixture.runPipe("2 stop", "2 move 20");
         assertThatItMovedAfterwards();
     }
 
     @Test
     void theParameterLogIsSavedAfterTheLogLinesBeforeIt() throws Exception {
         Path file = folder.resolve("l.csv");
-        desk.runPipe("2 log x every 100ms", "2 move 300", "2 log off", "save log " + file);
+        fixture.runPipe("2 log x every 100ms", "2 move 300", "2 log off", "save log " + file);
         assertThat(Files.readAllLines(file)).hasSizeGreaterThan(8);
     }
 
     @Test
     void aSessionThatWasSavedCanBeRunByTheNextLine() throws Exception {
         Path file = folder.resolve("s.majic");
-        desk.runPipe("add sim:aibo as 3", "3 move 30", "save session " + file, "run " + file);
-        assertThat(desk.pipe.allSucceeded()).as(desk.said().toString()).isTrue();
-        assertThat(desk.bot(3).sent()).containsExactly("move 30", "move 30");
+        fixture.runPipe("add sim:aibo as 3", "3 move 30", "save session " + file, "run " + file);
+        assertThat(fixture.pipe.allSucceeded()).as(fixture.answers().toString()).isTrue();
+        assertThat(fixture.bot(3).sent()).containsExactly("move 30", "move 30");
     }
 
     @Test
@@ -92,18 +92,18 @@ class PipeOrderTest {
         Path saved = folder.resolve("s.majic");
         Path script = Files.write(
                 folder.resolve("both.majic"), List.of("1 move 30", "save session " + saved, "run " + saved));
-        desk.runPipe("run " + script);
-        assertThat(desk.pipe.allSucceeded()).as(desk.said().toString()).isTrue();
+        fixture.runPipe("run " + script);
+        assertThat(fixture.pipe.allSucceeded()).as(fixture.answers().toString()).isTrue();
     }
 
     @Test
-    void aRefusalSaysItsLineAlsoWhenTheLineHadToWait() throws Exception {
-        desk.pipe.parseLine(1, "1 move 300");
-        desk.pipe.parseLine(2, "add sim:aibo as 3");
-        desk.pipe.parseLine(3, "7 move 100");
-        desk.pipe.parseLine(4, "run nowhere.majic");
-        desk.pipe.awaitAll();
-        assertThat(desk.said())
+    void aRefusalNamesItsLineAlsoIfTheLineHadToWait() throws Exception {
+        fixture.pipe.parseLine(1, "1 move 300");
+        fixture.pipe.parseLine(2, "add sim:aibo as 3");
+        fixture.pipe.parseLine(3, "7 move 100");
+        fixture.pipe.parseLine(4, "run nowhere.majic");
+        fixture.pipe.awaitAll();
+        assertThat(fixture.answers())
                 .anyMatch(line -> line.startsWith("line 3: 7: there is no robot 7"))
                 .anyMatch(line -> line.startsWith("line 4: nowhere.majic: "));
     }

@@ -10,17 +10,17 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(30)
 class RuleOfTimeTest {
     @AutoClose
-    private final Desk desk = Desk.withTwo();
+    private final ScriptFixture fixture = ScriptFixture.withTwo();
 
     @Test
     void linesToOneRobotFollowEachOther() throws InterruptedException {
-        assertThat(desk.runPipe("1 move 300", "1 turn 90", "1 get x"))
+        assertThat(fixture.runPipe("1 move 300", "1 turn 90", "1 get x"))
                 .containsExactly("1 move 300: done (300 mm, 1.0 s)", "1 turn 90: done (90 deg, 1.0 s)", "1 x = 300 mm");
     }
 
     @Test
-    void aPipedWaitHoldsTheNextLines() throws InterruptedException {
-        assertThat(desk.runPipe("1 move 300", "wait", "2 move 30", "2 wait", "lab"))
+    void aPipedWaitDelaysTheNextLines() throws InterruptedException {
+        assertThat(fixture.runPipe("1 move 300", "wait", "2 move 30", "2 wait", "lab"))
                 .containsExactly(
                         "1 move 300: done (300 mm, 1.0 s)",
                         "2 move 30: done (30 mm, 0.1 s)",
@@ -29,40 +29,40 @@ class RuleOfTimeTest {
 
     @Test
     void withoutAWaitTheShorterAnswersFirst() throws InterruptedException {
-        assertThat(desk.runPipe("1 move 300", "2 move 30"))
+        assertThat(fixture.runPipe("1 move 300", "2 move 30"))
                 .containsExactly("2 move 30: done (30 mm, 0.1 s)", "1 move 300: done (300 mm, 1.0 s)");
     }
 
     @Test
     void aPauseLetsTimePass() throws InterruptedException {
-        long began = desk.time.nanos();
-        desk.runPipe("wait 1500ms");
-        assertThat(desk.time.secondsSince(began)).isEqualTo(1.5);
+        long began = fixture.time.nanos();
+        fixture.runPipe("wait 1500ms");
+        assertThat(fixture.time.secondsSince(began)).isEqualTo(1.5);
     }
 
     @Test
     void atAPromptGetReadsAtOnce() throws InterruptedException {
-        desk.prompt.parseText("1 move 300");
-        desk.prompt.parseText("1 get x");
-        desk.prompt.awaitAll();
-        assertThat(desk.said()).containsExactly("1 x = 0 mm", "1 move 300: done (300 mm, 1.0 s)");
+        fixture.prompt.parseText("1 move 300");
+        fixture.prompt.parseText("1 get x");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers()).containsExactly("1 x = 0 mm", "1 move 300: done (300 mm, 1.0 s)");
     }
 
     @Test
     void inAPipeGetNowReadsAtOnce() throws InterruptedException {
-        assertThat(desk.runPipe("1 move 300", "1 get now x"))
+        assertThat(fixture.runPipe("1 move 300", "1 get now x"))
                 .containsExactly("1 x = 0 mm", "1 move 300: done (300 mm, 1.0 s)");
     }
 
     @Test
-    void aTypedWaitHoldsLinesButNotReadings() throws InterruptedException {
-        desk.prompt.parseText("1 move 300");
-        desk.prompt.parseText("wait");
-        assertThat(desk.prompt.parseText("2 move 30")).isEmpty();
-        desk.prompt.parseText("bots");
-        desk.prompt.parseText("1 get voltage");
-        desk.prompt.awaitAll();
-        assertThat(desk.said())
+    void aTypedWaitDelaysCommandsButNotReadings() throws InterruptedException {
+        fixture.prompt.parseText("1 move 300");
+        fixture.prompt.parseText("wait");
+        assertThat(fixture.prompt.parseText("2 move 30")).isEmpty();
+        fixture.prompt.parseText("bots");
+        fixture.prompt.parseText("1 get voltage");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers())
                 .containsExactly(
                         "1: Aibo connected, busy",
                         "2: Pioneer connected, idle",
@@ -73,34 +73,34 @@ class RuleOfTimeTest {
 
     @Test
     void quitDoesNotWaitAtAPrompt() {
-        desk.prompt.parseText("1 move 300");
-        desk.prompt.parseText("wait");
-        desk.prompt.parseText("quit");
-        assertThat(desk.quits).hasValue(1);
+        fixture.prompt.parseText("1 move 300");
+        fixture.prompt.parseText("wait");
+        fixture.prompt.parseText("quit");
+        assertThat(fixture.quits).hasValue(1);
     }
 
     @Test
     void whileLetsTheRobotsItReadsFinishFirst() throws InterruptedException {
-        desk.bot(1).putObstacle(1000);
-        desk.runPipe("while 1 distanceFront > 400", "1 move 300", "end");
-        assertThat(desk.bot(1).sent()).containsExactly("move 300", "move 300");
+        fixture.bot(1).putObstacle(1000);
+        fixture.runPipe("while 1 distanceFront > 400", "1 move 300", "end");
+        assertThat(fixture.bot(1).sent()).containsExactly("move 300", "move 300");
     }
 
     @Test
     void aTypedLineIsRefusedByAFullQueueAndAPipedOneWaits() throws InterruptedException {
         for (int line = 0; line <= 100; line++) {
-            assertThat(desk.prompt.parseText("1 move 30")).isEmpty();
-            desk.pause(line == 0 ? 0.01 : 0);
+            assertThat(fixture.prompt.parseText("1 move 30")).isEmpty();
+            fixture.pause(line == 0 ? 0.01 : 0);
         }
-        assertThat(desk.prompt.parseText("1 move 30").orElse("")).contains("its queue is full (100 commands)");
-        assertThat(desk.pipe.parseText("1 move 60")).isEmpty();
-        desk.pipe.awaitAll();
-        assertThat(desk.bot(1).sent()).hasSize(102).endsWith("move 60");
+        assertThat(fixture.prompt.parseText("1 move 30").orElse("")).contains("its queue is full (100 commands)");
+        assertThat(fixture.pipe.parseText("1 move 60")).isEmpty();
+        fixture.pipe.awaitAll();
+        assertThat(fixture.bot(1).sent()).hasSize(102).endsWith("move 60");
     }
 
     @Test
     void aRobotAddedInAPipeCanBeCommandedInTheNextLine() throws InterruptedException {
-        assertThat(desk.runPipe("add sim:aibo as 5", "5 move 30", "wait", "remove 5", "bots"))
+        assertThat(fixture.runPipe("add sim:aibo as 5", "5 move 30", "wait", "remove 5", "bots"))
                 .containsExactly(
                         "5: Aibo at sim:aibo connected",
                         "5 move 30: done (30 mm, 0.1 s)",
@@ -110,11 +110,12 @@ class RuleOfTimeTest {
     }
 
     @Test
-    void robotsAddedByHandGetTheirNumbersInOrder() throws InterruptedException {
-        desk.aibo.prepare(bot -> bot.connectIn(2));
-        desk.prompt.parseText("add sim:aibo");
-        desk.prompt.parseText("add sim:pioneer");
-        desk.prompt.awaitAll();
-        assertThat(desk.said()).containsExactly("3: Aibo at sim:aibo connected", "4: Pioneer at sim:pioneer connected");
+    void robotsAddedAtAPromptGetTheirNumbersInOrder() throws InterruptedException {
+        fixture.aibo.prepare(bot -> bot.connectIn(2));
+        fixture.prompt.parseText("add sim:aibo");
+        fixture.prompt.parseText("add sim:pioneer");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers())
+                .containsExactly("3: Aibo at sim:aibo connected", "4: Pioneer at sim:pioneer connected");
     }
 }

@@ -19,7 +19,7 @@ class ScriptsTest {
     Path folder;
 
     @AutoClose
-    private final Desk desk = Desk.withTwo();
+    private final ScriptFixture fixture = ScriptFixture.withTwo();
 
     private String file(String... lines) throws IOException {
         Path file = folder.resolve("test.majic");
@@ -29,39 +29,39 @@ class ScriptsTest {
 
     private void type(String... lines) {
         for (String line : lines) {
-            assertThat(desk.prompt.parseText(line)).isEmpty();
+            assertThat(fixture.prompt.parseText(line)).isEmpty();
         }
     }
 
     @Test
     void aFileRunsToItsEndAndWaitsForItsRobots() throws Exception {
         String file = file("# a square", "repeat 2", "  1 move 300", "  1 turn 90", "end", "2 move 30");
-        assertThat(desk.runPipe("run " + file, "2 get x"))
+        assertThat(fixture.runPipe("run " + file, "2 get x"))
                 .containsSubsequence(
                         "1 turn 90: done (90 deg, 1.0 s)", "run " + file + ": done (4.0 s)", "2 x = 30 mm");
-        assertThat(desk.bot(1).sent()).containsExactly("move 300", "turn 90", "move 300", "turn 90");
+        assertThat(fixture.bot(1).sent()).containsExactly("move 300", "turn 90", "move 300", "turn 90");
     }
 
     @Test
     void aFileWithABlankInItsNameIsAnsweredInQuotes() throws Exception {
         Path file = folder.resolve("a square.majic");
         Files.write(file, List.of("1 move 30"));
-        assertThat(desk.runPipe("run \"" + file + "\""))
+        assertThat(fixture.runPipe("run \"" + file + "\""))
                 .anyMatch(line -> line.startsWith("run \"" + file + "\": done ("));
     }
 
     @Test
     void aLimitThatIsRaisedInAFileHoldsForItsMoves() throws Exception {
         String file = file("1 set maxMove 10m", "1 move 6m");
-        assertThat(desk.runPipe("run " + file)).anyMatch(line -> line.startsWith("1 move 6m: done ("));
+        assertThat(fixture.runPipe("run " + file)).anyMatch(line -> line.startsWith("1 move 6m: done ("));
     }
 
     @Test
     void allMistakesAreReportedTogetherAndNothingRuns() throws Exception {
         String file =
                 file("1 move 30", "1 mvoe 3", "", "while 1 bumpd == no", "  2 move", "end", "9 move 3", "1 move 5 5");
-        desk.runPipe("run " + file);
-        assertThat(desk.said())
+        fixture.runPipe("run " + file);
+        assertThat(fixture.answers())
                 .containsExactly(
                         file + ":2:3: mvoe: robot 1 (Aibo) has no such command; did you mean move?",
                         file + ":4:9: bumpd: robot 1 (Aibo) has no such parameter; did you mean bumped?",
@@ -69,14 +69,14 @@ class ScriptsTest {
                         file + ":7:1: 9: there is no robot 9 (robots: 1 Aibo, 2 Pioneer)",
                         file + ":8:10: 5: nothing more is expected behind \"1 move 5\"",
                         "run " + file + ": failed: 5 mistakes in it, nothing was run");
-        assertThat(desk.bot(1).sent()).isEmpty();
-        assertThat(desk.pipe.allSucceeded()).isFalse();
+        assertThat(fixture.bot(1).sent()).isEmpty();
+        assertThat(fixture.pipe.allSucceeded()).isFalse();
     }
 
     @Test
-    void ofVeryManyMistakesTheFirstAreToldAndTheOthersCounted() throws Exception {
+    void ofVeryManyMistakesTheFirstAreReportedAndTheOthersCounted() throws Exception {
         Path wrong = Files.write(folder.resolve("wrong.majic"), Collections.nCopies(5000, "1 mvoe 5"));
-        assertThat(desk.runPipe("run " + wrong))
+        assertThat(fixture.runPipe("run " + wrong))
                 .hasSize(22)
                 .startsWith(wrong + ":1:3: mvoe: robot 1 (Aibo) has no such command; did you mean move?")
                 .endsWith(
@@ -87,22 +87,22 @@ class ScriptsTest {
     @Test
     void whatTheRobotsCannotDoIsFoundBeforeAnythingRuns() throws Exception {
         String file = file("1 move 30", "1 mvoe 3", "while 1 bumpd == no", "  2 set x 3", "end", "9 move 3");
-        desk.runPipe("run " + file);
-        assertThat(desk.said())
+        fixture.runPipe("run " + file);
+        assertThat(fixture.answers())
                 .containsExactly(
                         file + ":2:3: mvoe: robot 1 (Aibo) has no such command; did you mean move?",
                         file + ":3:9: bumpd: robot 1 (Aibo) has no such parameter; did you mean bumped?",
                         file + ":4:9: x: can be read but not set",
                         file + ":6:1: 9: there is no robot 9 (robots: 1 Aibo, 2 Pioneer)",
                         "run " + file + ": failed: 4 mistakes in it, nothing was run");
-        assertThat(desk.bot(1).sent()).isEmpty();
+        assertThat(fixture.bot(1).sent()).isEmpty();
     }
 
     @Test
     void robotsAddedInAFileAreCheckedWhenTheirLineComes() throws Exception {
         String file = file("add sim:aibo as 7", "7 move 30", "7 get nothing");
-        desk.runPipe("run " + file);
-        assertThat(desk.said())
+        fixture.runPipe("run " + file);
+        assertThat(fixture.answers())
                 .contains(
                         "7: Aibo at sim:aibo connected",
                         file + ":3:7: nothing: robot 7 (Aibo) has no such parameter",
@@ -112,60 +112,60 @@ class ScriptsTest {
     @Test
     void blocksThatAreNotClosedAreNamed() throws Exception {
         String file = file("repeat 3", "1 move 3", "if 1 bumped == no", "end");
-        desk.runPipe("run " + file);
-        assertThat(desk.said()).contains(file + ":1:1: repeat: its \"end\" is missing");
+        fixture.runPipe("run " + file);
+        assertThat(fixture.answers()).contains(file + ":1:1: repeat: its \"end\" is missing");
     }
 
     @Test
-    void aScriptHasItsRobotsToItself() throws Exception {
+    void aScriptOwnsItsRobots() throws Exception {
         type("run " + file("repeat", "1 move 300", "1 wait", "end"));
-        desk.pause(0.5);
-        assertThat(desk.prompt.parseText("1 move 30")).hasValue("1 is running test.majic; \"1 stop\" ends it");
-        assertThat(desk.prompt.parseText("1 set headPan 3")).isPresent();
-        assertThat(desk.prompt.parseText("1 set light on")).isEmpty();
-        assertThat(desk.prompt.parseText("2 move 30")).isEmpty();
+        fixture.pause(0.5);
+        assertThat(fixture.prompt.parseText("1 move 30")).hasValue("1 is running test.majic; \"1 stop\" ends it");
+        assertThat(fixture.prompt.parseText("1 set headPan 3")).isPresent();
+        assertThat(fixture.prompt.parseText("1 set light on")).isEmpty();
+        assertThat(fixture.prompt.parseText("2 move 30")).isEmpty();
         type("1 stop");
-        desk.prompt.awaitAll();
-        assertThat(desk.said()).anyMatch(line -> line.endsWith("test.majic: stopped"));
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers()).anyMatch(line -> line.endsWith("test.majic: stopped"));
         type("1 move 30");
     }
 
     @Test
     void aFailureEndsTheScriptAndStopsEveryRobotItUsed() throws Exception {
-        desk.bot(1).stallAfter(120);
+        fixture.bot(1).stallAfter(120);
         String file = file("2 move 3m", "1 move 300", "1 move 30", "1 get x");
-        desk.runPipe("run " + file, "2 get x");
-        assertThat(desk.said())
+        fixture.runPipe("run " + file, "2 get x");
+        assertThat(fixture.answers())
                 .contains(
                         "1 move 300: failed: stalled after 120 mm",
                         "1 move 30: not run: 1 move 300 failed",
                         "2 move 3m: stopped",
                         "2 stop: done",
                         "run " + file + ": failed: 1 move 300 failed");
-        assertThat(desk.pipe.allSucceeded()).isFalse();
+        assertThat(fixture.pipe.allSucceeded()).isFalse();
     }
 
     @Test
     void aScriptMayStopItsOwnRobotsAndGoOn() throws Exception {
         String file = file("1,2 move 3m", "wait 1s", "1 stop", "1 turn 90", "2 wait");
-        assertThat(desk.runPipe("run " + file))
+        assertThat(fixture.runPipe("run " + file))
                 .contains("1 move 3m: stopped", "1 turn 90: done (90 deg, 1.0 s)", "run " + file + ": done (10.0 s)");
-        assertThat(desk.pipe.allSucceeded()).isTrue();
+        assertThat(fixture.pipe.allSucceeded()).isTrue();
     }
 
     @Test
-    void stopForAllEndsTheScriptThatSaysItToo() throws Exception {
+    void stopForAllEndsTheScriptThatContainsIt() throws Exception {
         String file = file("1 move 3m", "wait 1s", "all stop", "2 move 30");
-        assertThat(desk.runPipe("run " + file)).contains("1 move 3m: stopped", "run " + file + ": stopped");
-        assertThat(desk.bot(2).sent()).doesNotContain("move 30");
-        assertThat(desk.team.isLatched()).isTrue();
+        assertThat(fixture.runPipe("run " + file)).contains("1 move 3m: stopped", "run " + file + ": stopped");
+        assertThat(fixture.bot(2).sent()).doesNotContain("move 30");
+        assertThat(fixture.team.isLatched()).isTrue();
     }
 
     @Test
     void anUndecidedConditionEndsTheScript() throws Exception {
-        desk.bot(2).cut();
-        desk.runPipe("if 2 distanceFront < 30", "1 move 30", "end");
-        assertThat(desk.said())
+        fixture.bot(2).cut();
+        fixture.runPipe("if 2 distanceFront < 30", "1 move 30", "end");
+        assertThat(fixture.answers())
                 .endsWith("if 2 distanceFront < 30: failed: if 2 distanceFront < 30 cannot be told: "
                         + "2 distanceFront is unknown (connection lost)");
     }
@@ -174,15 +174,16 @@ class ScriptsTest {
     void filesMayRunFilesButNotThemselvesForEver() throws Exception {
         Path file = folder.resolve("test.majic");
         String self = file("1 get now x", "run " + file);
-        desk.runPipe("run " + self);
-        assertThat(desk.said()).contains("run " + self + ": failed: " + self + ": files run each other too deeply");
+        fixture.runPipe("run " + self);
+        assertThat(fixture.answers())
+                .contains("run " + self + ": failed: " + self + ": files run each other too deeply");
     }
 
     @Test
     void aTypedBlockRunsBesideOtherLines() throws Exception {
         type("repeat 2", "1 move 300", "1 turn 90", "end", "2 move 30");
-        desk.prompt.awaitAll();
-        assertThat(desk.said())
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers())
                 .containsSubsequence("2 move 30: done (30 mm, 0.1 s)", "1 turn 90: done (90 deg, 1.0 s)")
                 .endsWith("repeat 2: done (4.0 s)");
     }
@@ -190,35 +191,35 @@ class ScriptsTest {
     @Test
     void aWrongLineOfATypedBlockIsRefusedAndTheBlockStaysOpen() throws Exception {
         type("repeat 2");
-        assertThat(desk.prompt.parseText("1 mvoe 300")).isPresent();
-        assertThat(desk.prompt.isBlockOpen()).isTrue();
+        assertThat(fixture.prompt.parseText("1 mvoe 300")).isPresent();
+        assertThat(fixture.prompt.isBlockOpen()).isTrue();
         type("1 move 30", "end");
-        desk.prompt.awaitAll();
-        assertThat(desk.bot(1).sent()).containsExactly("move 30", "move 30");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.bot(1).sent()).containsExactly("move 30", "move 30");
     }
 
     @Test
     void aBlockThatIsNotClosedAtTheEndOfAPipeIsNotRun() throws Exception {
-        assertThat(desk.runPipe("repeat 2", "1 move 30"))
+        assertThat(fixture.runPipe("repeat 2", "1 move 30"))
                 .containsExactly("the \"end\" of the last block is missing; nothing of it was run");
-        assertThat(desk.pipe.allSucceeded()).isFalse();
+        assertThat(fixture.pipe.allSucceeded()).isFalse();
     }
 
     @Test
     void anIdleLoopLetsTheClockGoOnAndCanBeStopped() throws Exception {
         type("repeat", "1 get now x", "end");
-        desk.pause(0.055);
+        fixture.pause(0.055);
         type("stop");
-        desk.prompt.awaitAll();
-        assertThat(desk.said()).filteredOn("1 x = 0 mm"::equals).hasSizeBetween(5, 8);
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers()).filteredOn("1 x = 0 mm"::equals).hasSizeBetween(5, 8);
     }
 
     @Test
     void aMissingOrHugeFileIsRefused() throws Exception {
         Path huge = folder.resolve("huge.majic");
         Files.writeString(huge, "#\n".repeat(600_000));
-        desk.runPipe("run " + huge, "run " + folder);
-        assertThat(desk.said())
+        fixture.runPipe("run " + huge, "run " + folder);
+        assertThat(fixture.answers())
                 .anyMatch(line -> line.endsWith(folder + ": not a file with a script"))
                 .anyMatch(line -> line.endsWith(huge + ": too long for a script, more than 1000000 bytes"));
     }

@@ -22,25 +22,25 @@ class SessionRecordTest {
     Path folder;
 
     @AutoClose
-    private final Desk desk = new Desk();
+    private final ScriptFixture fixture = new ScriptFixture();
 
     private void type(String line) {
-        assertThat(desk.prompt.parseText(line)).isEmpty();
+        assertThat(fixture.prompt.parseText(line)).isEmpty();
     }
 
     private void addTwo() throws InterruptedException {
         type("add sim:aibo");
         type("add sim:pioneer");
-        desk.prompt.awaitAll();
+        fixture.prompt.awaitAll();
     }
 
     @Test
     void holdsRobotsLinesAndThePausesBetweenThem() throws InterruptedException {
         addTwo();
         type("1 move 300");
-        desk.pause(3);
+        fixture.pause(3);
         type("1 turn 90  # left");
-        assertThat(desk.session.state().record().lines())
+        assertThat(fixture.session.state().record().lines())
                 .containsExactly("add sim:aibo as 1", "add sim:pioneer as 2", "1 move 300", "wait 3s", "1 turn 90");
     }
 
@@ -48,28 +48,28 @@ class SessionRecordTest {
     void waitsWhereOneRobotWasStartedAfterAnotherHadFinished() throws InterruptedException {
         addTwo();
         type("1 move 300");
-        desk.pause(1.5);
+        fixture.pause(1.5);
         type("2 move 300");
-        desk.pause(0.5);
+        fixture.pause(0.5);
         type("1 move 30");
-        assertThat(desk.session.state().record().lines().subList(2, 7))
+        assertThat(fixture.session.state().record().lines().subList(2, 7))
                 .containsExactly("1 move 300", "1 wait", "wait 0.5s", "2 move 300", "wait 0.5s");
     }
 
     @Test
     void doesNotPauseAgainForWhatTakesItsTimeAnyway() throws InterruptedException {
-        desk.runPipe("add sim:aibo", "repeat 2", "  1 move 300", "  1 wait", "end", "wait 2s", "1 turn 90");
-        assertThat(desk.session.state().record().lines())
+        fixture.runPipe("add sim:aibo", "repeat 2", "  1 move 300", "  1 wait", "end", "wait 2s", "1 turn 90");
+        assertThat(fixture.session.state().record().lines())
                 .containsExactly(
                         "add sim:aibo as 1", "repeat 2", "  1 move 300", "  1 wait", "end", "wait 2s", "1 turn 90");
     }
 
     @Test
-    void canBeDoneAgainByTheTeamThatDidIt() throws InterruptedException {
-        desk.runPipe("add sim:aibo as 1", "1 move 30", "add sim:aibo as 1", "1 move 30");
-        assertThat(desk.pipe.allSucceeded()).isTrue();
-        assertThat(desk.said()).contains("1: at sim:aibo, connected already");
-        assertThat(desk.session.state().record().lines()).containsOnlyOnce("add sim:aibo as 1");
+    void canBeRunAgainByTheSameTeam() throws InterruptedException {
+        fixture.runPipe("add sim:aibo as 1", "1 move 30", "add sim:aibo as 1", "1 move 30");
+        assertThat(fixture.pipe.allSucceeded()).isTrue();
+        assertThat(fixture.answers()).contains("1: at sim:aibo, connected already");
+        assertThat(fixture.session.state().record().lines()).containsOnlyOnce("add sim:aibo as 1");
     }
 
     @Test
@@ -77,19 +77,19 @@ class SessionRecordTest {
         addTwo();
         type("bots");
         type("1 help");
-        desk.prompt.parseText("1 mvoe 3");
-        desk.prompt.parseText("1 set x 3");
-        assertThat(desk.session.state().record().lines()).hasSize(2);
+        fixture.prompt.parseText("1 mvoe 3");
+        fixture.prompt.parseText("1 set x 3");
+        assertThat(fixture.session.state().record().lines()).hasSize(2);
     }
 
     @Test
     void repeatsAStopWithoutEndingTheReplay() throws InterruptedException {
         addTwo();
         type("1 move 3m");
-        desk.pause(1);
+        fixture.pause(1);
         type("stop");
         type("release");
-        assertThat(desk.session.state().record().lines().subList(2, 5))
+        assertThat(fixture.session.state().record().lines().subList(2, 5))
                 .containsExactly("1 move 3m", "wait 1s", "1,2 stop");
     }
 
@@ -98,7 +98,7 @@ class SessionRecordTest {
         addTwo();
         type("1 move 300");
         type("1 get x");
-        assertThat(desk.session.state().record().lines()).endsWith("1 get now x");
+        assertThat(fixture.session.state().record().lines()).endsWith("1 get now x");
     }
 
     @Test
@@ -108,46 +108,46 @@ class SessionRecordTest {
                 List.of("repeat 2", "  1 move 300", "end", "wait", "2 turn 90", "2 wait", "1 set headPan 9")) {
             type(line);
         }
-        desk.prompt.awaitAll();
+        fixture.prompt.awaitAll();
         Path file = folder.resolve("my session.majic");
-        assertThat(desk.runPipe("save session \"" + file + "\"")).endsWith("save session \"" + file + "\": done");
-        try (Desk again = new Desk()) {
+        assertThat(fixture.runPipe("save session \"" + file + "\"")).endsWith("save session \"" + file + "\": done");
+        try (ScriptFixture again = new ScriptFixture()) {
             again.runPipe("run \"" + file + "\"");
-            assertThat(again.pipe.allSucceeded()).as(again.said().toString()).isTrue();
-            assertThat(again.bot(1).sent()).isEqualTo(desk.bot(1).sent());
-            assertThat(again.bot(2).sent()).isEqualTo(desk.bot(2).sent());
+            assertThat(again.pipe.allSucceeded()).as(again.answers().toString()).isTrue();
+            assertThat(again.bot(1).sent()).isEqualTo(fixture.bot(1).sent());
+            assertThat(again.bot(2).sent()).isEqualTo(fixture.bot(2).sent());
         }
         assertThat(Files.readAllLines(file)).first().asString().startsWith("#");
     }
 
     @Test
-    void aMoveThatTheStopButtonCutIsCutAgain() throws Exception {
+    void aMoveThatTheStopButtonStoppedIsStoppedAgain() throws Exception {
         addTwo();
         type("2 move 300");
-        desk.pause(2);
+        fixture.pause(2);
         type("1 move 999");
-        desk.pause(0.96);
-        desk.team.stopAll();
-        desk.prompt.awaitAll();
-        assertThat(desk.session.state().record().lines())
+        fixture.pause(0.96);
+        fixture.team.stopAll();
+        fixture.prompt.awaitAll();
+        assertThat(fixture.session.state().record().lines())
                 .endsWith("2 move 300", "2 wait", "wait 1s", "1 move 999", "wait 0.96s", "1,2 stop");
         assertThatReplayEndsWhereThisDid();
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"1 drive 300 0 for 3s", "1 drive 300 0", "1 act FILE", "run FILE", "1 move 3m; 1 wait"})
-    void whateverTheStopButtonCutIsCutAgain(String line) throws Exception {
+    void whatTheStopButtonStoppedIsStoppedAgain(String line) throws Exception {
         addTwo();
         Path script =
                 Files.write(folder.resolve("far.majic"), List.of(line.contains("act") ? "move 999" : "1 move 999"));
         for (String part : line.replace("FILE", '"' + script.toString() + '"').split("; ")) {
             type(part);
         }
-        desk.pause(0.96);
-        desk.team.stopAll();
-        desk.prompt.awaitAll();
-        desk.pause(1);
-        assertThat(desk.session.state().record().lines()).endsWith("1,2 stop");
+        fixture.pause(0.96);
+        fixture.team.stopAll();
+        fixture.prompt.awaitAll();
+        fixture.pause(1);
+        assertThat(fixture.session.state().record().lines()).endsWith("1,2 stop");
         assertThatReplayEndsWhereThisDid();
     }
 
@@ -155,10 +155,10 @@ class SessionRecordTest {
     void theStopOfOneRobotByItsButtonIsKept() throws Exception {
         addTwo();
         type("1,2 move 999");
-        desk.pause(1.21);
-        desk.team.stop(List.of(desk.team.member(2)), null);
-        desk.prompt.awaitAll();
-        assertThat(desk.session.state().record().lines()).endsWith("1,2 move 999", "wait 1.21s", "2 stop");
+        fixture.pause(1.21);
+        fixture.team.stop(List.of(fixture.team.member(2)), null);
+        fixture.prompt.awaitAll();
+        assertThat(fixture.session.state().record().lines()).endsWith("1,2 move 999", "wait 1.21s", "2 stop");
         assertThatReplayEndsWhereThisDid();
     }
 
@@ -166,23 +166,23 @@ class SessionRecordTest {
     void aWrongLineThatWasTakenAsStopIsKept() throws Exception {
         addTwo();
         type("1 move 999");
-        desk.pause(1);
-        desk.prompt.parseText("1 stopp stop");
-        desk.prompt.awaitAll();
-        assertThat(desk.session.state().record().lines()).endsWith("1 move 999", "wait 1s", "1,2 stop");
+        fixture.pause(1);
+        fixture.prompt.parseText("1 stopp stop");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.session.state().record().lines()).endsWith("1 move 999", "wait 1s", "1,2 stop");
     }
 
     @Test
-    void waitsForNobodyWhileAMotionIsUnderWayThatWasStopped() throws Exception {
+    void waitsForNoRobotDuringAMotionThatWasStopped() throws Exception {
         addTwo();
         type("1 move 300");
         type("2 move 5m");
-        desk.pause(2);
+        fixture.pause(2);
         type("1 turn 90");
-        desk.pause(3.03);
-        desk.team.stop(List.of(desk.team.member(2)), null);
-        desk.prompt.awaitAll();
-        assertThat(desk.session.state().record().lines().subList(2, 7))
+        fixture.pause(3.03);
+        fixture.team.stop(List.of(fixture.team.member(2)), null);
+        fixture.prompt.awaitAll();
+        assertThat(fixture.session.state().record().lines().subList(2, 7))
                 .containsExactly("1 move 300", "2 move 5m", "wait 2s", "1 turn 90", "wait 3.03s");
         assertThatReplayEndsWhereThisDid();
     }
@@ -193,10 +193,10 @@ class SessionRecordTest {
         for (String line : List.of("repeat", "  all move 100", "  1 wait", "  1 turn 90", "  1 wait", "end")) {
             type(line);
         }
-        desk.pause(3.03);
-        desk.team.stopAll();
-        desk.prompt.awaitAll();
-        assertThat(desk.session.state().record().lines())
+        fixture.pause(3.03);
+        fixture.team.stopAll();
+        fixture.prompt.awaitAll();
+        assertThat(fixture.session.state().record().lines())
                 .doesNotContain("repeat")
                 .containsSubsequence("1,2 move 100", "1 turn 90", "1,2 move 100", "1 turn 90", "1,2 stop");
         assertThatReplayEndsWhereThisDid();
@@ -209,9 +209,9 @@ class SessionRecordTest {
         for (String line : List.of("repeat 3", "  1 move 600", "end")) {
             type(line);
         }
-        desk.pause(1.03);
-        desk.team.stop(List.of(desk.team.member(2)), null);
-        desk.prompt.awaitAll();
+        fixture.pause(1.03);
+        fixture.team.stop(List.of(fixture.team.member(2)), null);
+        fixture.prompt.awaitAll();
         assertThatReplayEndsWhereThisDid();
     }
 
@@ -221,9 +221,9 @@ class SessionRecordTest {
         for (String line : List.of("repeat 1", "  1 move 1m", "  2 move 2m", "  wait", "end")) {
             type(line);
         }
-        desk.pause(1.03);
-        desk.team.stop(List.of(desk.team.member(1)), null);
-        desk.prompt.awaitAll();
+        fixture.pause(1.03);
+        fixture.team.stop(List.of(fixture.team.member(1)), null);
+        fixture.prompt.awaitAll();
         assertThatReplayEndsWhereThisDid();
     }
 
@@ -231,72 +231,72 @@ class SessionRecordTest {
     void aRobotThatWasRemovedAsItMovedIsStoppedInTime() throws Exception {
         addTwo();
         type("2 move 3m");
-        desk.pause(1);
+        fixture.pause(1);
         type("remove 2");
-        desk.prompt.awaitAll();
-        assertThat(desk.session.state().record().lines()).endsWith("2 move 3m", "wait 1s", "2 stop", "remove 2");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.session.state().record().lines()).endsWith("2 move 3m", "wait 1s", "2 stop", "remove 2");
     }
 
     @Test
-    void drivingByHandIsReplayedAsDrives() throws Exception {
+    void manualControlIsReplayedAsDrives() throws Exception {
         addTwo();
-        ManualControl hand = new ManualControl(desk.team.member(1));
+        ManualControl hand = new ManualControl(fixture.team.member(1));
         for (int tick = 0; tick < 10; tick++) {
             hand.drive(200, tick < 4 ? 0 : 15.5);
-            desk.pause(0.15);
+            fixture.pause(0.15);
         }
         hand.close();
-        desk.pause(1);
+        fixture.pause(1);
         type("1 turn 90");
-        assertThat(desk.session.state().record().lines())
+        assertThat(fixture.session.state().record().lines())
                 .endsWith("1 drive 200 0 for 0.6s", "wait 0.6s", "1 drive 200 15.5 for 0.9s", "wait 1.9s", "1 turn 90");
     }
 
     @Test
-    void theSecondStopIsKeptIfItEndsDrivingByHand() throws Exception {
+    void theSecondStopIsKeptIfItEndsManualControl() throws Exception {
         addTwo();
-        desk.team.stopAll();
-        desk.team.release();
-        desk.pause(1);
-        ManualControl hand = new ManualControl(desk.team.member(1));
+        fixture.team.stopAll();
+        fixture.team.release();
+        fixture.pause(1);
+        ManualControl hand = new ManualControl(fixture.team.member(1));
         hand.drive(200, 0);
-        desk.pause(0.3);
-        desk.team.stopAll();
-        desk.pause(1);
+        fixture.pause(0.3);
+        fixture.team.stopAll();
+        fixture.pause(1);
         assertThat(hand.isOff()).isTrue();
-        assertThat(desk.session.state().record().lines())
+        assertThat(fixture.session.state().record().lines())
                 .endsWith("1,2 stop", "wait 1s", "1 drive 200 0 for 0.3s", "wait 0.3s", "1,2 stop");
     }
 
     @Test
-    void aDriveByHandThatExpiredCountsUntilThen() throws Exception {
+    void aManualDriveThatExpiredLastsUntilItExpired() throws Exception {
         addTwo();
-        ManualControl hand = new ManualControl(desk.team.member(1));
+        ManualControl hand = new ManualControl(fixture.team.member(1));
         hand.drive(200, 0);
-        desk.pause(5);
+        fixture.pause(5);
         hand.close();
-        desk.pause(1);
-        assertThat(desk.session.state().record().lines()).endsWith("1 drive 200 0 for 0.6s");
+        fixture.pause(1);
+        assertThat(fixture.session.state().record().lines()).endsWith("1 drive 200 0 for 0.6s");
     }
 
     @Test
     void whatASliderSetIsKept() throws Exception {
         addTwo();
-        ManualControl hand = new ManualControl(desk.team.member(1));
+        ManualControl hand = new ManualControl(fixture.team.member(1));
         hand.set("headPan", 12.5);
         hand.finish();
-        desk.pause(1);
-        assertThat(desk.session.state().record().lines()).endsWith("1 set headPan 12.5");
+        fixture.pause(1);
+        assertThat(fixture.session.state().record().lines()).endsWith("1 set headPan 12.5");
     }
 
     @Test
-    void namesTheRobotsThatWereMeant() throws Exception {
+    void namesTheRobotsByNumber() throws Exception {
         addTwo();
         type("all move 100");
         type("aibo set light on");
         type("1-2 set title \"a b\"");
         type("1 move 100 until (bumped == yes or headPan > 3) and not distanceFront < 10");
-        assertThat(desk.session.state().record().lines())
+        assertThat(fixture.session.state().record().lines())
                 .endsWith(
                         "1,2 move 100",
                         "1 set light on",
@@ -311,22 +311,22 @@ class SessionRecordTest {
         Path script = Files.write(folder.resolve("there.majic"), List.of("1 move 100", "wait"));
         Path relative = working.relativize(script);
         type("run \"" + relative + "\"");
-        desk.prompt.awaitAll();
+        fixture.prompt.awaitAll();
         type("2 act \"" + relative + "\"");
-        desk.prompt.awaitAll();
+        fixture.prompt.awaitAll();
         Path absolute = working.resolve(relative);
-        assertThat(desk.session.state().record().lines()).contains("run " + absolute, "2 act " + absolute);
+        assertThat(fixture.session.state().record().lines()).contains("run " + absolute, "2 act " + absolute);
     }
 
     /** Both robots drive ahead only, or turn; a replay must not get further, and at most a little less far. */
     private void assertThatReplayEndsWhereThisDid() throws Exception {
         Path file = folder.resolve("saved.majic");
-        desk.session.state().record().save(file);
-        try (Desk again = new Desk()) {
+        fixture.session.state().record().save(file);
+        try (ScriptFixture again = new ScriptFixture()) {
             again.runPipe("run \"" + file + "\"");
-            assertThat(again.pipe.allSucceeded()).as(again.said().toString()).isTrue();
+            assertThat(again.pipe.allSucceeded()).as(again.answers().toString()).isTrue();
             for (int robot = 1; robot <= 2; robot++) {
-                Pose first = desk.bot(robot).state().pose();
+                Pose first = fixture.bot(robot).state().pose();
                 Pose second = again.bot(robot).state().pose();
                 assertThat(second.xMm()).isCloseTo(first.xMm(), within(0.1));
                 assertThat(second.yMm()).isCloseTo(first.yMm(), within(0.1));
@@ -335,15 +335,15 @@ class SessionRecordTest {
     }
 
     @Test
-    void whereAFolderLiesNothingIsSaved() throws InterruptedException {
-        assertThat(desk.runPipe("save session " + folder))
+    void aFolderIsNotOverwritten() throws InterruptedException {
+        assertThat(fixture.runPipe("save session " + folder))
                 .containsExactly(folder + ": cannot be written (is a directory)");
     }
 
     @Test
-    void aFolderThatIsNotThereIsNamed() throws InterruptedException {
+    void aMissingFolderIsNamed() throws InterruptedException {
         Path file = folder.resolve("none/session.majic");
-        assertThat(desk.runPipe("save session " + file))
+        assertThat(fixture.runPipe("save session " + file))
                 .containsExactly(file + ": cannot be written (there is no such folder or file)");
     }
 }

@@ -55,7 +55,7 @@ class SlowFileTest {
         team.close();
     }
 
-    private void awaitSaid(String line) throws InterruptedException {
+    private void awaitLine(String line) throws InterruptedException {
         while (!said.take().equals(line)) {
             continue;
         }
@@ -76,10 +76,10 @@ class SlowFileTest {
         slow.awaitCheck();
         parser.parseText("1 move 30");
         parser.parseText("1 stop");
-        awaitSaid("1 stop: done");
+        awaitLine("1 stop: done");
         slow.agree();
-        awaitSaid("1 act Slow: not run: stopped");
-        awaitSaid("1 move 30: not run: stopped");
+        awaitLine("1 act Slow: not run: stopped");
+        awaitLine("1 move 30: not run: stopped");
     }
 
     @Test
@@ -98,7 +98,7 @@ class SlowFileTest {
     }
 
     @Test
-    void theOneThatTypedItIsToldWhyItWasRefusedAfterAll() throws InterruptedException {
+    void aLaterRefusalIsReportedToTheSourceOfTheLine() throws InterruptedException {
         BlockingQueue<String> refusals = new LinkedBlockingQueue<>();
         MajicParser prompt = new MajicParser(session, true);
         assertThat(prompt.parseText("1 act Slow", refusals::add)).isEmpty();

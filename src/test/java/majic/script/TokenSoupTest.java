@@ -111,16 +111,16 @@ class TokenSoupTest {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6})
-    void isTakenOrRefusedWithASentence(long seed) {
+    void isAcceptedOrRefusedWithASentence(long seed) {
         Random random = new Random(seed);
-        try (Desk desk = Desk.withTwo()) {
-            MajicParser[] parsers = {desk.prompt, desk.pipe, MajicParser.remote(desk.session)};
+        try (ScriptFixture fixture = ScriptFixture.withTwo()) {
+            MajicParser[] parsers = {fixture.prompt, fixture.pipe, MajicParser.remote(fixture.session)};
             for (int line = 0; line < 2000; line++) {
                 String text = soup(random);
                 Optional<String> wrong = parsers[random.nextInt(3)].parseText(text);
                 wrong.ifPresent(sentence ->
                         assertThat(sentence).as(text).isNotBlank().doesNotContain("\n", "Exception", "null"));
-                desk.prompt.complete(text, random.nextInt(text.length() + 1));
+                fixture.prompt.complete(text, random.nextInt(text.length() + 1));
             }
         }
     }
@@ -128,10 +128,10 @@ class TokenSoupTest {
     @ParameterizedTest
     @ValueSource(strings = {"(", "not ", "1 move 1 until (", "1 get x,", "if ", "repeat\n", "1 get x until x < 1 or "})
     void isBoundedInDepthAndLength(String piece) {
-        try (Desk desk = Desk.withTwo()) {
-            assertThat(desk.pipe.parseText("1 move 1 until " + piece.repeat(900)))
+        try (ScriptFixture fixture = ScriptFixture.withTwo()) {
+            assertThat(fixture.pipe.parseText("1 move 1 until " + piece.repeat(900)))
                     .isPresent();
-            desk.pipe.parseText(piece.repeat(900));
+            fixture.pipe.parseText(piece.repeat(900));
             List<Mistake> mistakes = mistakesIn(piece.repeat(20_000));
             assertThat(mistakes).isNotEmpty();
         }

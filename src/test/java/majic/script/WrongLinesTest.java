@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A wrong line does nothing and says what is wrong, where, and what would be right. */
+/** Tests that a wrong line has no effect, and that the answer names what is wrong, where, and what would be right. */
 @Timeout(30)
 class WrongLinesTest {
     @ParameterizedTest
@@ -75,21 +75,21 @@ class WrongLinesTest {
                 "% | %: a robot (a number, a range, a type, all) is expected here"
             })
     void isRefusedWithASentence(String line, String sentence) throws InterruptedException {
-        try (Desk desk = Desk.withTwo()) {
-            assertThat(desk.refusal(line)).hasValue(sentence);
-            assertThat(desk.said()).containsExactly(sentence);
-            assertThat(desk.bot(1).sent()).isEmpty();
-            assertThat(desk.prompt.totalCommands()).isZero();
+        try (ScriptFixture fixture = ScriptFixture.withTwo()) {
+            assertThat(fixture.refusal(line)).hasValue(sentence);
+            assertThat(fixture.answers()).containsExactly(sentence);
+            assertThat(fixture.bot(1).sent()).isEmpty();
+            assertThat(fixture.prompt.totalCommands()).isZero();
         }
     }
 
     @Test
     void aLineOfSeveralIsRefusedWithItsNumber() {
-        try (Desk desk = Desk.withTwo()) {
-            assertThat(desk.pipe.parseLine(3, "1 get x")).isEmpty();
-            assertThat(desk.pipe.parseLine(4, "7 move 100"))
+        try (ScriptFixture fixture = ScriptFixture.withTwo()) {
+            assertThat(fixture.pipe.parseLine(3, "1 get x")).isEmpty();
+            assertThat(fixture.pipe.parseLine(4, "7 move 100"))
                     .hasValueSatisfying(why -> assertThat(why).startsWith("line 4: 7: there is no robot 7"));
-            assertThat(desk.pipe.parseLine(5, "7 stop"))
+            assertThat(fixture.pipe.parseLine(5, "7 stop"))
                     .hasValueSatisfying(why -> assertThat(why).startsWith("line 5: taken as STOP: 7: "));
         }
     }

@@ -13,7 +13,7 @@ import majic.script.syntax.SessionCommand;
 import majic.team.BotFactory;
 
 /**
- * Makes the action for each command and hands it what it needs. The compiler refuses a command without an action.
+ * Creates the action for each command and passes it what it needs. The compiler refuses a command without an action.
  *
  * @param state the team, the output and the record of the session
  * @param factory makes robots

@@ -126,7 +126,7 @@ public final class Comparisons {
         }
     }
 
-    /** What a reading is held against may lie outside of what can be set, and may be any text. */
+    /** A value that a reading is compared with may lie outside of what can be set, and may be any text. */
     private static Parameter unbounded(Parameter left) {
         Parameter.Kind kind = left.kind() == Parameter.Kind.LIST ? Parameter.Kind.TEXT : left.kind();
         Unit unit = left.unit();

@@ -72,7 +72,7 @@ public final class ConditionEvaluator implements Condition.Visitor<Truth> {
     }
 
     /**
-     * The robots that a comparison asks.
+     * The robots that a comparison reads.
      *
      * @throws ScriptException if they are not there, or none is named and the command has none of its own
      */
@@ -102,7 +102,7 @@ public final class ConditionEvaluator implements Condition.Visitor<Truth> {
         return bot.parameters().stream().anyMatch(known -> known.name().equalsIgnoreCase(parameter));
     }
 
-    /** All robots that a condition asks, each once. */
+    /** All robots that a condition reads, each once. */
     public static Set<Member> allAsked(Condition condition, Selection selection, @Nullable Member own) {
         Set<Member> members = new LinkedHashSet<>();
         condition.accept(new EachComparison(comparison -> members.addAll(asked(comparison, selection, own))));

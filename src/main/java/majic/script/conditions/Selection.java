@@ -35,7 +35,7 @@ public final class Selection {
     }
 
     /**
-     * For a behaviour, which has only the robots that it was given.
+     * For a behaviour, which can use only its own robots.
      *
      * @param me the robot it runs on
      * @param numbers which robot is meant by a number in it

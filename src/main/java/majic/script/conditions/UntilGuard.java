@@ -8,7 +8,7 @@ import majic.script.syntax.Condition;
 import majic.script.syntax.ScriptException;
 import majic.team.Member;
 
-/** The condition behind {@code until}, as a driver asks it. */
+/** The condition behind {@code until}, as a driver evaluates it. */
 public final class UntilGuard implements Guard {
     private final Condition condition;
     private final ConditionEvaluator readings;

@@ -36,7 +36,7 @@ public final class Completion {
     public interface ActNames {
         List<String> names();
 
-        /** Those that can be given to each of some robots, as a line would name them. */
+        /** Those that can be loaded onto each of some robots, as a line would name them. */
         List<String> namesFor(List<Member> robots);
     }
 

@@ -60,7 +60,7 @@ public final class Help {
 
     private Help() {}
 
-    /** What {@code help} can be asked about. */
+    /** The topics of {@code help}. */
     public static TreeSet<String> topics() {
         TreeSet<String> topics = new TreeSet<>(List.of("commands", "robots"));
         topics.addAll(ROBOT_COMMANDS.keySet());

@@ -302,7 +302,7 @@ public final class Dispatcher {
         }
     }
 
-    /** Waits until the robots of a stop have stopped, and the owners that it ended have given them back. */
+    /** Waits until the robots of a stop have stopped, and the owners that it ended have released them. */
     private void awaitFreed(PreparedLine stop) {
         List<Member> stopped = stop.robots().isEmpty() ? team.members() : stop.robots();
         try {

@@ -6,6 +6,6 @@ public enum LineSource {
     PROMPT,
     /** A pipe or file: every line takes its turn. */
     PIPE,
-    /** A program at the other end of a socket: as a pipe, but a stop is never held, since it may be meant for now. */
+    /** A program at the other end of a socket: as a pipe, but a stop never waits, since it may be urgent. */
     SOCKET
 }

@@ -42,7 +42,8 @@ public abstract class PreparedLine {
      * @param robots those it is for; of a block those that it commands
      * @param others further robots that it commands
      */
-    PreparedLine(String text, Scheduling scheduling, Set<CommandTrait> traits, List<Member> robots, List<Member> others) {
+    PreparedLine(
+            String text, Scheduling scheduling, Set<CommandTrait> traits, List<Member> robots, List<Member> others) {
         this.text = text;
         this.scheduling = scheduling;
         this.traits = traits;
@@ -59,7 +60,8 @@ public abstract class PreparedLine {
      *     not there
      * @throws majic.script.syntax.ScriptException if robots have to be there and are not
      */
-    static PreparedLine of(Statement statement, String text, ActionLookup actions, Selection selection, boolean complete) {
+    static PreparedLine of(
+            Statement statement, String text, ActionLookup actions, Selection selection, boolean complete) {
         if (statement instanceof Statement.ForRobots line) {
             List<Member> robots = complete ? selection.members(line.robots()) : selection.present(line.robots());
             return new RobotLine(line, text, actions.of(line.command()), robots, selection);

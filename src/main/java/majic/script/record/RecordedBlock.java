@@ -32,7 +32,7 @@ public final class RecordedBlock {
         this.waits = waits;
     }
 
-    /** Ends it; {@code byItself} tells whether it came to its own end. */
+    /** Ends it; {@code byItself} is whether it came to its own end. */
     void end(long atNanos, boolean byItself) {
         endedNanos = atNanos;
         completed = byItself;
@@ -47,7 +47,7 @@ public final class RecordedBlock {
         return endedNanos;
     }
 
-    /** Whether the lines behind it were given only after its robots had finished. */
+    /** Whether the lines behind it began only after its robots had finished. */
     boolean hasFinished() {
         return waits;
     }

@@ -109,7 +109,7 @@ public final class SessionRecord {
         return new RecordedBlock(text, nanos(), waits);
     }
 
-    /** Ends a block; {@code completed} tells whether it came to its own end. */
+    /** Ends a block; {@code completed} is whether it came to its own end. */
     public synchronized void end(RecordedBlock block, boolean completed) {
         block.end(nanos(), completed);
     }

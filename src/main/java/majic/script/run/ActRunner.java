@@ -20,7 +20,7 @@ public interface ActRunner {
     /** A behaviour whose file was read once and checked; each run of it is a new act. */
     interface CheckedAct {
         /**
-         * Checks whether it can be given to a robot.
+         * Checks whether it can be loaded onto a robot.
          *
          * @throws majic.script.syntax.ScriptException if not
          */

@@ -34,7 +34,7 @@ public final class Checker extends Inspection {
         return check(script, new Checker(actions, selection, true));
     }
 
-    /** Everything wrong in a script except for what only its files can tell. Reads no file. */
+    /** Everything wrong in a script except for what only its files show. Reads no file. */
     public static List<Mistake> checkWithoutFiles(List<Statement> script, ActionLookup actions, Selection selection) {
         return check(script, new Checker(actions, selection, false));
     }

@@ -62,7 +62,7 @@ final class ClaimedRobots {
         return busy;
     }
 
-    /** Gives them all back. */
+    /** Releases them all. */
     void free() {
         used.forEach(member -> member.free(owner));
     }

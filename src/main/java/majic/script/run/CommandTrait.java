@@ -10,7 +10,7 @@ public enum CommandTrait {
     WRITES_FILE,
     /** Afterwards other robots may be in the team, or other code may be agreed to. */
     CHANGES_TEAM,
-    /** Afterwards {@code maxMove} may be another one, so only the robot can tell how far a move may go. */
+    /** Afterwards {@code maxMove} may be another one, so only the robot can check how far a move may go. */
     CHANGES_LIMIT,
     /** Is refused from a socket. */
     LOCAL_ONLY

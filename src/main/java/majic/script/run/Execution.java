@@ -121,7 +121,7 @@ public class Execution {
      * A behaviour that this line runs.
      *
      * @param act the borrower of its robots
-     * @param robots finds the robots that it was given
+     * @param robots finds the robots assigned to it
      */
     public ScriptExecution asAct(Owner act, Selection robots) {
         return ScriptExecution.ofAct(this, act, robots);
@@ -305,7 +305,7 @@ public class Execution {
         origin.commands.forget(members);
     }
 
-    /** Whether a stop of a robot is pending, or the owner that it ended has not given the robot back yet. */
+    /** Whether a stop of a robot is pending, or the owner that it ended has not released the robot yet. */
     public static boolean isEnding(Member member) {
         return member.isStopping() || member.hasDismissedOwner();
     }

@@ -67,7 +67,7 @@ public final class ScriptExecution extends Execution {
         return block;
     }
 
-    /** Ends the record of a script; {@code completed} tells whether it came to its own end. */
+    /** Ends the record of a script; {@code completed} is whether it came to its own end. */
     void endRecord(boolean completed) {
         if (block != null) {
             super.record().end(block, completed);
@@ -153,7 +153,7 @@ public final class ScriptExecution extends Execution {
         }
     }
 
-    /** Gives the robots of a script back. */
+    /** Releases the robots of a script. */
     void freeAll() {
         robots.free();
     }

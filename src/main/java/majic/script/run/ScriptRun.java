@@ -9,7 +9,7 @@ import majic.script.syntax.Statement;
 import majic.time.TimeSource;
 
 /**
- * One script from its beginning to its end: takes its robots, runs, waits for them, gives them back. When something in
+ * One script from its beginning to its end: claims its robots, runs, waits for them, releases them. When something in
  * it fails it ends and stops every robot that it used.
  */
 public final class ScriptRun {

@@ -2,7 +2,7 @@ package majic.script.syntax;
 
 import org.jspecify.annotations.Nullable;
 
-/** What {@code until}, {@code while} and {@code if} ask. {@code toString()} is how answers repeat it. */
+/** What {@code until}, {@code while} and {@code if} test. {@code toString()} returns it as answers repeat it. */
 public sealed interface Condition {
     <R> R accept(Visitor<R> visitor);
 

@@ -32,7 +32,7 @@ public record Robots(Token at, List<Item> items) {
     /** In a condition: at least one robot. */
     record Any(Token at) implements Item {}
 
-    /** The robot a behaviour was given. */
+    /** The robot that a behaviour runs on. */
     public record Me(Token at) implements Item {}
 
     /** Parses the names of robots: {@code robots = robot { "," robot } ;}. */

@@ -115,7 +115,7 @@ class ScriptParserTest {
     }
 
     @Test
-    void remembersWhereATokenStands() {
+    void keepsThePlaceOfEachToken() {
         assertThat(Scanner.scan("1 move 5m\n  \"x y\"#c"))
                 .extracting(token -> token.line() + ":" + token.column() + token.kind())
                 .containsExactly(

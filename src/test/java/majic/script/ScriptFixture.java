@@ -21,7 +21,7 @@ import majic.team.Team;
 import majic.time.TimeSource;
 
 /** A session with robots that exist only here, on a stepped clock that the test's thread has joined. */
-final class Desk implements AutoCloseable {
+final class ScriptFixture implements AutoCloseable {
     private final TestClock clock = new TestClock();
     final TimeSource time = clock.time();
     final FakeType aibo = new FakeType("aibo");
@@ -32,19 +32,19 @@ final class Desk implements AutoCloseable {
     final Session session;
     final MajicParser prompt;
     final MajicParser pipe;
-    private final List<Line> heard = Collections.synchronizedList(new ArrayList<>());
+    private final List<Line> received = Collections.synchronizedList(new ArrayList<>());
 
-    Desk() {
+    ScriptFixture() {
         this(NoActs.here());
     }
 
-    /** With behaviours of the user's own. */
-    Desk(ActCatalog acts) {
+    /** With the user's own behaviours. */
+    ScriptFixture(ActCatalog acts) {
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         prompt = new MajicParser(session, true);
         pipe = new MajicParser(session, false);
         factory.useLab(new FakeLab(time));
-        session.addListener(heard::add);
+        session.addListener(received::add);
     }
 
     /** Adds a robot past the script, and returns it. */
@@ -56,11 +56,11 @@ final class Desk implements AutoCloseable {
     }
 
     /** 1 Aibo, 2 Pioneer. */
-    static Desk withTwo() {
-        Desk desk = new Desk();
-        desk.add(desk.aibo);
-        desk.add(desk.pioneer);
-        return desk;
+    static ScriptFixture withTwo() {
+        ScriptFixture fixture = new ScriptFixture();
+        fixture.add(fixture.aibo);
+        fixture.add(fixture.pioneer);
+        return fixture;
     }
 
     FakeBot bot(int number) {
@@ -72,18 +72,18 @@ final class Desk implements AutoCloseable {
         time.sleep(seconds);
     }
 
-    /** Everything that was said but the lines given. */
-    List<String> said() {
+    /** All lines of the session except the repeated commands. */
+    List<String> answers() {
         session.flush();
-        synchronized (heard) {
-            return heard.stream()
+        synchronized (received) {
+            return received.stream()
                     .filter(line -> line.kind() != Line.Kind.COMMAND)
                     .map(Line::text)
                     .toList();
         }
     }
 
-    /** Gives a line to the prompt and returns why it was refused, at once or once its files were read. */
+    /** Submits a line to the prompt and returns why it was refused, at once or once its files were read. */
     Optional<String> refusal(String line) throws InterruptedException {
         BlockingQueue<String> later = new LinkedBlockingQueue<>();
         Optional<String> now = prompt.parseText(line, later::add);
@@ -91,13 +91,13 @@ final class Desk implements AutoCloseable {
         return now.or(() -> Optional.ofNullable(later.poll()));
     }
 
-    /** Gives lines to the pipe, waits for its end and returns what was said. */
+    /** Submits lines to the pipe, waits for its end and returns the answers so far. */
     List<String> runPipe(String... lines) throws InterruptedException {
         for (String line : lines) {
             pipe.parseText(line);
         }
         pipe.awaitAll();
-        return said();
+        return answers();
     }
 
     @Override
