@@ -126,7 +126,7 @@ public final class ActRun {
     private void reportStop() {
         Throwable ending = act.endingFailure();
         if (ending != null && !(ending instanceof MotionStopped)) {
-            tell(FailureText.ofEnding(act, ending));
+            notice(FailureText.ofEnding(act, ending));
         }
         if (!calledOff) {
             throw new MotionStopped("the act was ended");
@@ -187,11 +187,11 @@ public final class ActRun {
     private void awaitEnding() {
         try {
             if (isAliveAfter(SOON_S)) {
-                tell("is still ending; its robots stand and obey it no more");
+                notice("is still ending; its robots stand and obey it no more");
                 leftBehind = isAliveAfter(GRACE_S - SOON_S);
             }
             if (leftBehind) {
-                tell("does not end; it is left behind without a robot");
+                notice("does not end; it is left behind without a robot");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -209,8 +209,8 @@ public final class ActRun {
         changes.raise();
     }
 
-    private void tell(String words) {
-        members.get(0).report(owner, words);
+    private void notice(String text) {
+        members.get(0).report(owner, text);
     }
 
     /** Receives the act's notes and its end. */
@@ -218,7 +218,7 @@ public final class ActRun {
         @Override
         public void said(String words) {
             if (!isCutShort()) {
-                tell(words);
+                notice(words);
             }
         }
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * Where a robot is, as users type it: {@code aibo://192.168.1.20}, {@code hemisson:COM3}, {@code sim:pioneer},
+ * The address of a robot, as users type it: {@code aibo://192.168.1.20}, {@code hemisson:COM3}, {@code sim:pioneer},
  * {@code pioneer+aria://10.0.0.5}. Immutable.
  *
  * @param scheme the word before the first colon, in lower case: a type of robot, with or without the library to drive it

@@ -27,7 +27,7 @@ public record BotCommand(
         Action action,
         boolean raw) {
 
-    /** What a robot's own command does. */
+    /** The action of a command that only some robots have. */
     @FunctionalInterface
     public interface Action {
         /**
@@ -35,7 +35,7 @@ public record BotCommand(
          *
          * @param arguments the checked arguments, in order
          * @param motion through which everything that moves is to be sent
-         * @return the answer for the person
+         * @return the answer for the user
          * @throws BotException if the robot could not do it
          */
         String run(List<Value> arguments, Motion motion);
@@ -90,7 +90,7 @@ public record BotCommand(
     }
 
     /**
-     * How it is written.
+     * Returns the syntax of the command.
      *
      * @return its name with the names of its arguments: {@code tones DURATION NOTE [DURATION NOTE]...}
      */
@@ -135,7 +135,7 @@ public record BotCommand(
         return repeated.isEmpty() ? null : repeated.get(further % repeated.size());
     }
 
-    /** Whether it can be given so many arguments. */
+    /** Returns whether the command accepts this number of arguments. */
     boolean takes(int count) {
         int further = count - arguments.size();
         boolean rounds = further > 0 && !repeated.isEmpty() && further % repeated.size() == 0;

@@ -13,7 +13,7 @@ import java.util.List;
  */
 public interface BotControl {
     /**
-     * How messages call the robot.
+     * Returns the name of the robot in messages.
      *
      * @return for instance {@code robot 1 (Aibo)}; before it is in a team, {@code the Aibo}
      */
@@ -86,14 +86,14 @@ public interface BotControl {
     String run(String command, List<Value> arguments);
 
     /**
-     * What can be read and set.
+     * Returns the parameters that can be read or set.
      *
      * @return the shared parameters and the robot's own
      */
     List<Parameter> parameters();
 
     /**
-     * What only this type of robot can do.
+     * Returns the commands that only this type of robot has.
      *
      * @return its further commands
      */

@@ -3,7 +3,7 @@ package majic.bot;
 import majic.time.TimeSource;
 
 /**
- * What a robot class needs from around it. Immutable.
+ * The clock and the settings that a robot's driver uses. Immutable.
  *
  * @param time the clock for all its waits and measurements
  * @param settings the settings kept between program starts

@@ -1,7 +1,7 @@
 package majic.bot;
 
 /**
- * What makes one type or model of robot different in size and pace. Immutable.
+ * The size and the speeds of one type or model of robot. Immutable.
  *
  * @param bodyMm radius of a circle it fits in, around its turning centre
  * @param speed the speeds it can go, mm/s, both signs

@@ -9,7 +9,7 @@ import majic.text.Advice;
  * constructor without arguments, and start nothing in it.
  */
 public interface BotType {
-    /** How a robot of a type can be reached; the Add dialog asks accordingly. */
+    /** The kind of connection to a robot of a type; the Add dialog asks accordingly. */
     enum Reach {
         /** By host and TCP port. */
         TCP,
@@ -18,14 +18,14 @@ public interface BotType {
     }
 
     /**
-     * The word for this type in addresses and in MAJIC Script.
+     * Returns the word for this type in addresses and in MAJIC Script.
      *
      * @return lower-case letters: {@code pioneer}
      */
     String name();
 
     /**
-     * The short name people use.
+     * Returns the short name for users.
      *
      * @return for instance {@code Pioneer}
      */
@@ -39,14 +39,14 @@ public interface BotType {
     String make();
 
     /**
-     * How it can be reached, the usual way first.
+     * Returns the kinds of connection to a robot of this type, the usual one first.
      *
      * @return one or both
      */
     List<Reach> reaches();
 
     /**
-     * The TCP port to offer.
+     * Returns the usual TCP port, which the Add dialog offers.
      *
      * @return 1 to 65535; 0 if there is no usual one
      */
@@ -64,7 +64,7 @@ public interface BotType {
     MajicBot create(String address, BotEnvironment environment);
 
     /**
-     * Makers' libraries by which a robot of this type can be driven instead of by the driver's own client.
+     * Returns the makers' libraries by which a robot of this type can be driven instead of by the driver's own client.
      *
      * @return their names in addresses: {@code aria} for {@code pioneer+aria://10.0.0.5}
      */
@@ -87,14 +87,14 @@ public interface BotType {
     }
 
     /**
-     * What to try when nothing answers, for users next to the robot.
+     * Returns what to try when nothing answers, for users next to the robot.
      *
      * @return one or two sentences
      */
     String advice();
 
     /**
-     * The advice behind what went wrong, as whole sentences; none behind a question, which asks what to look at.
+     * Returns the advice behind what went wrong, as whole sentences; none behind a question, which asks what to look at.
      *
      * @param problem what went wrong, with or without a full stop
      * @return both in one line

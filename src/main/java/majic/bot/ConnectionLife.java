@@ -27,7 +27,7 @@ final class ConnectionLife {
         return now;
     }
 
-    /** How the connection was lost; null also after an attempt to connect that came to nothing. */
+    /** Returns the error that ended the connection; null also after an attempt to connect that came to nothing. */
     @Nullable
     LinkLost lostBecause() {
         return lostBecause;

@@ -279,7 +279,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The limits of its motions.
+     * Returns the limits of its motions.
      *
      * @return as known now; connecting may change them
      */
@@ -338,7 +338,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The component that displays this robot in the window.
+     * Returns the component that displays this robot in the window.
      *
      * @return its panel, made on the event dispatch thread; null for "no display available"
      */
@@ -347,7 +347,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The type of this robot.
+     * Returns the type of this robot.
      *
      * @return its type
      */
@@ -382,7 +382,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Its size and pace.
+     * Returns the size and the speeds of this robot.
      *
      * @return as known now; connecting may change it
      */
@@ -391,7 +391,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The state of its connection.
+     * Returns the state of its connection.
      *
      * @return the state now
      */
@@ -400,7 +400,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Whether it can be commanded.
+     * Returns whether it can be commanded.
      *
      * @return true while connected
      */
@@ -409,7 +409,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The last state the robot reported.
+     * Returns the last state the robot reported.
      *
      * @return the newest state; {@link BotState#UNKNOWN} before the first report
      */
@@ -479,7 +479,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     protected abstract void driveAt(double mmPerSec, double degPerSec);
 
     /**
-     * How {@link #driveAt} adjusted the speeds requested last. Part of the answer to a drive for a given time.
+     * Returns how {@link #driveAt} adjusted the speeds requested last. Part of the answer to a drive for a given time.
      *
      * @return a description; null if the robot drives exactly as requested, or reports the difference in another way
      */
@@ -515,7 +515,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public void confirmHalt() {}
 
     /**
-     * The table in which drivers describe the robot's own parameters.
+     * Returns the table in which drivers describe the robot's own parameters.
      *
      * @return the table, with the shared ones in it
      */
@@ -554,7 +554,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The speed for {@code move}.
+     * Returns the speed for {@code move}.
      *
      * @return mm/s, positive
      */
@@ -563,7 +563,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The rate for {@code turn}.
+     * Returns the rate for {@code turn}.
      *
      * @return deg/s, positive
      */
@@ -572,7 +572,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The clock of this robot.
+     * Returns the clock of this robot.
      *
      * @return the only way its driver may wait and measure
      */
@@ -581,7 +581,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The settings kept from one program start to the next.
+     * Returns the settings kept from one program start to the next.
      *
      * @return the settings
      */
@@ -590,7 +590,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The signal that all threads waiting for this robot wait on. Drivers raise it after any change a thread may wait
+     * Returns the signal that all threads waiting for this robot wait on. Drivers raise it after any change a thread may wait
      * for.
      *
      * @return the signal
@@ -659,7 +659,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Whether a {@link #drive(double, double)} is in progress.
+     * Returns whether a {@link #drive(double, double)} is in progress.
      *
      * @return true from a drive until it expires or is ended
      */
@@ -668,7 +668,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Whether a motion or a drive is under way.
+     * Returns whether a motion or a drive is under way.
      *
      * @return true while the driver may have sent the robot a motion
      */
@@ -677,7 +677,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * The permission to move that is in force.
+     * Returns the permission to move that is in force.
      *
      * @return revoked by the next stop or the loss of the connection
      */
@@ -697,7 +697,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * How the connection was lost.
+     * Returns the error that ended the connection.
      *
      * @return one sentence; empty while there is a connection, and after an attempt to connect that failed
      */

@@ -39,7 +39,7 @@ public final class Motion {
         });
     }
 
-    /** Whether anything was sent, so that the robot may move by it. */
+    /** Returns whether anything was sent, so that the robot may move by it. */
     boolean hasSent() {
         return hasSent;
     }
@@ -84,12 +84,12 @@ public final class Motion {
     }
 
     /** Sends a notice to the user in the robot's name. */
-    public void say(String message) {
+    public void notice(String message) {
         bot.notice(message);
     }
 
     /**
-     * Whether the guard ended the motion.
+     * Returns whether the guard ended the motion.
      *
      * @return true from the moment it was seen to be reached
      */
@@ -98,7 +98,7 @@ public final class Motion {
     }
 
     /**
-     * Whether something may end the motion before its time.
+     * Returns whether something may end the motion before its time.
      *
      * @return false for a motion without {@code until}
      */
@@ -107,7 +107,7 @@ public final class Motion {
     }
 
     /**
-     * How long the motion has lasted.
+     * Returns the time since the motion began.
      *
      * @return seconds on the robot's clock
      */

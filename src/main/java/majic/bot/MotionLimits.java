@@ -3,7 +3,7 @@ package majic.bot;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How fast and how far one robot may move: the limits of its profile and the parameters that set others. Its checks
+ * The limits of speed and distance of one robot: those of its profile and the parameters that set others. Its checks
  * throw what the motion itself would throw, so that a script can be checked before any robot moves. Thread-safe.
  */
 public final class MotionLimits {

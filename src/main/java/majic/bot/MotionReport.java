@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What became of a motion that ended well. Immutable; {@code toString()} is how answers show it.
+ * The result of a motion that ended without an error. Immutable; {@code toString()} gives the text of answers.
  *
  * @param amount how far it went, mm or degrees, by odometry or as an estimate; null if it is not measured
  * @param seconds how long it took

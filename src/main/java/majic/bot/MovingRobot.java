@@ -18,7 +18,7 @@ interface MovingRobot {
     /** Throws a {@link BotException} unless the robot is connected. */
     void requireConnected();
 
-    /** How many readings were taken so far. */
+    /** Returns the number of readings taken so far. */
     long readings();
 
     /** Counts a reading of another robot that a guard reads as well, and wakes the motion. */
@@ -36,7 +36,7 @@ interface MovingRobot {
 
     void confirmHalt();
 
-    /** How far the last drive went; null if unknown. */
+    /** Returns the distance of the last drive; null if unknown. */
     @Nullable
     Value driven();
 }

@@ -39,7 +39,7 @@ public record Parameter(
     /** The largest fraction that converting seconds to milliseconds may produce by rounding. */
     private static final double CONVERSION_ERROR = 1e-6;
 
-    /** What values a parameter takes. */
+    /** The values that a parameter takes. */
     public enum Kind {
         /** A number in its unit. */
         NUMBER,
@@ -137,7 +137,7 @@ public record Parameter(
     }
 
     /**
-     * The same with bounds.
+     * Returns the same parameter with bounds.
      *
      * @param min lowest value, in its unit
      * @param max highest value, in its unit
@@ -149,7 +149,7 @@ public record Parameter(
     }
 
     /**
-     * The same for whole numbers only.
+     * Returns the same parameter for whole numbers only.
      *
      * @return a new description
      */
@@ -158,7 +158,7 @@ public record Parameter(
     }
 
     /**
-     * The same with a further optional value behind it.
+     * Returns the same parameter with a further optional value behind it.
      *
      * @param extra its description
      * @return a new description

@@ -18,7 +18,7 @@ public class ParameterException extends BotException {
     }
 
     /**
-     * Which parameter was meant.
+     * Returns the name of the parameter.
      *
      * @return the name as it was given
      */

@@ -45,7 +45,7 @@ public record ParameterGroup(Parameter first, Parameter last) {
     }
 
     /**
-     * How lists call it.
+     * Returns the title of the group in lists.
      *
      * @return one name, or the first and the last: {@code sonar0 … sonar15}
      */

@@ -44,7 +44,7 @@ public final class Permit {
     }
 
     /**
-     * Whether the permission was revoked.
+     * Returns whether the permission was revoked.
      *
      * @return true from the first revocation on
      */

@@ -8,7 +8,7 @@ package majic.bot;
  * @param headingDeg counterclockwise positive, −180 (excluded) to 180
  */
 public record Pose(double xMm, double yMm, double headingDeg) {
-    /** Where every robot starts. */
+    /** The pose of every robot at its start. */
     public static final Pose START = new Pose(0, 0, 0);
 
     /** Refuses what is not finite and brings the heading into its range. */
@@ -34,7 +34,7 @@ public record Pose(double xMm, double yMm, double headingDeg) {
     }
 
     /**
-     * The pose after a small motion along a circular arc.
+     * Returns the pose after a small motion along a circular arc.
      *
      * @param forwardMm the way along the arc, mm, ahead positive
      * @param turnDeg the turn on that way, counterclockwise positive
@@ -48,7 +48,7 @@ public record Pose(double xMm, double yMm, double headingDeg) {
     }
 
     /**
-     * The straight distance to another pose.
+     * Returns the straight distance to another pose.
      *
      * @param other in the same frame
      * @return mm

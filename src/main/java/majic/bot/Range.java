@@ -18,7 +18,7 @@ public record Range(double min, double max) {
     }
 
     /**
-     * Whether a number lies inside.
+     * Returns whether a number lies inside.
      *
      * @param number in the parameter's unit
      * @return false also for what is not a number
@@ -28,7 +28,7 @@ public record Range(double min, double max) {
     }
 
     /**
-     * The nearest number inside.
+     * Returns the nearest number inside.
      *
      * @param number in the parameter's unit
      * @return the number itself, or the end that it passed
@@ -37,7 +37,7 @@ public record Range(double min, double max) {
         return Math.max(min, Math.min(max, number));
     }
 
-    /** The range as people read it: {@code -91 … 91}. */
+    /** Returns the text of the range in messages: {@code -91 … 91}. */
     @Override
     public String toString() {
         return Value.plain(min) + " … " + Value.plain(max);

@@ -36,7 +36,7 @@ public enum Unit {
     }
 
     /**
-     * How the unit is written behind a number.
+     * Returns the text of the unit behind a number.
      *
      * @return the symbol, empty for a plain number
      */
@@ -45,7 +45,7 @@ public enum Unit {
     }
 
     /**
-     * The number of decimals in an answer; further decimals are not significant for a robot.
+     * Returns the number of decimals in an answer; further decimals are not significant for a robot.
      *
      * @return the most digits behind the point
      */

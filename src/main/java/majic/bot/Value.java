@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * What a parameter holds: a number with its unit, a yes or no, a word, "nothing in range", or the reason why it is
+ * The value of a parameter: a number with its unit, a yes or no, a word, "nothing in range", or the reason why it is
  * not available. Immutable; {@code toString()} is how answers show it.
  */
 public sealed interface Value {
@@ -183,7 +183,7 @@ public sealed interface Value {
     }
 
     /**
-     * The number in this value.
+     * Returns the number in this value.
      *
      * @return the amount in its unit; 1 and 0 for a flag; infinity for clear
      * @throws BotException if there is no number in it
@@ -202,7 +202,7 @@ public sealed interface Value {
     }
 
     /**
-     * Whether this value means yes or on.
+     * Returns whether this value means yes or on.
      *
      * @return true only for a flag that is set
      */

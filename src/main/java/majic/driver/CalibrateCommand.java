@@ -92,7 +92,7 @@ public final class CalibrateCommand {
      * @throws MotionStopped if the robot is stopped meanwhile
      */
     public static void letMark(Motion motion, String mark, String deed) {
-        motion.say("mark " + mark + "; in " + MARKING_S + " s it " + deed);
+        motion.notice("mark " + mark + "; in " + MARKING_S + " s it " + deed);
         motion.pause(MARKING_S);
     }
 
