@@ -67,7 +67,7 @@ public final class MajicFrame extends JFrame {
         tabs = new BotTabs(session.team(), channel);
         dialogs = new FrameDialogs(this, session, services, tabs, channel);
         mapFeed = new MapFeed(session.team(), session.factory(), map::show);
-        stopKeys = new StopKeys(session.team()::stopAll);
+        stopKeys = new StopKeys(this::stopAll, commands.line()::isMarked);
         place();
         listen();
     }
@@ -82,7 +82,7 @@ public final class MajicFrame extends JFrame {
     }
 
     private void place() {
-        StopPanel stop = new StopPanel(session.team());
+        StopPanel stop = new StopPanel(session.team(), this::stopAll);
         session.team().addListener(new EventThreadTeamListener(stop));
         StopAlarm alarm = new StopAlarm(session.team());
         session.team().addListener(new EventThreadTeamListener(alarm));
@@ -128,6 +128,12 @@ public final class MajicFrame extends JFrame {
                 quit();
             }
         });
+    }
+
+    private void stopAll() {
+        if (!session.team().stopAllIfAny()) {
+            showError("There is no robot to stop; Add Bot connects one.");
+        }
     }
 
     /** Opens the dialog that connects a robot (thesis, contract C3). */

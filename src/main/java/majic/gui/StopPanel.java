@@ -1,9 +1,12 @@
 package majic.gui;
 
 import java.awt.Color;
+import java.awt.KeyboardFocusManager;
+import java.beans.PropertyChangeListener;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.EventThread;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
@@ -13,15 +16,22 @@ import net.miginfocom.swing.MigLayout;
 final class StopPanel extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
     private static final Color RED = new Color(0xC62828);
+    private static final String FOCUSED = "focusedWindow";
     private static final Color DARK_RED = new Color(0x7F1D1D);
 
     private final transient Team team;
     private final JButton stop = new JButton();
     private final JLabel word = new JLabel();
     private final JLabel below = new JLabel();
+    private final transient PropertyChangeListener focus = event -> EventThread.later(this::showLatch);
     private final JButton release = new JButton("Release");
 
-    StopPanel(Team team) {
+    /**
+     * Creates the buttons.
+     *
+     * @param stopAll stops all robots
+     */
+    StopPanel(Team team, Runnable stopAll) {
         super(new MigLayout("insets 0, gap 6, hidemode 3", "[][]", "[fill]"));
         stop.setName("stop");
         stop.setFocusable(false);
@@ -34,8 +44,9 @@ final class StopPanel extends JPanel implements TeamListener {
         below.setName("stopCount");
         below.setForeground(Color.WHITE);
         stop.putClientProperty("JButton.buttonType", "roundRect");
-        stop.setToolTipText("Stops every robot at once; works in every window of MAJIC by Esc and F12");
-        stop.addActionListener(event -> team.stopAll());
+        stop.setToolTipText(
+                "Stops every robot at once; in every window of MAJIC also F12, and Esc unless it closes something");
+        stop.addActionListener(event -> stopAll.run());
         release.setName("release");
         release.setToolTipText("Allows motion again; nothing resumes by itself");
         release.addActionListener(event -> team.release());
@@ -43,6 +54,20 @@ final class StopPanel extends JPanel implements TeamListener {
         add(stop, "w 170!, h 52!");
         this.team = team;
         showLatch();
+    }
+
+    /** Begins to show whether the keys reach this program. */
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addPropertyChangeListener(FOCUSED, focus);
+        showLatch();
+    }
+
+    @Override
+    public void removeNotify() {
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().removePropertyChangeListener(FOCUSED, focus);
+        super.removeNotify();
     }
 
     /** Shows the team's present state rather than the event's, because events may arrive late. */
@@ -60,10 +85,16 @@ final class StopPanel extends JPanel implements TeamListener {
         boolean latched = team.isLatched();
         StopStatus status = team.stopStatus();
         word.setText(latched ? "STOPPED" : "STOP");
-        below.setText(latched ? confirmed(status) : "Esc or F12");
+        below.setText(latched ? confirmed(status) : keys());
         stop.setBackground(latched ? DARK_RED : RED);
         stop.getAccessibleContext().setAccessibleName(latched ? "Stopped; stop again" : "Stop all robots");
         release.setVisible(latched);
+    }
+
+    private static String keys() {
+        boolean reachMajic =
+                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow() != null;
+        return reachMajic ? "Esc or F12" : "the keys go elsewhere";
     }
 
     private static String confirmed(StopStatus status) {

@@ -193,6 +193,21 @@ public final class Team implements AutoCloseable {
         });
     }
 
+    /**
+     * STOP, if there is a robot. Without one it ends what runs without robots, and does not latch.
+     *
+     * @return whether there was a robot
+     */
+    public boolean stopAllIfAny() {
+        if (members().isEmpty()) {
+            stops.stoppedAll();
+            changes.raise();
+            return false;
+        }
+        stopAll();
+        return true;
+    }
+
     private Runnable announcement(List<Member> stopped) {
         long atNanos = time.nanos();
         return () -> events.publish(listener -> listener.stopped(stopped, atNanos));

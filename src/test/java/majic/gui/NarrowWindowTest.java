@@ -36,6 +36,7 @@ class NarrowWindowTest {
 
     @Test
     void releaseIsWorthMoreThanTheWordsOnButtons() {
+        window.add("one");
         window.click("stop");
         window.await("pictures alone", () -> button("Save Session").getText() == null);
         assertThat(isWhole("stop")).isTrue();

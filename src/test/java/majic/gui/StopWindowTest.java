@@ -3,10 +3,12 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dialog;
+import java.awt.Frame;
 import java.awt.event.KeyEvent;
 import java.util.Map;
 import java.util.TreeMap;
 import javax.swing.JButton;
+import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -73,6 +75,7 @@ class StopWindowTest {
 
     @Test
     void releaseAllowsMotionAgainAndHidesItself() {
+        window.add("one");
         window.click("stop");
         window.click("release");
         assertThat(window.team.isLatched()).isFalse();
@@ -81,6 +84,7 @@ class StopWindowTest {
 
     @Test
     void aLateEventDoesNotHideThatStopIsLatched() {
+        window.add("one");
         window.click("stop");
         window.await("the button to say so", () -> window.text("stopWord").equals("STOPPED"));
         StopPanel panel = (StopPanel) window.find("stop", JButton.class).getParent();
@@ -89,17 +93,83 @@ class StopWindowTest {
     }
 
     @Test
-    void escapeStopsWhileADialogHasTheFocus() {
+    void escapeStopsWhileTheCommandLineHasTheFocus() {
+        window.add("one");
+        window.focus("commandLine");
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window.team::isLatched);
+    }
+
+    @Test
+    void escapeClosesADialogWithoutStopping() {
+        window.add("one");
         window.click("Add Bot");
         window.awaitDialog("Add Bot");
         window.focus("host");
         window.press(KeyEvent.VK_ESCAPE);
+        window.await("the dialog to close", () -> !window.isShowing("Add Bot dialog"));
+        assertThat(window.team.isLatched()).isFalse();
+    }
+
+    @Test
+    void f12StopsWhileADialogHasTheFocus() {
+        window.add("one");
+        window.click("Add Bot");
+        window.awaitDialog("Add Bot");
+        window.focus("host");
+        window.press(KeyEvent.VK_F12);
         window.await("the latch", window.team::isLatched);
         assertThat(window.isShowing("Add Bot dialog")).isTrue();
     }
 
     @Test
+    void escapeClosesAMenuWithoutStoppingAndStopsTheNextTime() {
+        window.add("one");
+        window.run(() -> window.frame.getJMenuBar().getMenu(0).doClick());
+        window.await("the menu", () -> MenuSelectionManager.defaultManager().getSelectedPath().length > 0);
+        while (MenuSelectionManager.defaultManager().getSelectedPath().length > 0) {
+            window.press(KeyEvent.VK_ESCAPE);
+        }
+        assertThat(window.team.isLatched()).isFalse();
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window.team::isLatched);
+    }
+
+    @Test
+    void escapeUnmarksAWrongLineWithoutStoppingAndStopsTheNextTime() {
+        window.add("one");
+        window.command("1 mvoe 5");
+        window.press(KeyEvent.VK_ESCAPE);
+        assertThat(window.text("hint")).startsWith("Up and Down");
+        assertThat(window.text("commandLine")).isEqualTo("1 mvoe 5");
+        assertThat(window.team.isLatched()).isFalse();
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window.team::isLatched);
+    }
+
+    @Test
+    void withoutARobotNothingLatchesAndTheMessageNamesTheReason() {
+        window.click("stop");
+        window.awaitMessage("There is no robot to stop");
+        assertThat(window.team.isLatched()).isFalse();
+    }
+
+    @Test
+    void theButtonShowsWhileTheKeysGoElsewhere() {
+        window.await("the keys", () -> window.text("stopCount").equals("Esc or F12"));
+        window.run(() -> window.frame.setExtendedState(Frame.ICONIFIED));
+        window.await("the keys to go", () -> window.text("stopCount").equals("the keys go elsewhere"));
+        window.run(() -> {
+            window.frame.setExtendedState(Frame.NORMAL);
+            window.frame.toFront();
+            window.frame.requestFocus();
+        });
+        window.await("the keys to return", () -> window.text("stopCount").equals("Esc or F12"));
+    }
+
+    @Test
     void f12StopsWhileTheCommandLineHasTheFocus() {
+        window.add("one");
         window.focus("commandLine");
         window.press(KeyEvent.VK_F12);
         window.await("the latch", window.team::isLatched);
@@ -107,6 +177,7 @@ class StopWindowTest {
 
     @Test
     void theButtonCanBeClickedWhileADialogIsOpen() {
+        window.add("one");
         window.click("Help");
         Dialog help = window.awaitDialog("Help");
         window.run(() -> help.setLocation(0, 500));

@@ -383,6 +383,23 @@ class TeamTest {
     }
 
     @Test
+    void withoutARobotStopIsCountedAndDoesNotLatch() {
+        assertThat(team.stopAllIfAny()).isFalse();
+
+        assertThat(team.isLatched()).isFalse();
+        assertThat(team.stops().all()).isEqualTo(1);
+    }
+
+    @Test
+    void withARobotStopLatches() {
+        join();
+
+        assertThat(team.stopAllIfAny()).isTrue();
+
+        assertThat(team.isLatched()).isTrue();
+    }
+
+    @Test
     void anOwnerThatAStopEndedCanMoveNothingMore() {
         join();
         Owner script = new Owner(Owner.Kind.SCRIPT, "square", () -> {});

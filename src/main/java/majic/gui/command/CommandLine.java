@@ -44,6 +44,7 @@ public final class CommandLine extends JTextField {
         bind(KeyEvent.VK_UP, "older line", () -> setText(history.older(getText())));
         bind(KeyEvent.VK_DOWN, "newer line", () -> setText(history.newer(getText())));
         bind(KeyEvent.VK_TAB, "complete", this::complete);
+        bind(KeyEvent.VK_ESCAPE, "unmark", this::unmark);
         getDocument().addDocumentListener(new Mending());
     }
 
@@ -82,6 +83,17 @@ public final class CommandLine extends JTextField {
         } else {
             hint.accept(why);
         }
+    }
+
+    /** Returns whether the line has the focus and is marked as wrong; Esc removes the mark then. */
+    public boolean isMarked() {
+        return isFocusOwner() && getClientProperty("JComponent.outline") != null;
+    }
+
+    /** Removes the mark and its message; the text stays. */
+    private void unmark() {
+        putClientProperty("JComponent.outline", null);
+        hint.accept("");
     }
 
     private void mark(String why) {
@@ -136,11 +148,6 @@ public final class CommandLine extends JTextField {
         @Override
         public void changedUpdate(DocumentEvent event) {
             unmark();
-        }
-
-        private void unmark() {
-            putClientProperty("JComponent.outline", null);
-            hint.accept("");
         }
     }
 }

@@ -1,15 +1,20 @@
 package majic.gui.kit;
 
 import java.awt.Window;
+import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 
-/** A dialog with its content above a row of buttons. Never modal, so that STOP, messages and map stay accessible. */
+/**
+ * A dialog with its content above a row of buttons. Never modal, so that STOP, messages and map stay accessible. Esc
+ * closes it, as its Cancel or Close does.
+ */
 public class MajicDialog extends JDialog {
     private static final long serialVersionUID = 1L;
 
@@ -17,6 +22,11 @@ public class MajicDialog extends JDialog {
         super(owner, title, ModalityType.MODELESS);
         setName(title + " dialog");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+        getRootPane()
+                .registerKeyboardAction(
+                        event -> dispose(),
+                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                        JComponent.WHEN_IN_FOCUSED_WINDOW);
         addWindowListener(new WindowAdapter() {
             /**
              * Requests the focus, because a window manager may give it to another window when a previous dialog has
