@@ -94,7 +94,7 @@ final class StopPanel extends JPanel implements TeamListener {
     private static String keys() {
         boolean reachMajic =
                 KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow() != null;
-        return reachMajic ? "Esc or F12" : "the keys go elsewhere";
+        return reachMajic ? "Esc or F12" : "keys go elsewhere";
     }
 
     private static String confirmed(StopStatus status) {

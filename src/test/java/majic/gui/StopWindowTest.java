@@ -158,7 +158,7 @@ class StopWindowTest {
     void theButtonShowsWhileTheKeysGoElsewhere() {
         window.await("the keys", () -> window.text("stopCount").equals("Esc or F12"));
         window.run(() -> window.frame.setExtendedState(Frame.ICONIFIED));
-        window.await("the keys to go", () -> window.text("stopCount").equals("the keys go elsewhere"));
+        window.await("the keys to go", () -> window.text("stopCount").equals("keys go elsewhere"));
         window.run(() -> {
             window.frame.setExtendedState(Frame.NORMAL);
             window.frame.toFront();
