@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import majic.act.MajicAct;
 import majic.act.Role;
 import majic.act.make.JavaSource;
+import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Tag;
@@ -36,7 +37,7 @@ class JavaOnPagesTest {
 
     /** The names that the pages explain in words, and that their code uses. */
     private static final String METHOD = "public class Fragment { static boolean userAgrees(List<String> text) {"
-            + " return true; } public static void run(BotEnvironment environment, String address, Settings settings, Path path,"
+            + " return true; } public static void run(BotEnvironment environment, majic.bot.BotAddress address, Settings settings, Path path,"
             + " majicsim.Lab lab) throws Exception { ";
 
     private static final String ACT = "public class Fragment extends MajicAct { @Override protected void behave() {} ";
@@ -68,11 +69,11 @@ class JavaOnPagesTest {
             majic.bot.Pose start = rig.truePose(type);
             compile(block, address.replaceAll("(address, environment)"))
                     .getMethod(
-                            "run", BotEnvironment.class, String.class, Settings.class, Path.class, majicsim.Lab.class)
+                            "run", BotEnvironment.class, BotAddress.class, Settings.class, Path.class, majicsim.Lab.class)
                     .invoke(
                             null,
                             new BotEnvironment(rig.lab().time(), Settings.inMemory()),
-                            rig.lab().address(type).orElseThrow().rest(),
+                            rig.lab().address(type).orElseThrow(),
                             null,
                             null,
                             null);
