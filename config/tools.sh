@@ -99,9 +99,14 @@ build_majic() {
     touch "$1/target/majic.jar"
 }
 
-# Where class data is kept that makes the next start faster; belongs to one jar and one JDK.
+# Where class data is kept that makes the next start faster.
 cache_folder() {
     echo "${XDG_CACHE_HOME:-$HOME/.cache}/majic"
+}
+
+# The file of class data of this jar and JDK. Named after the jar's path, since that of another jar cannot be used.
+class_data_archive() {
+    echo "$(cache_folder)/majic-$major-$(id -u)-$(echo "$jar" | cksum | tr ' ' -).jsa"
 }
 
 # Makes the class data in the background, for the next start.
@@ -118,7 +123,7 @@ exec_majic() {
     major=$(java_major "$java")
     native=
     [ "$major" -lt 22 ] || native=--enable-native-access=ALL-UNNAMED
-    archive=$(cache_folder)/majic-$major-$(id -u).jsa
+    archive=$(class_data_archive)
     if [ -f "$archive" ] && [ "$archive" -nt "$jar" ]; then
         exec "$java" "-XX:SharedArchiveFile=$archive" $native -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xlog:disable \
             -jar "$jar" "$@" <&3 3<&-

@@ -22,11 +22,21 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(60)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has majic.cmd instead")
 class LauncherTest {
+    private static final String MAVEN =
+            "#!/bin/sh\ncat >/dev/null\nmkfifo target/archive\ntouch target/majic.jar\necho BUILD SUCCESS\n";
+
     @TempDir
-    Path clone;
+    Path folder;
+
+    private Path clone;
 
     @BeforeEach
     void copyTheLauncher() throws IOException {
+        copyTheLauncher("clone");
+    }
+
+    private void copyTheLauncher(String name) throws IOException {
+        clone = folder.resolve(name);
         Files.createDirectories(clone.resolve("config"));
         Files.createDirectories(clone.resolve("src/main"));
         Files.createDirectories(clone.resolve("sims"));
@@ -37,18 +47,40 @@ class LauncherTest {
 
     @Test
     void theInputOfThePipeReachesMajicAlthoughMavenReadsItsInput() throws Exception {
-        program("bin/mvn", "#!/bin/sh\ncat >/dev/null\ntouch target/majic.jar\necho BUILD SUCCESS\n");
-        program("bin/javac", "#!/bin/sh\n");
-        program(
-                "bin/java",
-                "#!/bin/sh\ncase \"$*\" in\n"
-                        + "-version) cat >/dev/null; echo 'openjdk version \"17.0.1\"' >&2 ;;\n"
-                        + "*class-data) ;;\n"
-                        + "*) echo \"started with $*\"; cat ;;\nesac\n");
+        java("", "echo \"started with $*\"; cat");
 
         String said = start("2 move 1000\nquit\n", "--lab", "--console");
 
         assertThat(said).contains("--lab --console\n2 move 1000\nquit\n");
+    }
+
+    @Test
+    void eachCloneHasAnArchiveOfItsOwn() throws Exception {
+        String first = archiveName();
+        assertThat(archiveName()).isEqualTo(first);
+
+        copyTheLauncher("other clone");
+        assertThat(archiveName()).startsWith("majic-17-").endsWith(".jsa").isNotEqualTo(first);
+    }
+
+    /** Starts the program and returns the name of the class-data archive that is made for its next start. */
+    private String archiveName() throws Exception {
+        java("echo \"$1\" >target/archive", "cat target/archive");
+        String option = start("").lines().reduce((one, next) -> next).orElseThrow();
+        String file = option.substring(option.lastIndexOf('/') + 1);
+        return file.substring(0, file.lastIndexOf('.'));
+    }
+
+    /** Creates the program's Java, which does this when it makes the archive of class data, and when it starts MAJIC. */
+    private void java(String classData, String start) throws IOException {
+        program("bin/mvn", MAVEN);
+        program("bin/javac", "#!/bin/sh\n");
+        program(
+                "bin/java",
+                "#!/bin/sh\ncd '" + clone + "'\ncase \"$*\" in\n"
+                        + "-version) cat >/dev/null; echo 'openjdk version \"17.0.1\"' >&2 ;;\n"
+                        + "*class-data) " + classData + " ;;\n"
+                        + "*) " + start + " ;;\nesac\n");
     }
 
     private String start(String input, String... arguments) throws Exception {
@@ -56,7 +88,7 @@ class LauncherTest {
         launcher.command().addAll(List.of(arguments));
         launcher.redirectErrorStream(true);
         launcher.environment().put("JAVA_HOME", clone.toString());
-        launcher.environment().put("XDG_CACHE_HOME", clone.resolve("cache").toString());
+        launcher.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
         launcher.environment().put("PATH", clone.resolve("bin") + ":" + System.getenv("PATH"));
         Process process = launcher.start();
         try (OutputStream in = process.getOutputStream()) {
