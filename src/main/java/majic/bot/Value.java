@@ -22,11 +22,12 @@ public sealed interface Value {
      * @param about whether it is only an estimate, as on a robot without encoders
      */
     record Number(double amount, Unit unit, boolean about) implements Value {
-        /** Refuses what is not a finite number. */
+        /** Refuses what is not a finite number; turns a negative zero into zero. */
         public Number {
             if (!Double.isFinite(amount)) {
                 throw new IllegalArgumentException("not a finite number: " + amount);
             }
+            amount += 0.0;
         }
 
         @Override

@@ -31,4 +31,10 @@ class ValueTest {
     void keepsTheExactNumberBehindWhatIsShown() {
         assertThat(Value.of(4.658, Unit.DEG).number()).isEqualTo(4.658);
     }
+
+    @Test
+    void aNegativeZeroIsZero() {
+        assertThat(Value.of(-0.0, Unit.MM)).isEqualTo(Value.of(0, Unit.MM));
+        assertThat(String.valueOf(Value.of(-0.0, Unit.MM).number())).isEqualTo("0.0");
+    }
 }

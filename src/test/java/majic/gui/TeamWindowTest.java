@@ -44,6 +44,13 @@ class TeamWindowTest {
     }
 
     @Test
+    void aPlaceJustBelowZeroIsShownAsZero() {
+        window.add("one").at(new Pose(-0.4, -0.2, -0.3), true);
+        window.await("its place", () -> window.text("condition1").equals("connected, moving"));
+        assertThat(window.text("pose1")).isEqualTo("x 0 mm   y 0 mm   heading 0°");
+    }
+
+    @Test
     void aRobotWithoutDisplayHasATabThatStatesIt() {
         window.add("plain");
         window.await("the words", () -> window.isShowing("noDisplay"));

@@ -1,6 +1,5 @@
 package majic.gui.kit;
 
-import java.util.Locale;
 import majic.bot.BotState;
 import majic.bot.Pose;
 import majic.team.Member;
@@ -47,7 +46,7 @@ public final class BotStatus {
         }
         Pose at = state.pose();
         String about = member.bot().profile().estimates() ? "about " : "";
-        return String.format(
-                Locale.ROOT, "%sx %.0f mm   y %.0f mm   heading %.0f°", about, at.xMm(), at.yMm(), at.headingDeg());
+        return about + "x " + Math.round(at.xMm()) + " mm   y " + Math.round(at.yMm()) + " mm   heading "
+                + Math.round(at.headingDeg()) + "°";
     }
 }

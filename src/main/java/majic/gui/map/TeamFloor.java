@@ -3,7 +3,6 @@ package majic.gui.map;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
-import java.util.Locale;
 import majic.bot.Pose;
 import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapContent;
@@ -89,13 +88,7 @@ final class TeamFloor implements MapContent {
 
     private static String describe(MapScene.Robot robot) {
         Pose at = robot.reported();
-        return String.format(
-                Locale.ROOT,
-                "%d %s: x %.0f mm, y %.0f mm, heading %.0f\u00b0 on the map",
-                robot.number(),
-                robot.label(),
-                at.xMm(),
-                at.yMm(),
-                at.headingDeg());
+        return robot.number() + " " + robot.label() + ": x " + Math.round(at.xMm()) + " mm, y " + Math.round(at.yMm())
+                + " mm, heading " + Math.round(at.headingDeg()) + "\u00b0 on the map";
     }
 }

@@ -2,7 +2,6 @@ package majic.panel.map;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
-import java.util.Locale;
 
 /** The content of a {@link ZoomableMap}. Called on the event dispatch thread. */
 public interface MapContent {
@@ -42,10 +41,7 @@ public interface MapContent {
      * @return a tip
      */
     default String tip(double xMm, double yMm, MapView view) {
-        return String.format(
-                Locale.ROOT,
-                "x %.0f mm, y %.0f mm \u2013 wheel zooms, dragging moves, double click shows everything",
-                xMm,
-                yMm);
+        return "x " + Math.round(xMm) + " mm, y " + Math.round(yMm)
+                + " mm \u2013 wheel zooms, dragging moves, double click shows everything";
     }
 }

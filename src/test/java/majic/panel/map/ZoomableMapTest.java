@@ -60,6 +60,11 @@ class ZoomableMapTest {
     }
 
     @Test
+    void aPlaceJustBelowZeroIsShownAsZero() {
+        assertThat(floor.tip(-0.3, -0.2, map.view())).startsWith("x 0 mm, y 0 mm");
+    }
+
+    @Test
     void keysDoWhatTheButtonsDo() {
         key("typed +");
         double nearer = map.view().pxPerMm();
