@@ -1,5 +1,7 @@
 package majic.gui;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.util.stream.IntStream;
 import javax.swing.JScrollBar;
 import majic.gui.command.MessageArea;
@@ -23,6 +25,22 @@ class MessagesWindowTest {
         window.run(() -> window.frame.setSize(720, 540));
         window.await("a shorter message area", () -> bar().getVisibleAmount() < 140);
         window.await("the newest line", this::isAtEnd);
+    }
+
+    @Test
+    void aLongWordIsBroken() {
+        MessageArea area = window.find("messageArea", MessageArea.class);
+        area.line(new Line(Line.Kind.NOTICE, "/home/" + "x".repeat(900)));
+        window.awaitMessage("xxx");
+        window.run(() -> assertThat(area.getHorizontalScrollBar().isVisible()).isFalse());
+        window.run(() -> assertThat(area.getViewport().getView().getWidth())
+                .isLessThanOrEqualTo(area.getViewport().getWidth()));
+        window.await("the newest line", this::isBroken);
+    }
+
+    /** Whether the message area needs more than a line of text for what it contains. */
+    private boolean isBroken() {
+        return bar().getMaximum() > 80;
     }
 
     private boolean isAtEnd() {

@@ -23,9 +23,11 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     private final transient List<Line> waiting = new ArrayList<>();
     private final transient UpdateThrottle throttle = new UpdateThrottle(this::showWaiting);
     private final transient MessageDocument document = new MessageDocument();
-    private final JTextPane text = new JTextPane(document);
+    private final JTextPane text = new JTextPane();
 
     MessageArea() {
+        text.setEditorKit(new WrappingKit());
+        text.setDocument(document);
         setViewportView(text);
         setName("messageArea");
         text.setName("messages");

@@ -1,0 +1,32 @@
+package majic.gui.command;
+
+import javax.swing.text.AbstractDocument;
+import javax.swing.text.Element;
+import javax.swing.text.LabelView;
+import javax.swing.text.StyledEditorKit;
+import javax.swing.text.View;
+import javax.swing.text.ViewFactory;
+
+/** Wraps text at the width of its component; breaks a word that is wider than that. */
+final class WrappingKit extends StyledEditorKit {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public ViewFactory getViewFactory() {
+        ViewFactory others = super.getViewFactory();
+        return element -> AbstractDocument.ContentElementName.equals(element.getName())
+                ? new BreakableText(element)
+                : others.create(element);
+    }
+
+    private static final class BreakableText extends LabelView {
+        BreakableText(Element element) {
+            super(element);
+        }
+
+        @Override
+        public float getMinimumSpan(int axis) {
+            return axis == View.X_AXIS ? 0 : super.getMinimumSpan(axis);
+        }
+    }
+}
