@@ -40,10 +40,14 @@ public record Line(Kind kind, String text, @Nullable Object asker) {
     public enum Kind {
         /** A line as it was submitted to MAJIC. */
         COMMAND,
-        /** The result of a command, success or failure. */
+        /** The result of a command that did not fail. */
         ANSWER,
+        /** The result of a command that failed. */
+        FAILURE,
         /** An unsolicited message from a robot or from MAJIC. */
         NOTICE,
+        /** A lost connection, or a stop that a robot did not confirm: the robot may be moving. */
+        ALARM,
         /** The reason why a line was refused or a script ended, or an internal error of MAJIC. */
         ERROR
     }

@@ -191,7 +191,15 @@ public final class Session {
     private final class TeamRelay implements TeamListener {
         @Override
         public void answered(Answer answer) {
-            output.send(Line.Kind.ANSWER, answer.text(), answer.asker());
+            output.send(kindOf(answer.outcome()), answer.text(), answer.asker());
+        }
+
+        private static Line.Kind kindOf(Answer.Outcome outcome) {
+            return switch (outcome) {
+                case DONE, STOPPED, NOT_RUN -> Line.Kind.ANSWER;
+                case FAILED -> Line.Kind.FAILURE;
+                case NOT_STOPPED -> Line.Kind.ALARM;
+            };
         }
 
         @Override
@@ -205,7 +213,7 @@ public final class Session {
                     .address(member)
                     .map(address -> "; \"add " + address + "\" connects it again")
                     .orElse("");
-            output.send(Line.Kind.NOTICE, member.number() + ": " + reason + hint);
+            output.send(Line.Kind.ALARM, member.number() + ": " + reason + hint);
         }
 
         @Override

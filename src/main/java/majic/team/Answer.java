@@ -31,6 +31,8 @@ public record Answer(
         STOPPED,
         /** Ended with an error. */
         FAILED,
+        /** A stop that the robot did not confirm. */
+        NOT_STOPPED,
         /** Not begun, because an earlier command failed or was stopped. */
         NOT_RUN
     }

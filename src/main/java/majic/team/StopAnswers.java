@@ -27,7 +27,7 @@ final class StopAnswers {
 
     /** Answers a stop that was not confirmed. */
     void failed(Member member, String reason) {
-        answer(member, Answer.Outcome.FAILED, "failed: " + reason);
+        answer(member, Answer.Outcome.NOT_STOPPED, "failed: " + reason);
     }
 
     /**

@@ -28,6 +28,21 @@ class MessagesWindowTest {
     }
 
     @Test
+    void aLostConnectionAndAStopThatFailedAreAlarms() {
+        window.add("one").loseLink();
+        window.awaitMessage("\u203c 1: connection lost");
+        window.command("1 stop");
+        window.awaitMessage("\u203c 1 stop: failed");
+    }
+
+    @Test
+    void aFailedCommandHasTheSignOfErrors() {
+        window.add("blocked");
+        window.command("1 move 5");
+        window.awaitMessage("! 1 move 5: failed: something is in the way");
+    }
+
+    @Test
     void aLongWordIsBroken() {
         MessageArea area = window.find("messageArea", MessageArea.class);
         area.line(new Line(Line.Kind.NOTICE, "/home/" + "x".repeat(900)));

@@ -86,8 +86,11 @@ public final class ToyBot extends MajicBot {
         return amount(degrees, motion);
     }
 
-    private static Value amount(double number, Motion motion) {
+    private Value amount(double number, Motion motion) {
         motion.check();
+        if (address.contains("blocked")) {
+            throw new BotException("something is in the way");
+        }
         return Value.of(number, Unit.NONE);
     }
 

@@ -24,7 +24,7 @@ final class MessageDocument extends DefaultStyledDocument {
     MessageDocument() {
         for (Line.Kind kind : Line.Kind.values()) {
             Style style = addStyle(kind.name(), getStyle(StyleContext.DEFAULT_STYLE));
-            StyleConstants.setBold(style, kind == Line.Kind.COMMAND);
+            StyleConstants.setBold(style, kind == Line.Kind.COMMAND || kind == Line.Kind.ALARM);
         }
         recolour();
     }
@@ -34,6 +34,7 @@ final class MessageDocument extends DefaultStyledDocument {
         for (Line.Kind kind : Line.Kind.values()) {
             StyleConstants.setForeground(getStyle(kind.name()), color(kind));
         }
+        StyleConstants.setBackground(getStyle(Line.Kind.ALARM.name()), Palette.error());
     }
 
     /** Appends lines; lines that would be removed at once are left out. */
@@ -83,7 +84,8 @@ final class MessageDocument extends DefaultStyledDocument {
             case COMMAND -> "> ";
             case ANSWER -> "  ";
             case NOTICE -> "* ";
-            case ERROR -> "! ";
+            case FAILURE, ERROR -> "! ";
+            case ALARM -> "\u203c ";
         };
     }
 
@@ -92,7 +94,8 @@ final class MessageDocument extends DefaultStyledDocument {
             case COMMAND -> Palette.command();
             case ANSWER -> Palette.text();
             case NOTICE -> Palette.faint();
-            case ERROR -> Palette.error();
+            case FAILURE, ERROR -> Palette.error();
+            case ALARM -> Palette.paper();
         };
     }
 }

@@ -26,6 +26,11 @@ public final class Palette {
         return DrawingColors.current().alarm();
     }
 
+    /** Returns the background of texts; readable on {@link #error()} too. */
+    public static Color paper() {
+        return UIManager.getColor("TextPane.background");
+    }
+
     /**
      * Returns the text colour mixed with the background.
      *

@@ -196,7 +196,7 @@ public final class Dispatcher {
     /** Runs a line whose turn has come. */
     private void inTurn(PreparedLine line) {
         if (wasStopped(line)) {
-            fail(line, NOT_RUN);
+            fail(line, Line.Kind.ANSWER, NOT_RUN);
         } else if (line.isStopSent()) {
             awaitFreed(line);
         } else if (filesAllow(line)) {
@@ -207,7 +207,7 @@ public final class Dispatcher {
     /** Reading the files may have taken long, so a stop may have come meanwhile. */
     private void inTurnWithFiles(PreparedLine line) {
         if (wasStopped(line)) {
-            fail(line, NOT_RUN);
+            fail(line, Line.Kind.ANSWER, NOT_RUN);
         } else if (runsBeside(line)) {
             begin(line);
         } else {
@@ -250,13 +250,14 @@ public final class Dispatcher {
 
     /** What ends early has submitted nothing if it commands robots; a wait has begun. */
     private void answerEnded(PreparedLine line, ExecutionEnded end) {
-        boolean notRun = end.outcome() == Answer.Outcome.STOPPED && line.has(CommandTrait.COMMANDS_ROBOTS);
-        fail(line, notRun ? NOT_RUN : end.ending());
+        boolean stopped = end.outcome() == Answer.Outcome.STOPPED;
+        boolean notRun = stopped && line.has(CommandTrait.COMMANDS_ROBOTS);
+        fail(line, stopped ? Line.Kind.ANSWER : Line.Kind.FAILURE, notRun ? NOT_RUN : end.ending());
     }
 
-    private void fail(PreparedLine line, String how) {
+    private void fail(PreparedLine line, Line.Kind kind, String how) {
         commands.fail(line.title());
-        output.send(Line.Kind.ANSWER, line.title() + ": " + how, asker);
+        output.send(kind, line.title() + ": " + how, asker);
     }
 
     /** Runs a line asynchronously; errors can only be reported. Permissions to move are taken as they are now. */

@@ -13,6 +13,8 @@ import majic.time.TimeSource;
  * it fails it ends and stops every robot that it used.
  */
 public final class ScriptRun {
+    private static final String STOPPED = "stopped";
+
     private final ScriptExecution execution;
     private final ActionLookup actions;
     private final String title;
@@ -50,7 +52,7 @@ public final class ScriptRun {
             new Interpreter(execution, actions).run(script);
             if (waits) {
                 execution.finish();
-                answer(String.format(Locale.ROOT, "done (%.1f s)", time.secondsSince(began)));
+                answer(Line.Kind.ANSWER, String.format(Locale.ROOT, "done (%.1f s)", time.secondsSince(began)));
             }
             execution.endRecord(true);
             return true;
@@ -58,7 +60,7 @@ public final class ScriptRun {
             String ending = ending(e);
             execution.stopAllUsed();
             execution.endRecord(false);
-            answer(ending);
+            answer(ending.equals(STOPPED) ? Line.Kind.ANSWER : Line.Kind.FAILURE, ending);
         } finally {
             execution.freeAll();
         }
@@ -73,7 +75,7 @@ public final class ScriptRun {
             return "failed: " + where(mistake);
         }
         if (why instanceof BotException) {
-            return execution.wasStopped() ? "stopped" : "failed: " + why.getMessage();
+            return execution.wasStopped() ? STOPPED : "failed: " + why.getMessage();
         }
         return "failed: " + InternalError.report(title, why);
     }
@@ -87,7 +89,7 @@ public final class ScriptRun {
         return "line " + mistake.at().line();
     }
 
-    private void answer(String how) {
-        execution.send(Line.Kind.ANSWER, title + ": " + how);
+    private void answer(Line.Kind kind, String how) {
+        execution.send(kind, title + ": " + how);
     }
 }
