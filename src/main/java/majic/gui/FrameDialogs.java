@@ -3,6 +3,7 @@ package majic.gui;
 import java.awt.Window;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -32,7 +33,7 @@ final class FrameDialogs {
         this.session = session;
         this.services = services;
         this.tabs = tabs;
-        this.loader = new ActLoader(frame, session, channel);
+        this.loader = new ActLoader(frame, session, channel, services.settings());
     }
 
     void addBot() {
@@ -49,7 +50,7 @@ final class FrameDialogs {
     }
 
     void makeAct() {
-        open("Make Act", () -> new MakeActDialog(frame, session.offers()));
+        open("Make Act", () -> new MakeActDialog(frame, session.offers(), services.settings()));
     }
 
     void help() {
@@ -57,22 +58,28 @@ final class FrameDialogs {
     }
 
     void saveSession() {
-        ChooseFile.toSave(frame, "Save Session", "session.majic", file -> submit("save session ", file));
+        save("Save Session", "session.majic", "save session ");
     }
 
     void saveLog() {
-        ChooseFile.toSave(frame, "Save Log", "log.csv", file -> submit("save log ", file));
+        save("Save Log", "log.csv", "save log ");
+    }
+
+    private void save(String title, String suggestion, String command) {
+        ChooseFile.toSave(frame, services.settings(), title, suggestion, file -> save(command, file));
     }
 
     /**
-     * Submits a command with a file name, unless the name has a quotation mark, which the script language cannot write.
+     * Runs a command with a file name, unless the name has a quotation mark, which the script language cannot write.
+     * Blocks until the command has ended.
+     *
+     * @return why it failed; empty if it did not
      */
-    private void submit(String command, Path file) {
+    private Optional<String> save(String command, Path file) {
         if (file.toString().contains("\"")) {
-            frame.showError(file + ": a file whose name has a quotation mark in it cannot be used here");
-        } else {
-            frame.submit(command + '"' + file + '"');
+            return Optional.of(file + ": a file whose name has a quotation mark in it cannot be used here");
         }
+        return AwaitedLine.run(session, command + '"' + file + '"');
     }
 
     private void withRobots(Consumer<List<Member>> action) {

@@ -229,10 +229,29 @@ public final class TestWindow implements AutoCloseable {
 
     /** Chooses a file in the file chooser once it is shown, and presses its button. */
     void chooseFile(Path file) {
-        JFileChooserFixture chooser = new JFileChooserFixture(robot, awaitShowing("files", JFileChooser.class));
+        JFileChooserFixture chooser = fileChooser();
         chooser.fileNameTextBox().setText(file.toString());
         chooser.approve();
         robot.waitForIdle();
+    }
+
+    private JFileChooserFixture fileChooser() {
+        return new JFileChooserFixture(robot, awaitShowing("files", JFileChooser.class));
+    }
+
+    /** Returns the name in the file chooser. */
+    String fileName() {
+        return fileNameField().getText();
+    }
+
+    /** Returns the selected part of the name in the file chooser; empty if none is selected. */
+    String selectedFileName() {
+        String selected = fileNameField().getSelectedText();
+        return selected == null ? "" : selected;
+    }
+
+    private JTextComponent fileNameField() {
+        return fileChooser().fileNameTextBox().target();
     }
 
     boolean isEnabled(String name) {

@@ -4,6 +4,7 @@ import java.awt.Window;
 import java.util.List;
 import majic.act.file.ActFile;
 import majic.bot.BotException;
+import majic.bot.Settings;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
 import majic.script.ActOffer;
@@ -18,16 +19,19 @@ public final class ActLoader {
     private final Window owner;
     private final Session session;
     private final CommandChannel channel;
+    private final Settings settings;
 
-    public ActLoader(Window owner, Session session, CommandChannel channel) {
+    public ActLoader(Window owner, Session session, CommandChannel channel, Settings settings) {
         this.owner = owner;
         this.session = session;
         this.channel = channel;
+        this.settings = settings;
     }
 
     /** Starts with the choice of the act. */
     public void load(LoadTarget target) {
-        new ChooseActDialog(owner, session.offers(), target, offer -> askConsent(target, offer)).setVisible(true);
+        new ChooseActDialog(owner, session.offers(), settings, target, offer -> askConsent(target, offer))
+                .setVisible(true);
     }
 
     private void askConsent(LoadTarget target, ActOffer offer) {

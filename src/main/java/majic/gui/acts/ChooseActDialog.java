@@ -14,6 +14,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
+import majic.bot.Settings;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
@@ -30,6 +31,7 @@ final class ChooseActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private final transient ActOffers offers;
+    private final transient Settings settings;
     private final transient LoadTarget target;
     private final transient Consumer<ActOffer> chosen;
     private final DefaultListModel<ActEntry> entries = new DefaultListModel<>();
@@ -37,9 +39,10 @@ final class ChooseActDialog extends MajicDialog {
     private final ActSummary summary = new ActSummary();
     private final JButton load = button("Load Action", this::load);
 
-    ChooseActDialog(Window owner, ActOffers offers, LoadTarget target, Consumer<ActOffer> chosen) {
+    ChooseActDialog(Window owner, ActOffers offers, Settings settings, LoadTarget target, Consumer<ActOffer> chosen) {
         super(owner, "Choose Act");
         this.offers = offers;
+        this.settings = settings;
         this.target = target;
         this.chosen = chosen;
         fill(content(), load, closing("Cancel"));
@@ -68,9 +71,12 @@ final class ChooseActDialog extends MajicDialog {
                 "spanx 2, wrap");
         panel.add(new JScrollPane(list));
         panel.add(summary, "wmin 0, wrap");
-        panel.add(
-                button("From a file…", () -> ChooseFile.toOpen(getOwner(), "Choose", ChooseFile.ACTS, this::readFile)));
+        panel.add(button("From a file…", this::chooseFile));
         return panel;
+    }
+
+    private void chooseFile() {
+        ChooseFile.toOpen(getOwner(), settings, "Choose", ChooseFile.ACTS, this::readFile);
     }
 
     private void readAll() {

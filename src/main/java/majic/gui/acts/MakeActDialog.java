@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import majic.act.ActDetails;
 import majic.act.file.ActCatalog;
+import majic.bot.Settings;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.Confirm;
 import majic.gui.kit.EventThread;
@@ -25,6 +26,7 @@ public final class MakeActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private final transient ActOffers offers;
+    private final transient Settings settings;
     private final SuggestedField from = new SuggestedField("makeFrom");
     private final JComboBox<String> act = new JComboBox<>();
     private final SuggestedField name = new SuggestedField("makeName");
@@ -37,9 +39,10 @@ public final class MakeActDialog extends MajicDialog {
     private transient @Nullable ActSource source;
     private String looked = "";
 
-    public MakeActDialog(Window owner, ActOffers offers) {
+    public MakeActDialog(Window owner, ActOffers offers, Settings settings) {
         super(owner, "Make Act");
         this.offers = offers;
+        this.settings = settings;
         act.setName("makeAct");
         version.setName("makeVersion");
         author.setName("makeAuthor");
@@ -58,7 +61,7 @@ public final class MakeActDialog extends MajicDialog {
 
     private JPanel content() {
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 10 8", "[right][360::, grow, fill][]", ""));
-        row(panel, "Made of", from, button("Choose…", () -> ChooseFile.toMakeOf(getOwner(), this::chosen)));
+        row(panel, "Made of", from, button("Choose…", () -> ChooseFile.toMakeOf(getOwner(), settings, this::chosen)));
         row(panel, "Act", act, null);
         row(panel, "Name", name, null);
         row(panel, "Version", version, null);
@@ -85,7 +88,7 @@ public final class MakeActDialog extends MajicDialog {
     }
 
     private void chooseTarget() {
-        ChooseFile.toSave(getOwner(), "Save as", target.getText(), file -> target.setText(file.toString()));
+        ChooseFile.toName(getOwner(), settings, "Save as", target.getText(), file -> target.setText(file.toString()));
     }
 
     /** Finds the acts in the source, whenever another path was entered. */

@@ -1,17 +1,32 @@
 package majic.gui.kit;
 
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.io.File;
+import java.lang.System.Logger.Level;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import javax.swing.BorderFactory;
 import javax.swing.JFileChooser;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import majic.bot.BotException;
+import majic.bot.Settings;
 
-/** Asks for a file without blocking the window. */
+/** Asks for a file without blocking the window; starts in the folder where a file was chosen last. */
 public final class ChooseFile extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final String FOLDER = "window.folder";
 
     /** Accepts the files that Load Act can load. */
     public static final FileFilter ACTS =
@@ -21,53 +36,147 @@ public final class ChooseFile extends MajicDialog {
             "Classes, jars, sources and scripts (.class, .jar, .java, .majic)", "class", "jar", "java", "majic");
 
     private final JFileChooser chooser = new JFileChooser();
-    private final transient Consumer<Path> chosen;
+    private final Paragraph problem = new Paragraph("fileProblem", 2, 40);
+    private final transient Settings settings;
 
-    private ChooseFile(Window owner, String title, int type, Consumer<Path> chosen) {
+    private ChooseFile(Window owner, Settings settings, String title, int type) {
         super(owner, title);
-        this.chosen = chosen;
+        this.settings = settings;
+        settings.get(FOLDER).ifPresent(folder -> chooser.setCurrentDirectory(new File(folder)));
         chooser.setName("files");
         chooser.setDialogType(type);
         chooser.setApproveButtonText(title);
-        chooser.addActionListener(event -> ended(event.getActionCommand()));
-        setContentPane(chooser);
-        pack();
-        setLocationRelativeTo(owner);
+        problem.setBorder(BorderFactory.createEmptyBorder(0, 14, 14, 14));
+        problem.setVisible(false);
+        JPanel content = new JPanel(new BorderLayout());
+        content.add(chooser, BorderLayout.CENTER);
+        content.add(problem, BorderLayout.SOUTH);
+        setContentPane(content);
     }
 
     /** Asks which file to open; the title is also the button's text. */
-    public static void toOpen(Window owner, String title, FileFilter filter, Consumer<Path> chosen) {
-        ChooseFile dialog = new ChooseFile(owner, title, JFileChooser.OPEN_DIALOG, chosen);
+    public static void toOpen(Window owner, Settings settings, String title, FileFilter filter, Consumer<Path> chosen) {
+        ChooseFile dialog = new ChooseFile(owner, settings, title, JFileChooser.OPEN_DIALOG);
         dialog.chooser.setFileFilter(filter);
-        dialog.setVisible(true);
+        dialog.open(dialog.closingAfter(chosen));
     }
 
     /** Asks for the source of an act's file; a folder is accepted. */
-    public static void toMakeOf(Window owner, Consumer<Path> chosen) {
-        ChooseFile dialog = new ChooseFile(owner, "Choose", JFileChooser.OPEN_DIALOG, chosen);
+    public static void toMakeOf(Window owner, Settings settings, Consumer<Path> chosen) {
+        ChooseFile dialog = new ChooseFile(owner, settings, "Choose", JFileChooser.OPEN_DIALOG);
         dialog.chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
         dialog.chooser.setFileFilter(SOURCES);
-        dialog.setVisible(true);
+        dialog.open(dialog.closingAfter(chosen));
     }
 
-    /** Asks where to save, and asks again before an existing file is overwritten. */
-    public static void toSave(Window owner, String title, String suggestion, Consumer<Path> chosen) {
-        Consumer<Path> careful = file -> {
+    /** Asks for the name of a file that is written later. */
+    public static void toName(Window owner, Settings settings, String title, String suggestion, Consumer<Path> chosen) {
+        ChooseFile dialog = new ChooseFile(owner, settings, title, JFileChooser.SAVE_DIALOG);
+        dialog.suggest(suggestion);
+        dialog.open(dialog.afterConfirmation(dialog.closingAfter(chosen)));
+    }
+
+    /**
+     * Asks where to save, and asks again before an existing file is overwritten. The dialog stays open until the file
+     * is saved.
+     *
+     * @param save saves into the file; called in the background, may block; returns why it failed, empty if it did not
+     */
+    public static void toSave(
+            Window owner, Settings settings, String title, String suggestion, Function<Path, Optional<String>> save) {
+        ChooseFile dialog = new ChooseFile(owner, settings, title, JFileChooser.SAVE_DIALOG);
+        dialog.suggest(suggestion);
+        dialog.open(dialog.afterConfirmation(file -> dialog.save(file, save)));
+    }
+
+    private void open(Consumer<Path> approved) {
+        chooser.addActionListener(event -> {
+            if (event.getActionCommand().equals(JFileChooser.APPROVE_SELECTION)) {
+                approved.accept(chooser.getSelectedFile().toPath());
+            } else {
+                dispose();
+            }
+        });
+        pack();
+        setLocationRelativeTo(getOwner());
+        setVisible(true);
+    }
+
+    private Consumer<Path> closingAfter(Consumer<Path> chosen) {
+        return file -> {
+            chosen.accept(file);
+            close(file);
+        };
+    }
+
+    private Consumer<Path> afterConfirmation(Consumer<Path> chosen) {
+        return file -> {
             if (Files.exists(file)) {
-                Confirm.ask(owner, file + " exists. Overwrite it?", "Overwrite", () -> chosen.accept(file));
+                Confirm.ask(this, file + " exists. Overwrite it?", "Overwrite", () -> chosen.accept(file));
             } else {
                 chosen.accept(file);
             }
         };
-        ChooseFile dialog = new ChooseFile(owner, title, JFileChooser.SAVE_DIALOG, careful);
-        dialog.chooser.setSelectedFile(new File(suggestion));
-        dialog.setVisible(true);
     }
 
-    private void ended(String command) {
-        if (command.equals(JFileChooser.APPROVE_SELECTION)) {
-            chosen.accept(chooser.getSelectedFile().toPath());
-        }
+    private void save(Path file, Function<Path, Optional<String>> save) {
+        EventThread.background(
+                "saving " + file,
+                () -> {
+                    Optional<String> failure = save.apply(file);
+                    EventThread.later(() -> failure.ifPresentOrElse(this::showProblem, () -> close(file)));
+                },
+                this::showProblem);
+    }
+
+    private void showProblem(String reason) {
+        problem.show(reason, true);
+        problem.setVisible(true);
+        pack();
+    }
+
+    /** Closes the dialog; the next one starts in the folder of this file. */
+    private void close(Path file) {
         dispose();
+        Path folder = file.toAbsolutePath().getParent();
+        if (folder != null) {
+            EventThread.background("remembering the folder", () -> remember(folder));
+        }
+    }
+
+    private void remember(Path folder) {
+        try {
+            settings.put(FOLDER, folder.toString());
+        } catch (BotException e) {
+            System.getLogger(ChooseFile.class.getName())
+                    .log(Level.DEBUG, "the folder is not remembered after the end", e);
+        }
+    }
+
+    /** Suggests a name, with its part before the ending selected, so that typing replaces it. */
+    private void suggest(String name) {
+        File file = new File(name);
+        chooser.setSelectedFile(file);
+        int dot = file.getName().lastIndexOf('.');
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                textFields(chooser).findFirst().ifPresent(field -> {
+                    field.requestFocusInWindow();
+                    field.select(0, dot < 0 ? file.getName().length() : dot);
+                });
+            }
+        });
+    }
+
+    private static Stream<JTextField> textFields(Container container) {
+        return Stream.of(container.getComponents()).flatMap(ChooseFile::textFieldsIn);
+    }
+
+    private static Stream<JTextField> textFieldsIn(Component component) {
+        if (component instanceof JTextField field) {
+            return Stream.of(field);
+        }
+        return component instanceof Container container ? textFields(container) : Stream.empty();
     }
 }

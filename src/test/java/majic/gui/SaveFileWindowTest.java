@@ -1,0 +1,54 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import javax.swing.JFileChooser;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Tag("jdk")
+@Timeout(60)
+class SaveFileWindowTest {
+    @TempDir
+    private Path folder;
+
+    @AutoClose
+    private final TestWindow window = TestWindow.open();
+
+    @Test
+    void typingReplacesTheSuggestedNameAndKeepsItsEnding() {
+        window.click("Save Session");
+        window.awaitShowing("files", JFileChooser.class);
+        window.await("the suggested name", () -> window.selectedFileName().equals("session"));
+        window.type("lap");
+        assertThat(window.fileName()).isEqualTo("lap.majic");
+    }
+
+    @Test
+    void theDialogStaysOpenUntilTheFileIsSaved() {
+        window.click("Save Session");
+        window.chooseFile(folder.resolve("missing").resolve("lap.majic"));
+        window.await("the reason", () -> window.text("fileProblem").contains("cannot be written"));
+        assertThat(window.isShowing("files")).isTrue();
+
+        window.chooseFile(folder.resolve("lap.majic"));
+        window.await("the dialog to close", () -> !window.isShowing("files"));
+        assertThat(folder.resolve("lap.majic")).isRegularFile();
+    }
+
+    @Test
+    void theNextDialogStartsInTheFolderOfTheLastFile() {
+        window.click("Save Session");
+        window.chooseFile(folder.resolve("lap.majic"));
+        window.await(
+                "the folder to be stored",
+                () -> window.settings.get("window.folder").isPresent());
+        window.click("Save Log");
+        JFileChooser chooser = window.awaitShowing("files", JFileChooser.class);
+        window.run(() -> assertThat(chooser.getCurrentDirectory()).isEqualTo(folder.toFile()));
+    }
+}
