@@ -101,7 +101,7 @@ public final class TestWindow implements AutoCloseable {
                 .toList());
     }
 
-    <T extends Component> T find(String name, Class<T> kind) {
+    public <T extends Component> T find(String name, Class<T> kind) {
         return robot.finder().findByName(name, kind, false);
     }
 
@@ -200,7 +200,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Runs an action on the event dispatch thread. */
-    void run(Runnable action) {
+    public void run(Runnable action) {
         GuiActionRunner.execute(action::run);
         robot.waitForIdle();
     }

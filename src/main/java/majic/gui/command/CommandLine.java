@@ -26,6 +26,7 @@ public final class CommandLine extends JTextField {
     private final transient MajicParser parser;
     private final transient Consumer<String> hint;
     private final transient History history = new History();
+    private final transient KeysHeldElsewhere heldKeys = new KeysHeldElsewhere(this);
 
     /**
      * Creates an empty line.
@@ -46,6 +47,18 @@ public final class CommandLine extends JTextField {
         bind(KeyEvent.VK_TAB, "complete", this::complete);
         bind(KeyEvent.VK_ESCAPE, "unmark", this::unmark);
         getDocument().addDocumentListener(new Mending());
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        heldKeys.install();
+    }
+
+    @Override
+    public void removeNotify() {
+        heldKeys.remove();
+        super.removeNotify();
     }
 
     private void bind(int key, String name, Runnable action) {

@@ -2,6 +2,8 @@ package majic.gui.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.Component;
 import java.awt.event.KeyEvent;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
@@ -54,6 +56,39 @@ class CommandLineWindowTest {
         window.focus("commandLine");
         window.type(" ");
         window.await("the line to be mended", () -> window.text("commandLine").equals("1 act Nowhere "));
+    }
+
+    @Test
+    void anArrowKeyHeldFromDrivingRecallsNoLine() {
+        window.command("1 move 10");
+        window.focus("drivePad1");
+        arrow("drivePad1", KeyEvent.KEY_PRESSED, 1000);
+        window.focus("commandLine");
+        arrow("commandLine", KeyEvent.KEY_RELEASED, 1500);
+        arrow("commandLine", KeyEvent.KEY_PRESSED, 1501);
+        assertThat(window.text("commandLine")).isEmpty();
+
+        arrow("commandLine", KeyEvent.KEY_RELEASED, 1530);
+        arrow("commandLine", KeyEvent.KEY_PRESSED, 1700);
+        assertThat(window.text("commandLine")).isEqualTo("1 move 10");
+    }
+
+    /** Dispatches an event of the arrow key Up as the system does while the key repeats. */
+    private void arrow(String name, int event, long whenMs) {
+        Component component = window.find(name, Component.class);
+        window.run(() -> component.dispatchEvent(
+                new KeyEvent(component, event, whenMs, 0, KeyEvent.VK_UP, KeyEvent.CHAR_UNDEFINED)));
+    }
+
+    @Test
+    void whatIsTypedIsKeptWhenTheLookChangesAndTheFocusReturns() {
+        window.focus("commandLine");
+        window.type("3 mov");
+        window.run(FlatLaf::updateUI);
+        window.focus("drivePad1");
+        window.focus("commandLine");
+        window.type("e 50");
+        assertThat(window.text("commandLine")).isEqualTo("3 move 50");
     }
 
     @Test
