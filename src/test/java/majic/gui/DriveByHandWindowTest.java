@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.awt.event.KeyEvent;
 import majic.bot.BotException;
 import majic.gui.command.CommandLine;
+import majic.team.Owner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -71,6 +72,45 @@ class DriveByHandWindowTest {
         window.hold(KeyEvent.VK_UP);
         window.awaitMessage("STOP is latched; \"release\" allows motion again");
         assertThat(bot.told).doesNotContain(AHEAD);
+    }
+
+    @Test
+    void whileStopIsLatchedThePadLooksDisabledAndShowsWhy() {
+        window.team.stopAll();
+        awaitHint("STOP is latched");
+        assertThat(window.isEnabled("drive LEFT")).isFalse();
+        window.team.release();
+        awaitHint("Click here to drive");
+        assertThat(window.isEnabled("drive LEFT")).isTrue();
+    }
+
+    @Test
+    void whileAnActRunsThePadLooksDisabledAndShowsWhy() {
+        Owner act = new Owner(Owner.Kind.ACT, "Wander", () -> {});
+        window.team.member(1).claim(act);
+        awaitHint("Wander");
+        assertThat(window.isEnabled("drive LEFT")).isFalse();
+        window.team.member(1).free(act);
+        awaitHint("Click here to drive");
+    }
+
+    @Test
+    void withoutAConnectionThePadLooksDisabledAndShowsWhy() {
+        bot.loseLink();
+        awaitHint("connection lost");
+        assertThat(window.isEnabled("drive LEFT")).isFalse();
+    }
+
+    @Test
+    void whileItDrivesThePadLooksUsable() {
+        holdUp();
+        window.await("the drive to be shown", () -> window.text("condition1").contains("driven by hand"));
+        assertThat(window.isEnabled("drive LEFT")).isTrue();
+    }
+
+    private void awaitHint(String part) {
+        window.await(
+                "the hint \"" + part + "\"", () -> window.text("driveHint1").contains(part));
     }
 
     private void holdUp() {

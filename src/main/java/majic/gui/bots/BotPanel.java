@@ -26,6 +26,7 @@ final class BotPanel extends JPanel {
 
     private final transient Member member;
     private final StatusStrip strip;
+    private final DrivePad pad;
     private final transient UpdateThrottle throttle;
     private final transient BotListener listener = new ChangeListener();
 
@@ -40,13 +41,15 @@ final class BotPanel extends JPanel {
         this.member = member;
         setName("bot" + member.number());
         strip = new StatusStrip(team, member, channel);
+        pad = new DrivePad(member, channel::showError);
         throttle = new UpdateThrottle(() -> {
             strip.update();
+            pad.update();
             changed.run();
         });
         add(strip, BorderLayout.NORTH);
         add(display(), BorderLayout.CENTER);
-        add(new DrivePad(member, channel::showError), BorderLayout.SOUTH);
+        add(pad, BorderLayout.SOUTH);
         member.bot().addListener(listener);
     }
 
@@ -54,7 +57,7 @@ final class BotPanel extends JPanel {
         return member;
     }
 
-    /** Schedules an update of the strip; callable from any thread. */
+    /** Schedules an update of strip and pad; callable from any thread. */
     void changed() {
         throttle.changed();
     }

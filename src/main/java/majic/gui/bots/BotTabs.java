@@ -98,6 +98,15 @@ public final class BotTabs extends JPanel implements TeamListener {
 
     @Override
     public void stopStatusChanged(StopStatus then) {
+        allChanged();
+    }
+
+    @Override
+    public void latchChanged(boolean latched) {
+        allChanged();
+    }
+
+    private void allChanged() {
         IntStream.range(0, tabs.getTabCount()).forEach(index -> panel(index).changed());
     }
 

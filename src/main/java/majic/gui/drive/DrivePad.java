@@ -8,6 +8,8 @@ import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -16,29 +18,64 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.gui.kit.BotStatus;
+import majic.gui.kit.PlainLabel;
 import majic.team.Member;
+import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
 
 /**
  * Drives one robot manually while an arrow key is held and the pad has the focus, or while the mouse is pressed on an
- * arrow. Releasing the key or button stops the robot; so does losing the focus or being hidden.
+ * arrow. Releasing the key or button stops the robot; so does losing the focus or being hidden. While the robot cannot be
+ * driven, the pad looks disabled and shows why.
  */
 public final class DrivePad extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int FULL_SPEED_PERCENT = 100;
 
+    private final transient Member member;
     private final transient ManualDriver driver;
-    private final JLabel hint = new JLabel();
+    private final Map<JButton, String> arrows = new LinkedHashMap<>();
+    private final JLabel hint = new PlainLabel("", "");
+    private String obstacle = "";
 
     public DrivePad(Member member, Consumer<String> errors) {
         super(new MigLayout("insets 6 10 6 10, gap 4 4", "[][][]16[grow, fill]", "[][]"));
+        this.member = member;
         driver = new ManualDriver(member, errors, () -> System.nanoTime() / 1_000_000);
         setName("drivePad" + member.number());
         setFocusable(true);
         getAccessibleContext().setAccessibleName("Drive robot " + member.number() + " by hand");
+        hint.setName("driveHint" + member.number());
         placeArrows();
         listen();
-        showFocus(false);
+        showState(false);
+        update();
+    }
+
+    /** Shows whether the robot can be driven now, and if not, why. */
+    public void update() {
+        obstacle = obstacle();
+        showState(isFocusOwner());
+    }
+
+    /** Returns why the robot cannot be driven by hand now; empty if it can be, or is. */
+    private String obstacle() {
+        if (member.bot().connection() != MajicBot.Connection.CONNECTED) {
+            return BotStatus.condition(member);
+        }
+        Owner owner = member.owner();
+        if (owner != null && owner.kind() == Owner.Kind.MANUAL) {
+            return "";
+        }
+        try {
+            member.check(true, null);
+            return "";
+        } catch (BotException e) {
+            return String.valueOf(e.getMessage());
+        }
     }
 
     private void placeArrows() {
@@ -56,7 +93,7 @@ public final class DrivePad extends JPanel {
         button.setName("drive " + direction);
         button.setFocusable(false);
         button.setPreferredSize(new Dimension(44, 30));
-        button.setToolTipText("Hold to drive: " + name);
+        arrows.put(button, "Hold to drive: " + name);
         button.getAccessibleContext().setAccessibleName("Drive " + name);
         button.addMouseListener(new MouseAdapter() {
             @Override
@@ -94,13 +131,13 @@ public final class DrivePad extends JPanel {
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {
-                showFocus(true);
+                showState(true);
             }
 
             @Override
             public void focusLost(FocusEvent event) {
                 driver.stopDriving();
-                showFocus(false);
+                showState(false);
             }
         });
         addHierarchyListener(change -> {
@@ -115,12 +152,20 @@ public final class DrivePad extends JPanel {
     public void updateUI() {
         super.updateUI();
         if (hint != null) {
-            showFocus(isFocusOwner());
+            showState(isFocusOwner());
         }
     }
 
-    private void showFocus(boolean focused) {
-        hint.setText(focused ? "Hold an arrow key to drive, let go to stop" : "Click here to drive by arrow keys");
+    private void showState(boolean focused) {
+        boolean usable = obstacle.isEmpty();
+        String advice = focused ? "Hold an arrow key to drive, let go to stop" : "Click here to drive by arrow keys";
+        hint.setText(usable ? advice : obstacle);
+        hint.setToolTipText(usable ? null : obstacle);
+        hint.setEnabled(usable);
+        arrows.forEach((arrow, tip) -> {
+            arrow.setEnabled(usable);
+            arrow.setToolTipText(usable ? tip : obstacle);
+        });
         setBorder(BorderFactory.createLineBorder(
                 UIManager.getColor(focused ? "Component.focusedBorderColor" : "Component.borderColor"),
                 focused ? 2 : 1));
