@@ -37,7 +37,8 @@ class JavaOnPagesTest {
 
     /** The names that the pages explain in words, and that their code uses. */
     private static final String METHOD = "public class Fragment { static boolean userAgrees(List<String> text) {"
-            + " return true; } public static void run(BotEnvironment environment, majic.bot.BotAddress address, Settings settings, Path path,"
+            + " return true; } public static void run(BotEnvironment environment,"
+            + " majic.bot.BotAddress address, Settings settings, Path path,"
             + " majicsim.Lab lab) throws Exception { ";
 
     private static final String ACT = "public class Fragment extends MajicAct { @Override protected void behave() {} ";
