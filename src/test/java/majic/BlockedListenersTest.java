@@ -1,6 +1,7 @@
 package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.Mockito.mock;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -9,14 +10,12 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import majic.bot.BotListener;
-import majic.bot.BotState;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Settings;
 import majic.program.Plugins;
 import majic.simulation.SimulatedLab;
-import majic.team.Answer;
 import majic.team.BotFactory;
 import majic.team.QueuedCommand;
 import majic.team.Team;
@@ -41,27 +40,12 @@ class BlockedListenersTest {
         }
     }
 
-    /** Blocks at every notification. */
-    private final class Blocked implements BotListener, TeamListener {
-        @Override
-        public void stateChanged(MajicBot bot, BotState state) {
+    /** Creates a listener each of whose methods blocks until the test is over. */
+    private <T> T blocked(Class<T> listener) {
+        return mock(listener, call -> {
             blockForEver();
-        }
-
-        @Override
-        public void notice(MajicBot bot, String message) {
-            blockForEver();
-        }
-
-        @Override
-        public void answered(Answer answer) {
-            blockForEver();
-        }
-
-        @Override
-        public void latchChanged(boolean latched) {
-            blockForEver();
-        }
+            return null;
+        });
     }
 
     @Test
@@ -84,8 +68,8 @@ class BlockedListenersTest {
             while (!allMoved(start, lab.truePoses())) {
                 lab.time().sleep(0.1);
             }
-            team.members().forEach(member -> member.bot().addListener(new Blocked()));
-            team.addListener(new Blocked());
+            team.members().forEach(member -> member.bot().addListener(blocked(BotListener.class)));
+            team.addListener(blocked(TeamListener.class));
             lab.time().sleep(0.3);
 
             team.stopAll();

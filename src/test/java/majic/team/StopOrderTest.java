@@ -1,8 +1,8 @@
 package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.Mockito.mock;
 
-import java.util.Collection;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
@@ -11,9 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotListener;
-import majic.bot.BotState;
 import majic.bot.FakeBot;
-import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.Permit;
 import majic.bot.Unit;
@@ -57,55 +55,12 @@ class StopOrderTest {
         }
     }
 
-    /** Blocks in each callback that a stop leads to. */
-    private final class BlockedTeamListener implements TeamListener {
-        @Override
-        public void answered(Answer answer) {
+    /** Creates a listener each of whose methods blocks until the test is over. */
+    private <T> T blocked(Class<T> listener) {
+        return mock(listener, call -> {
             blockForEver();
-        }
-
-        @Override
-        public void ownerChanged(Member member) {
-            blockForEver();
-        }
-
-        @Override
-        public void stopped(Collection<Member> members, long atNanos) {
-            blockForEver();
-        }
-
-        @Override
-        public void latchChanged(boolean latched) {
-            blockForEver();
-        }
-
-        @Override
-        public void lost(Member member, String reason) {
-            blockForEver();
-        }
-
-        @Override
-        public void noticed(int robot, String message) {
-            blockForEver();
-        }
-    }
-
-    /** Blocks in each callback of a robot. */
-    private final class BlockedBotListener implements BotListener {
-        @Override
-        public void stateChanged(MajicBot bot, BotState state) {
-            blockForEver();
-        }
-
-        @Override
-        public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
-            blockForEver();
-        }
-
-        @Override
-        public void notice(MajicBot bot, String message) {
-            blockForEver();
-        }
+            return null;
+        });
     }
 
     private static void awaitSent(String command, FakeBot... bots) {
@@ -141,7 +96,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDelaysNoByteOfStopAllNorItsCaller() {
         moveBothWithACommandWaiting();
-        team.addListener(new BlockedTeamListener());
+        team.addListener(blocked(TeamListener.class));
 
         team.stopAll();
 
@@ -151,7 +106,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDelaysNoByteOfAStopNorItsCaller() {
         moveBothWithACommandWaiting();
-        team.addListener(new BlockedTeamListener());
+        team.addListener(blocked(TeamListener.class));
 
         team.stop(team.members(), null);
 
@@ -161,7 +116,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDelaysNoByteOfTheTeamsEnd() {
         moveBothWithACommandWaiting();
-        team.addListener(new BlockedTeamListener());
+        team.addListener(blocked(TeamListener.class));
 
         aside(team::close);
 
@@ -171,7 +126,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDelaysNoByteToARobotThatIsRemoved() {
         moveBothWithACommandWaiting();
-        team.addListener(new BlockedTeamListener());
+        team.addListener(blocked(TeamListener.class));
 
         aside(() -> team.remove(1));
 
@@ -192,7 +147,7 @@ class StopOrderTest {
         List<String> ended = new CopyOnWriteArrayList<>();
         team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", this::blockForEver));
         team.member(2).claim(new Owner(Owner.Kind.ACT, "Guard", () -> ended.add("Guard")));
-        team.addListener(new BlockedTeamListener());
+        team.addListener(blocked(TeamListener.class));
 
         team.stopAll();
 
@@ -201,7 +156,7 @@ class StopOrderTest {
 
     @Test
     void aRobotsListenerThatBlocksDelaysNoByteToIt() {
-        first.addListener(new BlockedBotListener());
+        first.addListener(blocked(BotListener.class));
         first.sendDrivesThrough(() -> first.notice("motors on"));
         aside(() -> first.drive(100, 0));
         awaitSent("drive 100 0", first);
@@ -213,7 +168,7 @@ class StopOrderTest {
 
     @Test
     void aRobotsListenerThatBlocksDelaysNoClosing() {
-        first.addListener(new BlockedBotListener());
+        first.addListener(blocked(BotListener.class));
 
         aside(first::close);
 
@@ -222,7 +177,7 @@ class StopOrderTest {
 
     @Test
     void aDriveExpiresThoughAListenerBlocksTheRobotsTimer() {
-        first.addListener(new BlockedBotListener());
+        first.addListener(blocked(BotListener.class));
         first.every("report", 0.01, () -> first.tell("voltage", Value.of(11, Unit.V)));
 
         first.drive(100, 0);
@@ -235,7 +190,7 @@ class StopOrderTest {
         CompletableFuture<MotionReport> move =
                 CompletableFuture.supplyAsync(() -> first.move(3000), task -> new Thread(task).start());
         awaitSent("move 3000", first);
-        first.addListener(new BlockedBotListener());
+        first.addListener(blocked(BotListener.class));
 
         aside(first::cut);
 
@@ -248,8 +203,8 @@ class StopOrderTest {
         Permit lease = new Permit();
         Owner act = new Owner(Owner.Kind.ACT, "Guard", () -> ended.add("Guard"));
         team.members().forEach(member -> member.lend(act, lease, null));
-        first.addListener(new BlockedBotListener());
-        team.addListener(new BlockedTeamListener());
+        first.addListener(blocked(BotListener.class));
+        team.addListener(blocked(TeamListener.class));
 
         aside(first::cut);
 
