@@ -3,9 +3,12 @@ package majic;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.ArgumentMatchers.contains;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.verify;
 
 import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.BotException;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
@@ -82,16 +85,11 @@ class AnyHemissonInLabTest {
     void aDancingRobotCausesAWarningAndItsMotionEndsWithTheReason() throws Exception {
         try (LabRig rig = LabRig.exactWithHemisson("kteam+switches=1011+overrun")) {
             MajicBot bot = rig.session().factory().create("sim:hemisson");
-            List<String> notices = new CopyOnWriteArrayList<>();
-            bot.addListener(new BotListener() {
-                @Override
-                public void notice(MajicBot who, String message) {
-                    notices.add(message);
-                }
-            });
+            BotListener listener = mock();
+            bot.addListener(listener);
             bot.connect();
 
-            assertThat(notices).anyMatch(notice -> notice.contains("[1, 0, 1, 1]"));
+            verify(listener).notice(any(), contains("[1, 0, 1, 1]"));
             assertThatThrownBy(() -> bot.move(500))
                     .isInstanceOf(BotException.class)
                     .hasMessageContaining("mode \"dance\"")

@@ -2,17 +2,17 @@ package majic.aibo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.verify;
 
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 import majic.aibo.urbi.LinkTransport;
 import majic.aibo.urbi.UrbiConnection;
-import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.bot.LinkLost;
 import majic.driver.RobotWait;
@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Timeout;
 /** Binaries to a server, also to one that goes away or takes no more in the middle of one. */
 @Timeout(30)
 class UploadTest {
-    private final List<String> broken = new CopyOnWriteArrayList<>();
+    private final UrbiConnection.Owner owner = mock();
     private ServerSocket server;
     private UrbiConnection connection;
     private Socket peer;
@@ -38,15 +38,7 @@ class UploadTest {
                 "sensors",
                 new LinkTransport(
                         Links.of("//127.0.0.1:" + server.getLocalPort(), AiboType.PORT, 0), TimeSource.system()),
-                new UrbiConnection.Owner() {
-                    @Override
-                    public void received(UrbiMessage message) {}
-
-                    @Override
-                    public void broken(UrbiConnection from, String why) {
-                        broken.add(why);
-                    }
-                },
+                owner,
                 new RobotWait(TimeSource.system(), TimeSource.system().signal()));
         connection.open(1000);
         peer = server.accept();
@@ -95,7 +87,7 @@ class UploadTest {
                 .hasMessageContaining("takes no more data");
 
         assertThatThrownBy(() -> connection.send("stop x;")).isInstanceOf(LinkLost.class);
-        assertThat(broken).hasSize(1);
+        verify(owner).broken(any(), any());
     }
 
     @Test

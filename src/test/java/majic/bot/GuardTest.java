@@ -2,8 +2,11 @@ package majic.bot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mockito.Mockito.doReturn;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.verify;
+import static org.mockito.Mockito.when;
 
-import java.util.ArrayList;
 import java.util.List;
 import majic.TestClock;
 import org.junit.jupiter.api.AutoClose;
@@ -36,44 +39,24 @@ class GuardTest {
     void oneThatWatchesAnotherRobotTakesNoneOfItsNotices() {
         FakeBot other = FakeBot.on(clock.time());
         other.connect();
-        Guard watchesOther = new Guard() {
-            @Override
-            public boolean reached() {
-                other.notice("the switches are wrong");
-                return true;
-            }
-
-            @Override
-            public List<MajicBot> alsoWatches() {
-                return List.of(other);
-            }
-        };
-        List<String> heard = new ArrayList<>();
+        Guard watchesOther = mock();
+        doReturn(List.of(other)).when(watchesOther).alsoWatches();
+        when(watchesOther.reached()).then(call -> {
+            other.notice("the switches are wrong");
+            return true;
+        });
+        BotListener listener = mock();
 
         bot.move(500, watchesOther);
-        other.addListener(new BotListener() {
-            @Override
-            public void notice(MajicBot from, String message) {
-                heard.add(message);
-            }
-        });
+        other.addListener(listener);
 
-        assertThat(heard).containsExactly("the switches are wrong");
+        verify(listener).notice(other, "the switches are wrong");
     }
 
     @Test
     void oneThatCannotSayWhatItWatchesHoldsUpNoLaterMotion() {
-        Guard broken = new Guard() {
-            @Override
-            public boolean reached() {
-                return false;
-            }
-
-            @Override
-            public List<MajicBot> alsoWatches() {
-                throw new IllegalStateException("a mistake");
-            }
-        };
+        Guard broken = mock();
+        when(broken.alsoWatches()).thenThrow(new IllegalStateException("a mistake"));
 
         assertThatThrownBy(() -> bot.move(500, broken)).hasMessage("a mistake");
         assertThat(bot.isBusy()).isFalse();

@@ -1,9 +1,12 @@
 package majic.bot;
 
-import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.ArgumentMatchers.eq;
+import static org.mockito.Mockito.doThrow;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.verify;
+import static org.mockito.Mockito.verifyNoInteractions;
 
-import java.util.ArrayList;
-import java.util.List;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.Test;
@@ -11,67 +14,48 @@ import org.junit.jupiter.api.Test;
 /** Tests which listeners receive the notices of a robot, and when. */
 class ListenersTest {
     private final Listeners listeners = new Listeners(FakeBot.on(TimeSource.system()), TimeSource.system());
-    private final List<String> first = new ArrayList<>();
-    private final List<String> second = new ArrayList<>();
+    private final BotListener first = mock();
+    private final BotListener second = mock();
 
     @Test
     void aNoticeBeforeThereIsAListenerIsKeptForTheFirst() {
         listeners.notice("the switches are wrong");
-        listeners.add(into(first));
-        listeners.add(into(second));
+        listeners.add(first);
+        listeners.add(second);
 
-        assertThat(first).containsExactly("the switches are wrong");
-        assertThat(second).isEmpty();
+        verify(first).notice(any(), eq("the switches are wrong"));
+        verifyNoInteractions(second);
     }
 
     @Test
     void laterNoticesReachAllListeners() {
-        listeners.add(into(first));
-        listeners.add(into(second));
+        listeners.add(first);
+        listeners.add(second);
         listeners.notice("it stands");
 
-        assertThat(first).containsExactly("it stands");
-        assertThat(second).containsExactly("it stands");
+        verify(first).notice(any(), eq("it stands"));
+        verify(second).notice(any(), eq("it stands"));
     }
 
     @Test
     void aListenerThatFailsDoesNotKeepOthersFromBeingCalled() {
-        listeners.add(new BotListener() {
-            @Override
-            public void notice(MajicBot bot, String message) {
-                throw new IllegalStateException("a bad listener");
-            }
-        });
-        listeners.add(into(first));
+        doThrow(new IllegalStateException("a bad listener")).when(first).notice(any(), any());
+        listeners.add(first);
+        listeners.add(second);
         listeners.notice("it stands");
 
-        assertThat(first).containsExactly("it stands");
+        verify(second).notice(any(), eq("it stands"));
     }
 
     @Test
     void aListenerReceivesNoEventFromBeforeItWasAdded() {
-        List<MajicBot.Connection> received = new ArrayList<>();
         WaitPolicy.without(() -> {
             listeners.connectionChanged(MajicBot.Connection.CONNECTED);
             listeners.deliver();
         });
-        listeners.add(new BotListener() {
-            @Override
-            public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
-                received.add(connection);
-            }
-        });
+        listeners.add(first);
         listeners.deliver();
 
-        assertThat(received).isEmpty();
-    }
-
-    private static BotListener into(List<String> heard) {
-        return new BotListener() {
-            @Override
-            public void notice(MajicBot bot, String message) {
-                heard.add(message);
-            }
-        };
+        verifyNoInteractions(first);
     }
 }

@@ -1,97 +1,96 @@
 package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.ArgumentMatchers.anyInt;
+import static org.mockito.ArgumentMatchers.assertArg;
+import static org.mockito.Mockito.doAnswer;
+import static org.mockito.Mockito.doThrow;
+import static org.mockito.Mockito.inOrder;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.never;
+import static org.mockito.Mockito.timeout;
+import static org.mockito.Mockito.verify;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import majic.time.WaitPolicy;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.mockito.InOrder;
 
 /** The effect of errors in a reader on its link. */
 @Timeout(20)
 class LinkReaderTest {
-    private final List<String> received = new CopyOnWriteArrayList<>();
-    private final List<String> ends = new CopyOnWriteArrayList<>();
-    private final CountDownLatch ended = new CountDownLatch(1);
+    private final LinkHandler<String> handler = mock();
 
-    /** Each chunk is one message. */
-    private class Chunks implements LinkHandler<String> {
-        @Override
-        public void decode(byte[] bytes, int count, Consumer<String> messages) {
-            messages.accept(new String(bytes, 0, count, StandardCharsets.US_ASCII));
-        }
-
-        @Override
-        public void received(String message) {
-            received.add(message);
-        }
-
-        @Override
-        public void ended(IOException cause) {
-            ends.add(cause.getMessage());
-            ended.countDown();
-        }
+    @BeforeEach
+    void takeEachChunkAsOneMessage() {
+        doAnswer(call -> {
+                    byte[] bytes = call.getArgument(0);
+                    int count = call.getArgument(1);
+                    Consumer<String> messages = call.getArgument(2);
+                    messages.accept(new String(bytes, 0, count, StandardCharsets.US_ASCII));
+                    return null;
+                })
+                .when(handler)
+                .decode(any(), anyInt(), any());
     }
 
     @Test
-    void everyMessageIsReceivedAndThenTheEnd() throws InterruptedException {
-        read(new Chunks());
+    void everyMessageIsReceivedAndThenTheEnd() {
+        readUntil("the robot closed it");
 
-        assertThat(received).containsExactly("a", "b", "c");
-        assertThat(ends).containsExactly("the robot closed it");
+        assertReceivesAllInOrder();
     }
 
     @Test
-    void anErrorOverOneMessageIsLoggedAndTheNextMessageIsReceived() throws InterruptedException {
-        read(new Chunks() {
-            @Override
-            public void received(String message) {
-                switch (message) {
-                    case "a" -> throw new IllegalStateException("a report that was misread");
-                    case "b" -> throw new StackOverflowError();
-                    default -> super.received(message);
-                }
-            }
-        });
+    void anErrorOverOneMessageIsLoggedAndTheNextMessageIsReceived() {
+        doThrow(new IllegalStateException("a report that was misread"))
+                .when(handler)
+                .received("a");
+        doThrow(new StackOverflowError()).when(handler).received("b");
 
-        assertThat(received).containsExactly("c");
-        assertThat(ends).containsExactly("the robot closed it");
+        readUntil("the robot closed it");
+
+        assertReceivesAllInOrder();
     }
 
     @Test
-    void anErrorInDecodingEndsTheLink() throws InterruptedException {
-        read(new Chunks() {
-            @Override
-            public void decode(byte[] bytes, int count, Consumer<String> messages) {
-                throw new OutOfMemoryError("made up");
-            }
-        });
+    void anErrorInDecodingEndsTheLink() {
+        doThrow(new OutOfMemoryError("made up")).when(handler).decode(any(), anyInt(), any());
 
-        assertThat(received).isEmpty();
-        assertThat(ends).containsExactly("an error in MAJIC, see its log");
+        readUntil("an error in MAJIC, see its log");
+
+        verify(handler, never()).received(any());
     }
 
     @Test
-    void aHandlerRunsWithoutPermissionToWait() throws InterruptedException {
+    void aHandlerRunsWithoutPermissionToWait() {
         List<Boolean> mayWait = new CopyOnWriteArrayList<>();
-        read(new Chunks() {
-            @Override
-            public void received(String message) {
-                mayWait.add(WaitPolicy.isAllowed());
-            }
-        });
+        doAnswer(call -> mayWait.add(WaitPolicy.isAllowed())).when(handler).received(any());
+
+        readUntil("the robot closed it");
 
         assertThat(mayWait).containsExactly(false, false, false);
     }
 
-    private void read(LinkHandler<String> handler) throws InterruptedException {
+    private void readUntil(String end) {
         ReplayLink link = new ReplayLink(new byte[] {'a'}, new byte[] {'b'}, new byte[] {'c'});
         new LinkReader<>(link, "the robot closed it", handler).start("test reader");
-        ended.await();
+        verify(handler, timeout(10_000))
+                .ended(assertArg(cause -> assertThat(cause).hasMessage(end)));
+    }
+
+    private void assertReceivesAllInOrder() {
+        InOrder order = inOrder(handler);
+        for (String message : List.of("a", "b", "c")) {
+            order.verify(handler).received(message);
+        }
+        order.verify(handler).ended(any());
+        order.verifyNoMoreInteractions();
     }
 }

@@ -1,12 +1,11 @@
 package majic.hemisson;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.Mockito.mock;
 
-import java.io.IOException;
 import majic.bot.BotEnvironment;
 import majic.driver.RobotWait;
 import majic.hemisson.line.Conversation;
-import majic.hemisson.line.ConversationListener;
 import majic.hemisson.line.CurrentSession;
 import majic.hemisson.line.Exchange;
 import majic.hemisson.line.HemissonSession;
@@ -30,24 +29,9 @@ class StopConfirmationTest {
             sessions, new RobotWait(environment.time(), environment.time().signal()), () -> false, () -> null);
     private Conversation conversation;
 
-    /** Ignores all events. */
-    private static final class Ignored implements ConversationListener {
-        @Override
-        public void answered(Exchange exchange) {}
-
-        @Override
-        public void missed(Exchange exchange, boolean inMotion) {}
-
-        @Override
-        public void wasReset() {}
-
-        @Override
-        public void broken(IOException cause) {}
-    }
-
     @BeforeEach
     void stopOnce() {
-        HemissonSession session = sessions.open(new Ignored());
+        HemissonSession session = sessions.open(mock());
         session.start();
         conversation = session.conversation();
         conversation.mayBeDeafened(false);

@@ -2,6 +2,9 @@ package majic.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.timeout;
+import static org.mockito.Mockito.verify;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -15,7 +18,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CountDownLatch;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import majic.Loopback;
@@ -66,21 +68,14 @@ class PluginsTest {
         BotFactory factory = new BotFactory(Plugins.types(folder), Settings.inMemory());
         try (ServerSocket server = Loopback.listen();
                 MajicBot cart = factory.create("cart://127.0.0.1:" + server.getLocalPort())) {
-            CountDownLatch lost = new CountDownLatch(1);
-            cart.addListener(new BotListener() {
-                @Override
-                public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
-                    if (connection == MajicBot.Connection.LOST) {
-                        lost.countDown();
-                    }
-                }
-            });
+            BotListener listener = mock();
+            cart.addListener(listener);
             CompletableFuture<List<String>> received = CompletableFuture.supplyAsync(() -> drivenCart(server));
             cart.connect();
 
             assertThat(cart.move(100).amount()).hasToString("104 mm");
             assertThat(received.get()).containsExactly("drive 100 0", "drive 0 0");
-            lost.await();
+            verify(listener, timeout(10_000)).connectionChanged(cart, MajicBot.Connection.LOST);
             assertThatThrownBy(() -> cart.move(100))
                     .isInstanceOf(LinkLost.class)
                     .hasMessageContaining("the cart closed it");

@@ -2,9 +2,11 @@ package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mockito.ArgumentMatchers.assertArg;
+import static org.mockito.ArgumentMatchers.eq;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.verify;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.OptionalInt;
 import majic.TestClock;
@@ -19,7 +21,7 @@ import org.junit.jupiter.api.Timeout;
 class ManualControlTest {
     private final TestClock clock = new TestClock();
     private final Team team = new Team(clock.time());
-    private final List<String> notices = Collections.synchronizedList(new ArrayList<>());
+    private final TeamListener listener = mock();
     private FakeBot bot;
     private Member member;
 
@@ -28,12 +30,7 @@ class ManualControlTest {
         bot = FakeBot.on(clock.time());
         bot.connect();
         member = team.add(bot, OptionalInt.empty());
-        team.addListener(new TeamListener() {
-            @Override
-            public void noticed(int robot, String text) {
-                notices.add(text);
-            }
-        });
+        team.addListener(listener);
     }
 
     @AfterEach
@@ -86,7 +83,10 @@ class ManualControlTest {
         hand.set("headPan", 500);
 
         assertThat(team.changes().await(hand::isOff, 5)).isTrue();
-        assertThat(notices).singleElement().asString().startsWith("1: ").contains("headPan");
+        verify(listener)
+                .noticed(
+                        eq(1),
+                        assertArg(text -> assertThat(text).startsWith("1: ").contains("headPan")));
     }
 
     @Test

@@ -2,6 +2,9 @@ package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.Mockito.doThrow;
+import static org.mockito.Mockito.mock;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -368,12 +371,9 @@ class TeamTest {
         team.member(1).submit(move(100), null);
         team.member(2).submit(move(3000), null);
         clock.time().sleep(1);
-        team.addListener(new TeamListener() {
-            @Override
-            public void answered(Answer answer) {
-                throw new AssertionError("a mistake");
-            }
-        });
+        TeamListener broken = mock();
+        doThrow(new AssertionError("a mistake")).when(broken).answered(any());
+        team.addListener(broken);
 
         team.stopAll();
         assertThat(awaitIdle(1) && awaitIdle(2)).isTrue();

@@ -1,21 +1,24 @@
 package majic.pioneer.line;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.ArgumentMatchers.argThat;
+import static org.mockito.Mockito.doThrow;
+import static org.mockito.Mockito.inOrder;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.timeout;
+import static org.mockito.Mockito.verify;
 
-import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.CountDownLatch;
-import majic.bot.LinkLost;
 import majic.driver.ReplayLink;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Bytes;
-import majic.pioneer.arcos.Packet;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.Ramps;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.mockito.InOrder;
 
 class ArcosLineTest {
 
@@ -35,25 +38,18 @@ class ArcosLineTest {
 
     @Test
     @Timeout(20)
-    void anErrorOverOnePacketLeavesTheLineToTheNextOnes() throws InterruptedException {
-        List<Integer> taken = new CopyOnWriteArrayList<>();
-        CountDownLatch ended = new CountDownLatch(1);
+    void anErrorOverOnePacketLeavesTheLineToTheNextOnes() {
+        ArcosLine.Listener listener = mock();
+        doThrow(new LinkageError("made up")).when(listener).received(any());
         ReplayLink link = new ReplayLink(Bytes.wire(0x32, new byte[1]), Bytes.wire(0x33, new byte[1]));
 
-        new ArcosLine(link, TimeSource.system()).open(new ArcosLine.Listener() {
-            @Override
-            public void received(Packet packet) {
-                taken.add(packet.type());
-                throw new LinkageError("made up");
-            }
+        new ArcosLine(link, TimeSource.system()).open(listener);
 
-            @Override
-            public void ended(LinkLost cause) {
-                ended.countDown();
-            }
-        });
-        ended.await();
-
-        assertThat(taken).containsExactly(0x32, 0x33);
+        verify(listener, timeout(10_000)).ended(any());
+        InOrder order = inOrder(listener);
+        order.verify(listener).received(argThat(packet -> packet.type() == 0x32));
+        order.verify(listener).received(argThat(packet -> packet.type() == 0x33));
+        order.verify(listener).ended(any());
+        order.verifyNoMoreInteractions();
     }
 }
