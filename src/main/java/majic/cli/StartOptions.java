@@ -44,7 +44,7 @@ final class StartOptions {
             names = "--liburbi-home",
             paramLabel = "DIR",
             scope = ScopeType.INHERIT,
-            description = "Where liburbi-java is installed, for aibo+liburbi://192.168.1.20.")
+            description = "Where URBI's liburbi-java is installed, for aibo+liburbi://192.168.1.20.")
     private @Nullable String liburbiHome;
 
     @Option(
