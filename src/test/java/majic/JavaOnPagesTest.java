@@ -70,7 +70,12 @@ class JavaOnPagesTest {
             majic.bot.Pose start = rig.truePose(type);
             compile(block, address.replaceAll("(address, environment)"))
                     .getMethod(
-                            "run", BotEnvironment.class, BotAddress.class, Settings.class, Path.class, majicsim.Lab.class)
+                            "run",
+                            BotEnvironment.class,
+                            BotAddress.class,
+                            Settings.class,
+                            Path.class,
+                            majicsim.Lab.class)
                     .invoke(
                             null,
                             new BotEnvironment(rig.lab().time(), Settings.inMemory()),
