@@ -56,10 +56,17 @@ record VendorHome(Path folder, String from) {
 
     private static VendorHome of(String folder, String from) {
         try {
-            return new VendorHome(Path.of(folder).toAbsolutePath().normalize(), from);
+            return new VendorHome(path(folder).toAbsolutePath().normalize(), from);
         } catch (InvalidPathException e) {
             throw new BotException(from + " names no folder: " + folder, e);
         }
+    }
+
+    /** Takes a ~ as shells do, which leave it as it is in {@code --option=~/folder}; settings go through none. */
+    private static Path path(String folder) {
+        return folder.equals("~") || folder.startsWith("~/")
+                ? Path.of(System.getProperty("user.home") + folder.substring(1))
+                : Path.of(folder);
     }
 
     private VendorHome checked(VendorLibrary library) {

@@ -119,14 +119,16 @@ public enum VendorLibrary {
     private VendorLoader loader(VendorHome home, String adapter) {
         VendorLoader known = loader;
         if (known != null && known.home().equals(home.folder())) {
+            known.loadNatives();
             return known;
         }
-        if (known != null && !natives.isEmpty()) {
+        if (known != null && known.hasNatives()) {
             throw new BotException(label + " was loaded from " + known.home()
                     + ", and only one can be loaded; restart MAJIC to use " + home);
         }
-        VendorLoader fresh = VendorLoader.open(this, home, adapter.substring(0, adapter.lastIndexOf('.') + 1));
+        VendorLoader fresh = VendorLoader.find(this, home, adapter.substring(0, adapter.lastIndexOf('.') + 1));
         loader = fresh;
+        fresh.loadNatives();
         return fresh;
     }
 }

@@ -23,6 +23,7 @@ final class VendorLoader extends URLClassLoader {
     private final VendorLibrary library;
     private final VendorHome home;
     private final String adapter;
+    private boolean hasNatives;
 
     private VendorLoader(VendorLibrary library, VendorHome home, String adapter, URL classes) {
         super(library.label(), new URL[] {classes}, VendorLoader.class.getClassLoader());
@@ -32,23 +33,36 @@ final class VendorLoader extends URLClassLoader {
     }
 
     /**
-     * Finds a library in its folder and loads its native parts.
+     * Finds a library's classes in its folder.
      *
      * @param adapter the adapter's package, with a dot at its end
+     * @throws BotException if they are missing
+     */
+    static VendorLoader find(VendorLibrary library, VendorHome home, String adapter) {
+        return new VendorLoader(library, home, adapter, url(home.classes(library)));
+    }
+
+    /**
+     * Loads the native parts that are not loaded yet. After a failure it can be called again, and only for the same loader:
+     * Java loads no file for two of them.
+     *
      * @throws BotException if a part is missing or cannot be loaded
      */
-    static VendorLoader open(VendorLibrary library, VendorHome home, String adapter) {
-        VendorLoader loader = new VendorLoader(library, home, adapter, url(home.classes(library)));
+    void loadNatives() {
         for (String name : library.natives()) {
             boolean required =
                     name.equals(library.natives().get(library.natives().size() - 1));
             if (required) {
-                loader.load(home.requiredLibrary(library, name));
+                load(home.requiredLibrary(library, name));
             } else {
-                home.nativeLibrary(name).ifPresent(loader::load);
+                home.nativeLibrary(name).ifPresent(this::load);
             }
         }
-        return loader;
+    }
+
+    /** Whether any native part is loaded. */
+    boolean hasNatives() {
+        return hasNatives;
     }
 
     private static URL url(Path classes) {
@@ -71,16 +85,23 @@ final class VendorLoader extends URLClassLoader {
                             .getConstructor()
                             .newInstance())
                     .accept(file);
+            hasNatives = true;
         } catch (ReflectiveOperationException | LinkageError e) {
             String reason = String.valueOf(e.getMessage());
-            throw new BotException(
-                    OTHER_PROCESSOR.matcher(reason).find()
-                            ? library.label() + " does not fit this Java: " + file
-                                    + " is made for another processor than " + System.getProperty("os.arch")
-                                    + "; install its build for that"
-                            : library.label() + " cannot be loaded from " + file + ": " + reason,
-                    e);
+            throw new BotException(explain(file, reason), e);
         }
+    }
+
+    private String explain(Path file, String reason) {
+        if (OTHER_PROCESSOR.matcher(reason).find()) {
+            return library.label() + " does not fit this Java: " + file + " is made for another processor than "
+                    + System.getProperty("os.arch") + "; install its build for that";
+        }
+        String advice = reason.contains("cannot open shared object file")
+                ? "; it needs another library: start MAJIC with the environment variable LD_LIBRARY_PATH="
+                        + file.getParent()
+                : "";
+        return library.label() + " cannot be loaded from " + file + ": " + reason + advice;
     }
 
     @Override

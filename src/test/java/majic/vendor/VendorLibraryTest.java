@@ -92,6 +92,15 @@ class VendorLibraryTest {
     }
 
     @Test
+    void aTildeIsTheUsersFolder() {
+        Map<String, String> property = Map.of("aria.home", "~");
+
+        assertThat(VendorHome.find(VendorLibrary.ARIA, settings, property::get, name -> null)
+                        .folder())
+                .isEqualTo(Path.of(System.getProperty("user.home")));
+    }
+
+    @Test
     void aFolderThatDoesNotExistIsNamed() {
         assertRefused(
                 VendorLibrary.LIBURBI,
@@ -149,6 +158,15 @@ class VendorLibraryTest {
         Path library = nativeLibrary("Aria", elf(2, 0));
         nativeLibrary("AriaJava", new byte[0]);
         assertRefused(VendorLibrary.ARIA, folder, "ARIA cannot be loaded from " + library + ": ");
+    }
+
+    @Test
+    void anotherFolderCanBeUsedAfterOneWhoseNativeLibraryCannotBeLoaded() throws IOException {
+        aDamagedLibraryIsNamed();
+        Path other = Files.createDirectory(folder.resolve("other"));
+        Files.copy(folder.resolve("java/Aria.jar"), other.resolve("Aria.jar"));
+
+        assertRefused(VendorLibrary.ARIA, other, "ARIA is not complete: ");
     }
 
     @Test
