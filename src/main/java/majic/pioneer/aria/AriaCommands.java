@@ -68,15 +68,23 @@ final class AriaCommands {
     }
 
     private static void send(ArRobot robot, ArcosCommand command, Packet packet) {
-        short number = (short) command.number();
-        boolean sent = switch (command.argument().kind()) {
-            case NONE -> robot.com(number);
-            case INT -> robot.comInt(number, (short) packet.number());
-            case TWO_BYTES -> sendTwoBytes(robot, number, packet.data());
-            case STRING -> robot.comStrN(number, text(packet.text()), packet.text().length);
-        };
-        if (!sent) {
+        if (!isSent(robot, command, packet)) {
             throw new BotException("ARIA could not send " + command);
+        }
+    }
+
+    /** Calls a method that an installed ARIA may have with other parameters; then only these commands cannot be sent. */
+    private static boolean isSent(ArRobot robot, ArcosCommand command, Packet packet) {
+        short number = (short) command.number();
+        try {
+            return switch (command.argument().kind()) {
+                case NONE -> robot.com(number);
+                case INT -> robot.comInt(number, (short) packet.number());
+                case TWO_BYTES -> sendTwoBytes(robot, number, packet.data());
+                case STRING -> robot.comStrN(number, text(packet.text()), packet.text().length);
+            };
+        } catch (LinkageError e) {
+            throw new BotException("this ARIA cannot send " + command + ": " + e.getMessage(), e);
         }
     }
 

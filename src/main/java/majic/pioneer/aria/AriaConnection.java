@@ -64,6 +64,14 @@ final class AriaConnection implements PioneerConnection, RobotLine {
 
     @Override
     public void open(Listener listener) {
+        try {
+            openOnce(listener);
+        } catch (LinkageError e) {
+            throw failedToConnect(e);
+        }
+    }
+
+    private void openOnce(Listener listener) {
         if (!wait.await(() -> !robot.isInUse(), DISCONNECT_S) || !robot.reserve()) {
             throw new BotException("ARIA has not ended the connection before; try again");
         }
@@ -77,8 +85,12 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         listener.identified(robot.locked(aria -> reports.identity()));
         listener.configured(robot.locked(aria -> reports.config()));
         time.runAsync("pioneer aria reports", () -> WaitPolicy.without(() -> pollUntilTheEnd(listener)));
-        if (!wait.await(() -> reported || hasEnded(), FIRST_SIP_S) || hasEnded()) {
+        if (!wait.await(() -> reported || hasEnded(), FIRST_SIP_S)) {
             throw new BotException(address() + " answered ARIA, but sends no data within 2 s");
+        }
+        LinkLost ended = end;
+        if (ended != null) {
+            throw new BotException(address() + " answered ARIA, but then: " + ended.getMessage(), ended);
         }
     }
 
@@ -86,7 +98,7 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         try {
             robot.connect(device);
             attempt.complete(null);
-        } catch (RuntimeException | LinkageError e) {
+        } catch (RuntimeException | Error e) {
             attempt.completeExceptionally(e);
         }
         wait.raise();
@@ -98,11 +110,15 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         } catch (CompletionException e) {
             throw e.getCause() instanceof BotException refused
                     ? new BotException(String.valueOf(refused.getMessage()), refused)
-                    : new BotException("ARIA failed while connecting to " + address() + ": " + e.getCause(), e);
+                    : failedToConnect(e.getCause());
         }
     }
 
-    /** Reports the end, whichever thread has caused it. */
+    private BotException failedToConnect(Throwable cause) {
+        return new BotException("ARIA failed while connecting to " + address() + ": " + cause, cause);
+    }
+
+    /** Reports the end, whichever thread has caused it; any error ends the connection, which nothing would watch after it. */
     private void pollUntilTheEnd(Listener listener) {
         try {
             while (!hasEnded()) {
@@ -114,7 +130,7 @@ final class AriaConnection implements PioneerConnection, RobotLine {
             abort(new LinkLost("connection lost: interrupted"));
         } catch (LinkLost e) {
             abort(e);
-        } catch (RuntimeException | LinkageError e) {
+        } catch (RuntimeException | Error e) {
             abort(failed(e));
         }
         listener.ended(Objects.requireNonNull(end));
@@ -161,7 +177,9 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         } catch (LinkLost e) {
             abort(e);
             throw e;
-        } catch (LinkageError e) {
+        } catch (BotException e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
             LinkLost cause = failed(e);
             abort(cause);
             throw cause;
@@ -257,7 +275,7 @@ final class AriaConnection implements PioneerConnection, RobotLine {
                 wait.waiting().awaitClosing(attempt::isDone, CONNECT_S);
                 try {
                     robot.disconnect();
-                } catch (RuntimeException | LinkageError e) {
+                } catch (RuntimeException | Error e) {
                     LOG.log(Level.WARNING, "ARIA failed to disconnect from " + address(), e);
                 }
                 wait.raise();

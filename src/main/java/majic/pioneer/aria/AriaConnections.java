@@ -21,8 +21,13 @@ public final class AriaConnections implements ConnectionMaker {
 
     private final AriaRobot robot;
 
-    /** Initialises ARIA, once in a process. Made by the class loader of the library. */
-    public AriaConnections() {
+    /**
+     * Initialises ARIA, once in a process. Made by the class loader of the library.
+     *
+     * @throws NoSuchMethodException if the installed ARIA lacks a method without which no robot can be driven
+     */
+    public AriaConnections() throws NoSuchMethodException {
+        AriaMethods.check(ArRobot.class);
         initialize();
         this.robot = new AriaRobot(new ArRobot());
     }

@@ -3,11 +3,13 @@ package majic.pioneer.aria;
 import com.mobilerobots.Aria.ArRobot;
 import com.mobilerobots.Aria.ArSensorReading;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntUnaryOperator;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.ConfigField;
@@ -29,6 +31,7 @@ final class AriaReports {
     private static final int BYTE = 0xFF;
     private static final int COUNTER = 0x10000;
     private static final int NO_CHARGE_STATE = 255;
+    private static final long UNTOLD = Long.MIN_VALUE;
 
     private static final double DEG_PER_COMPASS_STEP = 2;
 
@@ -44,23 +47,43 @@ final class AriaReports {
     }
 
     PioneerIdentity identity() {
-        PioneerIdentity identity =
-                new PioneerIdentity(robot.getRobotName(), robot.getRobotType(), robot.getRobotSubType());
+        PioneerIdentity identity = new PioneerIdentity(
+                told(robot::getRobotName, ""), told(robot::getRobotType, ""), told(robot::getRobotSubType, ""));
         scaling = Models.of(identity.subclass()).scaling();
         return identity;
     }
 
     /** The fields of CONFIG that ARIA gives. */
     Config config() {
-        return Config.of(Map.of(
-                ConfigField.TRANSVELTOP,
-                (long) robot.getAbsoluteMaxTransVel(),
-                ConfigField.ROTVELTOP,
-                (long) robot.getAbsoluteMaxRotVel(),
-                ConfigField.FRONTBUMPS,
-                robot.hasFrontBumpers() ? robot.getNumFrontBumpers() : 0L,
-                ConfigField.REARBUMPS,
-                robot.hasRearBumpers() ? robot.getNumRearBumpers() : 0L));
+        Map<ConfigField, Object> known = new EnumMap<>(ConfigField.class);
+        Map<ConfigField, Supplier<Long>> getters = Map.of(
+                ConfigField.TRANSVELTOP, () -> (long) robot.getAbsoluteMaxTransVel(),
+                ConfigField.ROTVELTOP, () -> (long) robot.getAbsoluteMaxRotVel(),
+                ConfigField.FRONTBUMPS, () -> robot.hasFrontBumpers() ? robot.getNumFrontBumpers() : 0L,
+                ConfigField.REARBUMPS, () -> robot.hasRearBumpers() ? robot.getNumRearBumpers() : 0L);
+        getters.forEach((field, getter) -> {
+            long value = told(getter, UNTOLD);
+            if (value != UNTOLD) {
+                known.put(field, value);
+            }
+        });
+        return Config.of(known);
+    }
+
+    /**
+     * Reads a value without which the robot can be driven all the same. An installed ARIA may have no such method, or may not
+     * know the value that the robot has sent.
+     */
+    private static <T> T told(Supplier<T> getter, T otherwise) {
+        try {
+            return getter.get();
+        } catch (LinkageError | RuntimeException e) {
+            return otherwise;
+        }
+    }
+
+    private static int told(Supplier<Integer> getter) {
+        return told(getter, SipTail.ABSENT);
     }
 
     boolean hasNewSip(long nowNanos) {
@@ -79,9 +102,9 @@ final class AriaReports {
                 rounded(robot.getBatteryVoltageNow() * 10),
                 stall & BYTE,
                 stall >> 8 & BYTE,
-                rounded(robot.getControl() / Scaling.DEG_PER_UNIT),
+                told(() -> rounded(robot.getControl() / Scaling.DEG_PER_UNIT), 0),
                 robot.getFlags(),
-                rounded(robot.getCompass() / DEG_PER_COMPASS_STEP),
+                told(() -> rounded(robot.getCompass() / DEG_PER_COMPASS_STEP), 0),
                 sonar(),
                 tail());
     }
@@ -95,23 +118,31 @@ final class AriaReports {
     }
 
     private SipTail tail() {
-        double volts = robot.getRealBatteryVoltageNow();
-        int charging = robot.getChargeState().swigValue();
         return new SipTail(
                 SipTail.ABSENT,
-                robot.getAnalogPortSelected(),
-                robot.getAnalog() & BYTE,
-                robot.getDigIn() & BYTE,
-                robot.getDigOut() & BYTE,
-                volts > 0 ? rounded(volts * 10) : SipTail.ABSENT,
-                charging < 0 ? NO_CHARGE_STATE : charging,
+                told(robot::getAnalogPortSelected),
+                told(() -> robot.getAnalog() & BYTE),
+                told(() -> robot.getDigIn() & BYTE),
+                told(() -> robot.getDigOut() & BYTE),
+                told(this::batteryTenths),
+                told(this::chargeState),
                 rounded(robot.getRotVel() * 10),
-                robot.hasFaultFlags() ? robot.getFaultFlags() : SipTail.ABSENT,
+                told(() -> robot.hasFaultFlags() ? robot.getFaultFlags() : SipTail.ABSENT),
                 SipTail.ABSENT,
-                robot.getTemperature(),
-                robot.haveStateOfCharge() ? rounded(robot.getStateOfCharge()) : 0,
+                told(robot::getTemperature),
+                told(() -> robot.haveStateOfCharge() ? rounded(robot.getStateOfCharge()) : 0, 0),
                 SipTail.ABSENT,
                 SipTail.ABSENT);
+    }
+
+    private int batteryTenths() {
+        double volts = robot.getRealBatteryVoltageNow();
+        return volts > 0 ? rounded(volts * 10) : SipTail.ABSENT;
+    }
+
+    private int chargeState() {
+        int charging = robot.getChargeState().swigValue();
+        return charging < 0 ? NO_CHARGE_STATE : charging;
     }
 
     private SonarReadings sonar() {
@@ -143,20 +174,26 @@ final class AriaReports {
     /** Reports of ports and encoders, as far as ARIA has received any. */
     List<Report> others() {
         List<Report> reports = new ArrayList<>();
+        reports.addAll(told(this::ports, List.of()));
+        reports.addAll(told(this::encoders, List.of()));
+        return reports;
+    }
+
+    private List<Report> ports() {
         int inputs = robot.getIODigInSize();
         int outputs = robot.getIODigOutSize();
         int analogs = robot.getIOAnalogSize();
-        if (inputs + outputs + analogs > 0) {
-            reports.add(new InputsOutputs(
-                    values(inputs, number -> robot.getIODigIn(number) & BYTE),
-                    values(outputs, number -> robot.getIODigOut(number) & BYTE),
-                    values(analogs, robot::getIOAnalog)));
-        }
+        return inputs + outputs + analogs == 0
+                ? List.of()
+                : List.of(new InputsOutputs(
+                        values(inputs, number -> robot.getIODigIn(number) & BYTE),
+                        values(outputs, number -> robot.getIODigOut(number) & BYTE),
+                        values(analogs, robot::getIOAnalog)));
+    }
+
+    private List<Report> encoders() {
         Encoders encoders = new Encoders(robot.getLeftEncoder(), robot.getRightEncoder());
-        if (!encoders.equals(new Encoders(0, 0))) {
-            reports.add(encoders);
-        }
-        return reports;
+        return encoders.equals(new Encoders(0, 0)) ? List.of() : List.of(encoders);
     }
 
     private static List<Integer> values(int count, IntUnaryOperator reader) {

@@ -22,6 +22,8 @@ final class AriaRobot {
 
     private final ArRobot robot;
     private final AtomicBoolean inUse = new AtomicBoolean();
+
+    /** Kept after the end too: ARIA has it, while its wrapper does not, until it is given another one. */
     private @Nullable ArDeviceConnection device;
 
     AriaRobot(ArRobot robot) {
@@ -73,12 +75,13 @@ final class AriaRobot {
      */
     void connect(AriaDevice opening) {
         AriaDevice.Opened opened = opening.open();
-        device = opened.connection();
         if (opened.result() != 0) {
             String reason = opened.connection().getOpenMessage(opened.result());
+            opened.connection().close();
             throw new BotException("ARIA cannot open " + opening.address() + ": " + reason);
         }
         robot.setDeviceConnection(opened.connection());
+        device = opened.connection();
         if (!robot.blockingConnect()) {
             throw new BotException(
                     "ARIA finds no Pioneer at " + opening.address()
@@ -96,7 +99,6 @@ final class AriaRobot {
                 open.close();
             }
         } finally {
-            device = null;
             inUse.set(false);
         }
     }

@@ -2,6 +2,8 @@ package majic.pioneer.aria;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.ArgumentMatchers.anyInt;
 import static org.mockito.ArgumentMatchers.anyShort;
 import static org.mockito.Mockito.mock;
 import static org.mockito.Mockito.verify;
@@ -51,6 +53,15 @@ class AriaCommandsTest {
                         ArcosCommand.SAY.packet(new byte[] {10, 72, 5, 0}),
                         robot -> robot.comStrN((short) 15, "\n\u0048\u0005\u0001", 4)),
                 command(ArcosCommand.QSTOP.packet(), robot -> robot.com((short) 57)));
+    }
+
+    @Test
+    void aCommandThatTheInstalledAriaHasWithOtherParametersIsRefused() {
+        when(robot.comStrN(anyShort(), any(), anyInt())).thenThrow(new NoSuchMethodError("comStrN"));
+
+        assertThatThrownBy(() -> AriaCommands.execute(robot, ArcosCommand.SAY.packet(new byte[] {10, 72})))
+                .isInstanceOf(BotException.class)
+                .hasMessage("this ARIA cannot send SAY: comStrN");
     }
 
     private static Arguments command(Packet packet, Expected expected) {

@@ -199,6 +199,62 @@ class AriaDriveTest {
     }
 
     @Test
+    void anyErrorInAriasReportsEndsTheConnection() {
+        connect(50);
+        aria.others.put("getX", () -> {
+            throw new AssertionError("made up");
+        });
+
+        aria.clock().until(() -> !bot.isConnected());
+
+        assertThat(bot.lostReason()).contains("connection lost: ARIA failed: java.lang.AssertionError: made up");
+        aria.clock().until(() -> aria.calls.contains("stopRunning"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "getChargeState, charging",
+        "getTemperature, temperature",
+        "getDigIn, ''",
+        "getRobotName, ''",
+        "hasFrontBumpers, ''",
+        "getCompass, ''",
+        "getControl, ''",
+        "getIOAnalogSize, ''",
+        "getLeftEncoder, ''"
+    })
+    void aValueThatTheInstalledAriaDoesNotTellLeavesTheRobotConnected(String method, String parameter) {
+        create(50);
+        aria.others.put(method, () -> {
+            if (method.equals("getChargeState")) {
+                throw new IllegalArgumentException("a state that the wrapper does not know");
+            }
+            throw new NoSuchMethodError(method);
+        });
+        bot.connect();
+
+        pass(1);
+
+        assertThat(bot.isConnected()).isTrue();
+        if (!parameter.isEmpty()) {
+            assertThat(bot.get(parameter).toString()).startsWith("unknown (");
+        }
+    }
+
+    @Test
+    void aMethodWithoutWhichNoReportCanBeMadeIsNamedWhenConnecting() {
+        create(50);
+        aria.others.put("getFlags", () -> {
+            throw new NoSuchMethodError("getFlags");
+        });
+
+        assertThatThrownBy(bot::connect)
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("ARIA failed: java.lang.NoSuchMethodError: getFlags");
+        aria.clock().until(() -> aria.calls.contains("stopRunning"));
+    }
+
+    @Test
     void aCommandThatTheInstalledAriaLacksEndsTheConnection() {
         connect(50);
         aria.others.put("setVel", () -> {

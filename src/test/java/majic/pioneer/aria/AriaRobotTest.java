@@ -10,6 +10,7 @@ import static org.mockito.Mockito.when;
 
 import com.mobilerobots.Aria.ArDeviceConnection;
 import com.mobilerobots.Aria.ArRobot;
+import com.mobilerobots.Aria.ArTime;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -78,6 +79,15 @@ class AriaRobotTest {
         order.verify(aria).stopRunning(true);
         order.verify(device).close();
         assertThat(robot.reserve()).isTrue();
+    }
+
+    @Test
+    void theMethodsWithoutWhichNoRobotCanBeDrivenAreLookedFor() throws NoSuchMethodException {
+        AriaMethods.check(ArRobot.class);
+
+        assertThatThrownBy(() -> AriaMethods.check(ArTime.class))
+                .isInstanceOf(NoSuchMethodException.class)
+                .hasMessageContaining("com.mobilerobots.Aria.ArTime.");
     }
 
     @Test
