@@ -116,10 +116,28 @@ make_class_data() {
         mv -f "$fresh" "$archive" || rm -f "$fresh") >/dev/null 2>&1 </dev/null &
 }
 
+# find_aria_libraries ARGUMENT...: lets the system find the library that ARIA's wrapper needs, which Java cannot do for it.
+find_aria_libraries() {
+    aria=${ARIA-}
+    before=
+    for argument; do
+        [ "$before" != --aria-home ] || aria=$argument
+        case $argument in --aria-home=*) aria=${argument#*=} ;; esac
+        before=$argument
+    done
+    for folder in "$aria" "$aria/lib" "$aria/lib64"; do
+        if [ -n "$aria" ] && [ -f "$folder/libAria.so" ]; then
+            LD_LIBRARY_PATH=$(cd "$folder" && pwd)${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+            export LD_LIBRARY_PATH
+        fi
+    done
+}
+
 # exec_majic HERE ARGUMENT...: starts MAJIC in place of this process, with what is open as 3 for its standard input.
 exec_majic() {
     jar=$1/target/majic.jar
     shift
+    find_aria_libraries "$@"
     major=$(java_major "$java")
     native=
     [ "$major" -lt 22 ] || native=--enable-native-access=ALL-UNNAMED

@@ -55,6 +55,17 @@ class LauncherTest {
     }
 
     @Test
+    void theLibraryThatAriasWrapperNeedsIsFoundInAriasFolder() throws Exception {
+        Path lib = Files.createDirectories(folder.resolve("Aria/lib"));
+        Files.createFile(lib.resolve("libAria.so"));
+        java("", "echo \"libraries in $LD_LIBRARY_PATH\"");
+
+        assertThat(start("", "--aria-home", "" + lib.getParent())).contains("libraries in " + lib.toRealPath());
+        assertThat(start("", "--aria-home=" + lib.getParent())).contains("libraries in " + lib.toRealPath());
+        assertThat(start("", "--lab")).doesNotContain("" + lib);
+    }
+
+    @Test
     void eachCloneHasAnArchiveOfItsOwn() throws Exception {
         String first = archiveName();
         assertThat(archiveName()).isEqualTo(first);
