@@ -2,6 +2,7 @@ package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mockito.Mockito.mock;
 
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
@@ -80,12 +81,10 @@ class NoThreadsLeftTest {
         FakeBot first = join();
         FakeBot second = join();
         CountDownLatch testIsOver = new CountDownLatch(1);
-        team.addListener(new TeamListener() {
-            @Override
-            public void answered(Answer answer) {
-                await(testIsOver);
-            }
-        });
+        team.addListener(mock(TeamListener.class, call -> {
+            await(testIsOver);
+            return null;
+        }));
         time.exhausted = true;
 
         CompletableFuture<Void> stop = CompletableFuture.runAsync(team::stopAll, task -> new Thread(task).start());
