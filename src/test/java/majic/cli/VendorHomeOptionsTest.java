@@ -57,10 +57,9 @@ class VendorHomeOptionsTest {
         new CommandLine(command)
                 .addSubcommand(new RunCommand(new UserFolder(folder)))
                 .parseArgs("run", library.option(), "installed", "square.majic");
+        command.start().program(new UserFolder(folder)).close();
 
-        try (Program program = command.start().program(new UserFolder(folder))) {
-            assertThat(System.getProperty(library.property())).isEqualTo("installed");
-        }
+        assertThat(System.getProperty(library.property())).isEqualTo("installed");
     }
 
     @ParameterizedTest
@@ -69,10 +68,9 @@ class VendorHomeOptionsTest {
         System.clearProperty(library.property());
         MajicCommand command = new MajicCommand(new UserFolder(folder));
         new CommandLine(command).parseArgs();
+        command.start().program(new UserFolder(folder)).close();
 
-        try (Program program = command.start().program(new UserFolder(folder))) {
-            assertThat(System.getProperty(library.property())).isNull();
-        }
+        assertThat(System.getProperty(library.property())).isNull();
     }
 
     @ParameterizedTest
